@@ -1,0 +1,21 @@
+#pragma once
+
+#include <expected>
+#include <filesystem>
+#include <string>
+
+namespace proskill::analysis {
+
+/// The one way to the disk for everything below the command line and the server. Tests replace it.
+class FileSystem {
+public:
+  virtual ~FileSystem() = default;
+  /// The file's bytes, or why they cannot be had, in words for a user.
+  [[nodiscard]] virtual std::expected<std::string, std::string>
+  read(const std::filesystem::path& path) const = 0;
+  /// One spelling for each file, so that two includes of it are seen to be the same.
+  [[nodiscard]] virtual std::filesystem::path
+  canonical(const std::filesystem::path& path) const = 0;
+};
+
+} // namespace proskill::analysis

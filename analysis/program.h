@@ -1,0 +1,78 @@
+#pragma once
+
+#include "analysis/file_system.h"
+#include "syntax/document.h"
+
+#include <filesystem>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace proskill::analysis {
+
+using syntax::FileId;
+using syntax::Location;
+
+struct File {
+  std::filesystem::path path; ///< as a user would write it
+  syntax::Document document;
+};
+
+/// A definition: the node and the file that it stands in. Valid as long as the program.
+template <class Node> struct Definition {
+  const Node* node = nullptr;
+  const syntax::Form* form = nullptr;
+  FileId file = 0;
+
+  [[nodiscard]] std::string_view name() const { return node->name.text; }
+  const Node* operator->() const { return node; }
+  [[nodiscard]] Location at(syntax::Range range) const { return {file, range}; }
+};
+
+/// The definitions of one namespace: in the order of the program, and by name (the first of a name).
+template <class Node> struct Table {
+  std::vector<Definition<Node>> all;
+  std::map<std::string_view, std::size_t, std::less<>> byName;
+
+  [[nodiscard]] const Definition<Node>* find(std::string_view name) const {
+    auto found = byName.find(name);
+    return found == byName.end() ? nullptr : &all[found->second];
+  }
+};
+
+/// A root file with all that it includes, in the order in which a reader would meet the forms.
+struct Program {
+  std::vector<File> files; ///< files[0] is the root
+  Table<syntax::StateVariable> stateVariables;
+  Table<syntax::Event> events;
+  Table<syntax::Skill> skills;
+  Table<syntax::Resource> resources;
+  Table<syntax::Property> properties;
+  Table<syntax::Environment> environments;
+  std::vector<syntax::Diagnostic> diagnostics; ///< of loading and of the texts' form
+
+  Program() = default;
+  Program(Program&&) = default;
+  Program& operator=(Program&&) = default;
+  Program(const Program&) = delete; ///< definitions point into files
+  Program& operator=(const Program&) = delete;
+};
+
+/// Reads `root` and what it includes. Never fails: what cannot be read is a diagnostic.
+[[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root);
+
+/// The same with the documents that an editor holds: `root` is given, only includes are read.
+[[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root,
+                           syntax::Document document);
+
+/// Everything that is wrong with a program, those of loading included, in the order of the files.
+[[nodiscard]] std::vector<syntax::Diagnostic> check(const Program& program);
+
+/// Which skill is the mission: the composite that no other calls and that is no monitor.
+struct MainSkill {
+  const Definition<syntax::Skill>* skill = nullptr; ///< null: a library of skills, or ambiguous
+  std::vector<const Definition<syntax::Skill>*> candidates;
+};
+[[nodiscard]] MainSkill mainSkill(const Program& program);
+
+} // namespace proskill::analysis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "analysis/program.h"
+#include "fiacre/tree.h"
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <vector>
+
+namespace proskill::codegen {
+
+enum class Edition : std::uint8_t { Offline, Expanded, Runtime };
+
+/// Exact: a forbidden move is seen in the transition that makes it. Paper: the automaton polls the variable.
+enum class StateVariableAutomata : std::uint8_t { Exact, Paper };
+
+struct Options {
+  Edition edition = Edition::Offline;
+  StateVariableAutomata automata = StateVariableAutomata::Exact;
+  std::string mainSkill;           ///< empty: the one that no other skill calls
+  std::int64_t ticksPerSecond = 100; ///< of the runtime edition
+};
+
+/// When a verdict is good news.
+enum class Expectation : std::uint8_t { Holds, Reachable };
+
+/// How bad the other verdict is.
+enum class Weight : std::uint8_t { Error, Warning };
+
+/// A default property, or one of the program's own, as a question to the model.
+struct Check {
+  std::string name;    ///< unique and stable: `takeoff.can_succeed.at_altitude`
+  std::string kind;    ///< `can_succeed`; `property` for the program's own
+  std::string subject; ///< `takeoff`
+  std::string words;   ///< "`takeoff` can succeed with `at_altitude`"
+  Expectation good = Expectation::Holds;
+  Weight weight = Weight::Error;
+  std::size_t property = 0; ///< index into the model's properties
+  fiacre::OriginId origin = 0;
+};
+
+/// A program's meaning. `unit` of time: one step of the model is numerator/denominator seconds.
+struct Model {
+  fiacre::Program fiacre;
+  fiacre::Provenance provenance;
+  std::vector<Check> checks;
+  syntax::Rational unit{1, 1};
+};
+
+/// Why there is no model, with the place where there is one.
+struct GenerationError {
+  std::string message;
+  analysis::Location location;
+};
+
+/// The program's model. \pre the program has no errors.
+[[nodiscard]] std::expected<Model, GenerationError> generate(const analysis::Program& program,
+                                                             const Options& options = {});
+
+} // namespace proskill::codegen

@@ -1,0 +1,290 @@
+#pragma once
+
+#include "fiacre/provenance.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The tree of Fiacre V3 and of H-Fiacre, its executable extension: what the code generator builds and what the
+/// printer and the verifier read. Times are naturals of the model's unit.
+/// Berthomieu et al., "The syntax and semantics of Fiacre" (V2, V3).
+namespace proskill::fiacre {
+
+struct Interval {
+  std::int64_t lower = 0;
+  std::optional<std::int64_t> upper; ///< nothing: unbounded
+  bool lowerOpen = false;
+  bool upperOpen = false; ///< of a bounded interval
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+enum class TypeKind : std::uint8_t { Bool, Nat, Int, Range, Record, Array, Union, Queue, Named };
+
+struct Type;
+
+/// A field of a record, or a constructor of a union (whose type may be absent).
+struct Member {
+  std::string name;
+  std::vector<Type> type; ///< none or one
+  std::string comment;
+};
+
+struct Type {
+  TypeKind kind = TypeKind::Bool;
+  std::string name;             ///< Named
+  std::int64_t low = 0;         ///< Range
+  std::int64_t high = 0;        ///< Range
+  std::vector<Member> members;  ///< Record, Union
+  std::int64_t size = 0;        ///< Array, Queue
+  std::vector<Type> element;    ///< Array, Queue: one
+};
+
+enum class ExprKind : std::uint8_t {
+  Bool,        // number 0 or 1
+  Number,      // number
+  Name,        // name: variable, constant or constructor, as the type checker finds
+  Construct,   // name(operands): a constructor with a value, or a call of a function
+  Unary,       // op operands[0]
+  Binary,      // operands[0] op operands[1]
+  Conditional, // operands[0] ? operands[1] : operands[2]
+  Index,       // operands[0][operands[1]]
+  Field,       // operands[0].name
+  Array,       // [operands…]
+  Record,      // {fields[i] = operands[i], …}
+  Queue,       // {|operands…|}
+};
+
+enum class Op : std::uint8_t {
+  Not, Negate, Coerce, Empty, Full, First, Dequeue, // unary
+  And, Or, Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
+  Add, Subtract, Multiply, Divide, Modulo, Enqueue, Append,
+};
+
+struct Expr {
+  ExprKind kind = ExprKind::Bool;
+  Op op = Op::Not;
+  std::int64_t number = 0;
+  std::string name;
+  std::vector<std::string> fields;
+  std::vector<Expr> operands;
+  friend bool operator==(const Expr&, const Expr&) = default;
+};
+
+enum class StatementKind : std::uint8_t {
+  Null,
+  Comment,  // a line for the reader alone
+  Assign,   // targets := values (any number of each, the same)
+  Any,      // targets[0] := any [where values[0]]
+  On,       // on values[0]
+  Wait,     // wait interval
+  To,       // to name
+  Loop,     // stay in the state, clocks go on
+  If,       // if values[0] then children[0] [else children[1]]; elsif is a nested If
+  Case,     // case values[0] of patterns: values[1 + i] -> children[i]
+  Select,   // children, by [] ; `unless` before child i where i is in priorityGroups
+  Sequence, // children
+  Send,     // name ! values…; without values a plain synchronisation
+  Receive,  // name ? targets… [where values[0]]
+  Tag,      // #name: the transitions that pass here bear it
+  Start,    // H-Fiacre: start name(values…)
+  Sync,     // H-Fiacre: sync name [targets[0]]
+  While,    // while values[0] do children[0] end
+  Foreach,  // foreach name do children[0] end
+  Return,   // in functions: return values[0]
+};
+
+struct Statement {
+  StatementKind kind = StatementKind::Null;
+  OriginId origin = 0;
+  std::string comment; ///< printed before it, at the end of its line where short
+  std::string name;
+  std::vector<Expr> targets;
+  std::vector<Expr> values;
+  Interval interval;
+  std::vector<Statement> children;
+  std::vector<std::size_t> priorityGroups;
+};
+
+struct Variable {
+  std::string name;
+  Type type;
+  std::optional<Expr> init;
+  std::string comment;
+};
+
+/// What crosses a port; `sync` is no value at all.
+struct Port {
+  std::string name;
+  std::vector<Type> values;
+  bool in = false;
+  bool out = false;
+  std::optional<Interval> interval; ///< in components; nothing: [0,...[
+  std::string comment;
+};
+
+struct Parameter {
+  std::string name;
+  Type type;
+  bool reference = false;
+};
+
+struct State {
+  std::string name;
+  OriginId origin = 0;
+};
+
+/// What can happen in a state: each path through the statement is one atomic transition.
+struct From {
+  std::string state;
+  Statement statement;
+  std::string comment; ///< the lines above, naming the program's line
+};
+
+struct Process {
+  std::string name;
+  OriginId origin = 0;
+  std::string comment;
+  std::vector<Port> ports;
+  std::vector<Parameter> parameters;
+  std::vector<State> states; ///< the first is the initial one, unless `init` says another
+  std::vector<Variable> variables;
+  std::optional<Statement> init;
+  std::vector<From> transitions;
+};
+
+struct Function {
+  std::string name;
+  std::string comment;
+  std::vector<Parameter> parameters;
+  Type result;
+  std::vector<Variable> variables;
+  Statement body;
+};
+
+/// `P[ports](arguments)` in a component; an argument that is a reference is a plain variable's name.
+struct Instance {
+  std::string process;
+  std::vector<std::string> ports;
+  std::vector<Expr> arguments;
+  std::vector<bool> references; ///< which arguments are passed by reference
+};
+
+struct Priority {
+  std::vector<std::string> higher;
+  std::vector<std::string> lower;
+};
+
+/// A parallel composition; every instance synchronises on every port that it shares (`par * in`).
+struct Component {
+  std::string name;
+  std::string comment;
+  std::vector<Port> interfacePorts;
+  std::vector<Parameter> parameters;
+  std::vector<Variable> variables;
+  std::vector<Port> ports;
+  std::vector<Priority> priorities;
+  std::optional<Statement> init;
+  std::vector<Instance> instances;
+};
+
+enum class ObservableKind : std::uint8_t {
+  State, // path/state name
+  Value, // path/value expr
+  Tag,   // path/tag name
+  Event, // path/event name
+  Enter, Leave, Not, And, Or, Implies,
+};
+
+/// What can be seen of a model at a moment. A path is 1-based places in `par`, from the main component down.
+struct Observable {
+  ObservableKind kind = ObservableKind::State;
+  std::vector<std::uint32_t> path;
+  std::string name;
+  Expr value;
+  std::vector<Observable> operands;
+};
+
+enum class PatternKind : std::uint8_t {
+  DeadlockFree, InfinitelyOften, Mortal, Present, Absent, Always, LeadsTo, Precedes,
+  Ltl,
+  Progress, // not of Fiacre: time can always go on; printed as a comment
+};
+
+enum class LtlKind : std::uint8_t { Atom, Globally, Finally, Next, Until, Not, And, Or, Implies };
+
+struct Ltl {
+  LtlKind kind = LtlKind::Atom;
+  Observable atom;
+  std::vector<Ltl> operands;
+};
+
+struct Pattern {
+  PatternKind kind = PatternKind::Absent;
+  std::vector<Observable> operands; ///< what is absent, always, … ; LeadsTo, Precedes: two
+  std::optional<Observable> after;
+  std::optional<Observable> before;
+  std::optional<Interval> within;
+  std::optional<Interval> forInterval;
+  std::optional<std::int64_t> lasting;
+  Ltl ltl;
+};
+
+struct Property {
+  std::string name;
+  Pattern pattern;
+  OriginId origin = 0;
+  std::string comment;
+};
+
+struct TypeDeclaration {
+  std::string name;
+  Type type;
+  std::string comment;
+};
+
+struct Constant {
+  std::string name;
+  Type type;
+  Expr value;
+};
+
+/// H-Fiacre: a port that a function of C offers.
+struct EventPort {
+  Port port;
+  std::string function;
+};
+
+/// H-Fiacre: a function of C that runs in a thread of its own.
+struct Task {
+  std::string name;
+  std::vector<Type> parameters;
+  Type result;
+  std::string function;
+};
+
+/// H-Fiacre: a function of C that is called within a transition.
+struct Extern {
+  std::string name;
+  std::vector<Type> parameters;
+  Type result;
+  std::string function;
+};
+
+/// Printed in this order.
+struct Program {
+  std::string comment; ///< the head of the file
+  std::vector<Constant> constants;
+  std::vector<TypeDeclaration> types;
+  std::vector<EventPort> eventPorts;
+  std::vector<Task> tasks;
+  std::vector<Extern> externs;
+  std::vector<Function> functions;
+  std::vector<Process> processes;
+  std::vector<Component> components;
+  std::string main; ///< the component that is the model
+  std::vector<Property> properties;
+};
+
+} // namespace proskill::fiacre

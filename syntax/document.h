@@ -1,0 +1,42 @@
+#pragma once
+
+#include "syntax/ast.h"
+#include "syntax/diagnostic.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proskill::syntax {
+
+/// A top-level form with the tree-sitter tree and the text that its typed tree looks into.
+struct ParsedForm;
+
+/// A parsed text: a value, never changed, cheap to copy. Parsing never fails.
+class Document {
+public:
+  /// Any bytes give a document.
+  static Document parse(std::string text);
+
+  /// The document after `range` was replaced by `text`: equal to a fresh parse of the new text, at
+  /// the cost of the forms that the edit touches.
+  [[nodiscard]] Document edit(Range range, std::string_view text) const;
+
+  [[nodiscard]] const std::string& text() const;
+  [[nodiscard]] const LineIndex& lines() const;
+  /// The forms in the order of the text, with absolute ranges.
+  [[nodiscard]] const std::vector<Form>& forms() const;
+  /// Comments in the order of the text, from `;` to the end of the line, without the line's end.
+  [[nodiscard]] const std::vector<Range>& comments() const;
+  /// What is wrong with the form of the text; `Location::file` is 0.
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  /// The concrete trees as one S-expression with ranges, for tests and for debugging.
+  [[nodiscard]] std::string dump() const;
+
+private:
+  struct State;
+  std::shared_ptr<const State> state;
+};
+
+} // namespace proskill::syntax

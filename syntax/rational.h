@@ -1,0 +1,30 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace proskill::syntax {
+
+/// An exact fraction in lowest terms, denominator positive. Durations are rationals of seconds.
+struct Rational {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+
+  friend bool operator==(const Rational&, const Rational&) = default;
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+    return static_cast<__int128>(a.numerator) * b.denominator <=>
+           static_cast<__int128>(b.numerator) * a.denominator;
+  }
+};
+
+/// Reads `12`, `-3` or `0.25` exactly; nothing where the value does not fit 64 bits.
+[[nodiscard]] std::optional<Rational> parseRational(std::string_view text);
+[[nodiscard]] std::optional<Rational> add(Rational a, Rational b);
+[[nodiscard]] std::optional<Rational> multiply(Rational a, Rational b);
+/// The shortest decimal where there is one (`0.25`), else the fraction (`1/3`).
+[[nodiscard]] std::string toString(Rational value);
+
+} // namespace proskill::syntax

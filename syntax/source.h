@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace proskill::syntax {
+
+/// A place in a text, in bytes from its start.
+using Offset = std::uint32_t;
+
+/// A half-open stretch of a text, in bytes.
+struct Range {
+  Offset begin = 0;
+  Offset end = 0;
+
+  [[nodiscard]] bool empty() const { return begin == end; }
+  [[nodiscard]] Offset length() const { return end - begin; }
+  [[nodiscard]] bool contains(Offset at) const { return begin <= at && at < end; }
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+/// A line and a column in bytes, both counted from 0.
+struct Position {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+  friend auto operator<=>(const Position&, const Position&) = default;
+};
+
+/// Where the lines of a text begin. `\n` and `\r\n` end a line.
+class LineIndex {
+public:
+  explicit LineIndex(std::string_view text);
+
+  [[nodiscard]] Position position(Offset at) const;
+  [[nodiscard]] Offset offset(Position position) const;
+  [[nodiscard]] std::uint32_t lineCount() const;
+  /// The line without its end.
+  [[nodiscard]] Range line(std::uint32_t number, std::string_view text) const;
+
+private:
+  std::vector<Offset> starts;
+};
+
+} // namespace proskill::syntax

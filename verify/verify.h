@@ -1,0 +1,128 @@
+#pragma once
+
+#include "fiacre/tree.h"
+
+#include <atomic>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace proskill::verify {
+
+/// A question to a model: one of its properties, by index.
+struct Question {
+  std::size_t property = 0;
+};
+
+/// What is true of the property as it is written: `absent X` is violated where X can be reached.
+enum class Truth : std::uint8_t { True, False, Unknown };
+
+/// A variable that a step changed, as a user knows it.
+struct Change {
+  std::string variable;
+  std::string before;
+  std::string after;
+};
+
+/// A date in units of the model.
+struct Date {
+  std::int64_t value = 0;
+  bool strict = false; ///< not the date itself, but arbitrarily near to it
+};
+
+/// A step of a witness.
+struct Step {
+  std::vector<fiacre::OriginId> origins;  ///< of the statements that were passed, most telling last
+  std::vector<std::string> transitions;   ///< the Fiacre transitions: `skill_takeoff_1_t3`
+  Date earliest;                          ///< since the start, over all runs through these steps
+  std::optional<Date> latest;             ///< nothing: unbounded
+  std::int64_t date = 0;                  ///< in the concrete run that was replayed, in units of 1/Trace::scale
+  std::vector<Change> changes;
+};
+
+/// A run from the initial state. It was replayed step by step, with the dates that it gives, before it got here.
+struct Trace {
+  std::int64_t scale = 1; ///< `Step::date` is in units of 1/scale of the model's unit
+  std::vector<Change> initial; ///< every watched variable's first value, in `after`
+  std::vector<Step> steps;
+};
+
+struct Answer {
+  Truth truth = Truth::Unknown;
+  std::optional<Trace> trace; ///< the witness of reachability, or of a violation
+  std::string reason;         ///< where unknown: which limit was met, or what is not supported
+};
+
+/// Measures against the explosion of states; each is its own file, argued sound in docs/verification.md.
+enum class Reduction : std::uint8_t {
+  DeadVariables,  ///< variables that nothing reads, and processes that only watch
+  LiveVariables,  ///< a variable that is written before it is read again counts as 0
+  SafeSteps,      ///< one safe urgent step at a time
+  Inclusion,      ///< a zone within another of the same marking is not explored
+  Extrapolation,  ///< bounds beyond the largest constants are forgotten (LU)
+};
+
+struct Limits {
+  std::optional<double> seconds;
+  std::optional<std::uint64_t> bytes;
+  std::optional<std::uint64_t> classes;
+};
+
+struct Progress {
+  std::uint64_t classes = 0;
+  std::uint64_t markings = 0;
+  std::uint64_t waiting = 0;
+  std::uint64_t bytes = 0;
+  double seconds = 0;
+};
+
+struct Options {
+  std::set<Reduction> reductions{Reduction::DeadVariables, Reduction::LiveVariables,
+                                 Reduction::SafeSteps, Reduction::Inclusion,
+                                 Reduction::Extrapolation};
+  Limits limits;
+  unsigned jobs = 1;
+  const std::atomic<bool>* cancelled = nullptr;
+  std::function<void(const Progress&)> progress; ///< called a few times a second
+};
+
+/// What was explored.
+struct Exploration {
+  std::uint64_t classes = 0;
+  std::uint64_t markings = 0; ///< discrete states
+  std::uint64_t domains = 0;  ///< different zones
+  std::uint64_t transitions = 0;
+  std::uint64_t bytes = 0;
+  double seconds = 0;
+  bool complete = false;
+  std::string stopped; ///< which limit, where it is not complete
+};
+
+struct Result {
+  std::vector<Answer> answers; ///< one a question
+  Exploration exploration;
+};
+
+/// Why a model cannot be explored: something of Fiacre that the engine does not run.
+struct Unsupported {
+  std::string message;
+  fiacre::OriginId origin = 0;
+};
+
+/// Answers all questions by one exploration of the dense-time states. Exact: an answer other than Unknown is never
+/// wrong, and Unknown is given only where a limit was met or the property's kind is not supported.
+[[nodiscard]] std::expected<Result, Unsupported> verify(const fiacre::Program& program,
+                                                        const fiacre::Provenance& provenance,
+                                                        const std::vector<Question>& questions,
+                                                        const Options& options = {});
+
+/// The graph of state classes with nothing reduced, counted as sift does.
+/// Berthomieu and Diaz, "Modeling and verification of time dependent systems using time Petri nets", TSE 1991.
+[[nodiscard]] std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& program,
+                                                                   const Options& options = {});
+
+} // namespace proskill::verify
