@@ -1,0 +1,70 @@
+#pragma once
+
+#include "codegen/model.h"
+#include "verify/verify.h"
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// From a model to verdicts in the words of the program that it was made from.
+namespace proskill::ide {
+
+enum class Verdict : std::uint8_t { Holds, Violated, Reachable, Unreachable, Inconclusive };
+
+[[nodiscard]] std::string_view toString(Verdict verdict);
+
+/// A date or a delay in seconds; `strict`: not quite reached.
+struct Moment {
+  syntax::Rational seconds;
+  bool strict = false;
+};
+
+/// One step of a trace, as a reader of the program sees it.
+struct TraceStep {
+  std::string actor; ///< a skill, a branch, an event, the environment
+  std::string words; ///< "succeeds with `at_altitude`"
+  std::optional<analysis::Location> location;
+  Moment earliest;
+  std::optional<Moment> latest; ///< nothing: as late as one likes
+  syntax::Rational date;        ///< in the run that was replayed, seconds since the start
+  syntax::Rational delay;       ///< since the step before, in that run
+  std::vector<verify::Change> changes;
+  std::vector<std::string> transitions; ///< of the Fiacre model
+};
+
+struct Trace {
+  std::vector<verify::Change> initial;
+  std::vector<TraceStep> steps;
+};
+
+/// The verdict on one property.
+struct VerdictRow {
+  const codegen::Check* check = nullptr; ///< lives in the model
+  Verdict verdict = Verdict::Inconclusive;
+  std::optional<analysis::Location> location;
+  std::optional<Trace> trace;
+  std::string reason; ///< where inconclusive
+
+  /// Whether this is what one hopes for. An inconclusive verdict is neither good nor bad.
+  [[nodiscard]] bool good() const;
+  [[nodiscard]] bool bad() const { return verdict != Verdict::Inconclusive && !good(); }
+};
+
+struct VerificationReport {
+  std::vector<VerdictRow> rows;
+  verify::Exploration exploration;
+};
+
+/// Whether a check is asked for; an empty list of names asks for all. A name selects the check of
+/// that name and all whose name it begins, up to a dot: `takeoff`, `takeoff.can_succeed`,
+/// `takeoff.can_succeed.at_altitude`.
+[[nodiscard]] bool selects(const std::vector<std::string>& names, const codegen::Check& check);
+
+/// Verdicts on the selected checks of the model, in the model's order, from one exploration.
+[[nodiscard]] std::expected<VerificationReport, verify::Unsupported>
+verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
+            const verify::Options& options);
+
+} // namespace proskill::ide
