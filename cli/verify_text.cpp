@@ -1,0 +1,183 @@
+#include "cli/paint.h"
+#include "cli/verify_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace proskill::cli {
+
+namespace {
+
+using ide::Verdict;
+
+struct Mark {
+  std::string_view sign;
+  Colour colour;
+};
+
+Mark markOf(const ide::VerdictRow& row) {
+  if (row.verdict == Verdict::Inconclusive) return {"?", Colour::Yellow};
+  if (row.good()) return {"✓", Colour::Green};
+  if (row.check->weight == codegen::Weight::Warning) return {"!", Colour::Yellow};
+  return {"✗", Colour::Red};
+}
+
+/// `12.5 s`, with `>` or `<` before a date that is approached but not reached.
+std::string momentText(const ide::Moment& moment, bool latest) {
+  return fmt::format("{}{}", moment.strict ? (latest ? "<" : ">") : "",
+                     syntax::toString(moment.seconds));
+}
+
+/// The window of dates in which the step can happen, over all runs that go this way.
+std::string windowText(const ide::TraceStep& step) {
+  auto earliest = momentText(step.earliest, false);
+  if (!step.latest) return earliest + " s …";
+  auto latest = momentText(*step.latest, true);
+  return earliest == latest ? earliest + " s" : fmt::format("{} … {} s", earliest, latest);
+}
+
+/// How many columns a terminal gives to UTF-8 text without wide characters.
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, std::size_t width) {
+  auto have = columns(text);
+  if (have < width) text.append(width - have, ' ');
+  return text;
+}
+
+std::string changesText(const std::vector<verify::Change>& changes) {
+  std::string text;
+  for (const auto& change : changes)
+    text += fmt::format("{}{}: {} → {}", text.empty() ? "" : ", ", change.variable, change.before,
+                        change.after);
+  return text;
+}
+
+std::string initialText(const std::vector<verify::Change>& initial) {
+  std::string text;
+  for (const auto& variable : initial)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", variable.variable, variable.after);
+  return text;
+}
+
+/// The widths of the columns of a trace.
+struct Layout {
+  std::size_t number = 1;
+  std::size_t window = 0;
+  std::size_t actor = 0;
+  std::size_t words = 0;
+};
+
+Layout layoutOf(const ide::Trace& trace) {
+  Layout layout{std::to_string(trace.steps.size()).size()};
+  for (const auto& step : trace.steps) {
+    layout.window = std::max(layout.window, columns(windowText(step)));
+    layout.actor = std::max(layout.actor, columns(step.actor));
+    layout.words = std::max(layout.words, columns(step.words));
+  }
+  layout.words = std::min<std::size_t>(layout.words, 60);
+  return layout;
+}
+
+void writeStep(std::ostream& out, const VerifyReport& report, const ide::TraceStep& step,
+               std::size_t number, const Layout& layout, const Paint& paint) {
+  auto where = step.location ? place(report.program, *step.location) : std::string();
+  out << fmt::format("    {:>{}}  {}  {}  {}  {}\n", number, layout.number,
+                     padded(windowText(step), layout.window),
+                     paint(Colour::Cyan, padded(step.actor, layout.actor)),
+                     padded(step.words, layout.words), paint(Colour::Dim, where));
+  if (!step.changes.empty())
+    out << std::string(4 + layout.number + 2 + layout.window + 2 + layout.actor + 2, ' ')
+        << paint(Colour::Dim, changesText(step.changes)) << '\n';
+}
+
+std::string rowText(const ide::VerdictRow& row, const Paint& paint) {
+  auto mark = markOf(row);
+  auto text = fmt::format("  {} {}: {}", paint(mark.colour, mark.sign), row.check->words,
+                          paint(mark.colour, ide::toString(row.verdict)));
+  return row.reason.empty() ? text : text + fmt::format(" ({})", row.reason);
+}
+
+/// The rows, with a headline wherever the subject changes.
+void writeRows(std::ostream& out, const VerifyReport& report, const Paint& paint) {
+  std::string_view subject;
+  for (const auto& row : report.result.rows) {
+    if (row.check->subject != subject) {
+      subject = row.check->subject;
+      out << paint(Colour::Bold, subject) << '\n';
+    }
+    out << rowText(row, paint) << '\n';
+  }
+}
+
+bool wanted(const ide::VerdictRow& row, ShowTraces traces) {
+  if (!row.trace || traces == ShowTraces::None) return false;
+  return traces == ShowTraces::All || row.bad();
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  if (bytes < 1024 * 1024) return fmt::format("{:.0f} KiB", static_cast<double>(bytes) / 1024);
+  return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024 * 1024));
+}
+
+void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& paint) {
+  const auto& rows = report.result.rows;
+  auto count = [&](auto&& predicate) { return std::ranges::count_if(rows, predicate); };
+  auto good = count([](const auto& row) { return row.good(); });
+  auto open = count([](const auto& row) { return row.verdict == Verdict::Inconclusive; });
+  auto errors = count([](const auto& row) {
+    return row.bad() && row.check->weight == codegen::Weight::Error;
+  });
+  auto warnings = static_cast<std::ptrdiff_t>(rows.size()) - good - open - errors;
+  out << fmt::format("{} properties: {}", rows.size(),
+                     paint(Colour::Green, fmt::format("{} good", good)));
+  if (errors > 0) out << ", " << paint(Colour::Red, fmt::format("{} bad", errors));
+  if (warnings > 0) out << ", " << paint(Colour::Yellow, fmt::format("{} to look at", warnings));
+  if (open > 0) out << ", " << paint(Colour::Yellow, fmt::format("{} inconclusive", open));
+  const auto& explored = report.result.exploration;
+  out << fmt::format("\n{} classes, {} markings, {} transitions, {} in {:.3f} s{}\n",
+                     explored.classes, explored.markings, explored.transitions,
+                     bytesText(explored.bytes), explored.seconds,
+                     explored.complete ? "" : "; stopped: " + explored.stopped);
+}
+
+} // namespace
+
+std::string place(const analysis::Program& program, analysis::Location location) {
+  const auto& file = program.files[location.file];
+  auto position = file.document.lines().position(location.range.begin);
+  return fmt::format("{}:{}:{}", file.path.string(), position.line + 1, position.column + 1);
+}
+
+void writeTrace(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row,
+                bool colour) {
+  Paint paint{colour};
+  if (!row.trace->initial.empty())
+    out << "    at the start: " << initialText(row.trace->initial) << '\n';
+  auto layout = layoutOf(*row.trace);
+  std::size_t number = 0;
+  for (const auto& step : row.trace->steps)
+    writeStep(out, report, step, ++number, layout, paint);
+}
+
+void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options) {
+  Paint paint{options.colour};
+  writeRows(out, report, paint);
+  for (const auto& row : report.result.rows) {
+    if (!wanted(row, options.traces)) continue;
+    auto mark = markOf(row);
+    out << fmt::format("\n{} {}\n", paint(mark.colour, ide::toString(row.verdict)),
+                       paint(Colour::Bold, row.check->words));
+    if (row.location) out << "  --> " << place(report.program, *row.location) << '\n';
+    writeTrace(out, report, row, options.colour);
+  }
+  out << '\n';
+  writeSummary(out, report, paint);
+}
+
+} // namespace proskill::cli
