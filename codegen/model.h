@@ -46,6 +46,7 @@ struct Model {
   fiacre::Provenance provenance;
   std::vector<Check> checks;
   syntax::Rational unit{1, 1};
+  std::string mainSkill; ///< empty where there is none: a library of skills
 };
 
 /// Why there is no model, with the place where there is one.

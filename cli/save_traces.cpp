@@ -1,0 +1,53 @@
+#include "cli/save_traces.h"
+
+#include "cli/verify_json.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace proskill::cli {
+
+namespace {
+
+std::optional<std::string> writeFile(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (out) return std::nullopt;
+  return fmt::format("{} could not be written", path.string());
+}
+
+std::string json(const VerifyReport& report, const ide::VerdictRow& row) {
+  using Json = nlohmann::ordered_json;
+  Json trace{{"name", row.check->name}, {"verdict", ide::toString(row.verdict)}};
+  trace.update(traceJson(report.program, *row.trace));
+  return trace.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string text(const VerifyReport& report, const ide::VerdictRow& row) {
+  std::ostringstream out;
+  out << row.check->words << ": " << ide::toString(row.verdict) << '\n';
+  writeTrace(out, report, row, false);
+  return out.str();
+}
+
+} // namespace
+
+std::optional<std::string> saveTraces(const std::filesystem::path& directory,
+                                      const VerifyReport& report) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    return fmt::format("{} cannot be made a directory: {}", directory.string(), error.message());
+  for (const auto& row : report.result.rows) {
+    if (!row.trace) continue;
+    auto base = directory / row.check->name;
+    if (auto failed = writeFile(base.string() + ".json", json(report, row))) return failed;
+    if (auto failed = writeFile(base.string() + ".txt", text(report, row))) return failed;
+  }
+  return std::nullopt;
+}
+
+} // namespace proskill::cli

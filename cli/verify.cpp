@@ -1,0 +1,226 @@
+#include "cli/verify.h"
+
+#include "cli/disk.h"
+#include "cli/paint.h"
+#include "cli/progress.h"
+#include "cli/render.h"
+#include "cli/save_traces.h"
+#include "cli/verify_report.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+namespace {
+
+enum ExitCode { kGood = 0, kViolated = 1, kUsage = 2, kInconclusive = 3 };
+
+enum class Format : std::uint8_t { Text, Json, JUnit, Sarif };
+
+struct Arguments {
+  std::string file;
+  std::vector<std::string> properties;
+  std::string mainSkill;
+  Format format = Format::Text;
+  ShowTraces traces = ShowTraces::Failed;
+  ColourChoice colour = ColourChoice::Auto;
+  unsigned jobs = 1;
+  std::optional<double> timeLimit;
+  std::optional<std::uint64_t> memoryLimit; // MiB
+  std::optional<std::uint64_t> classLimit;
+  std::string saveTraces;
+  std::vector<std::string> reduce;
+  std::string graph;
+  bool strict = false;
+  bool expanded = false;
+  codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
+};
+
+/// Set by the first Ctrl-C: what is decided is then reported. The second one kills as usual.
+std::atomic<bool> interrupted{false};
+
+void onInterrupt(int) {
+  interrupted = true;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+const std::map<std::string, verify::Reduction> kReductions{
+    {"dead-variables", verify::Reduction::DeadVariables},
+    {"live-variables", verify::Reduction::LiveVariables},
+    {"safe-steps", verify::Reduction::SafeSteps},
+    {"inclusion", verify::Reduction::Inclusion},
+    {"extrapolation", verify::Reduction::Extrapolation}};
+
+std::vector<std::string> reductionNames() {
+  std::vector<std::string> names{"all", "none"};
+  for (const auto& [name, reduction] : kReductions) names.push_back(name);
+  return names;
+}
+
+std::set<verify::Reduction> reductions(const std::vector<std::string>& names) {
+  std::set<verify::Reduction> chosen;
+  for (const auto& [name, reduction] : kReductions)
+    if (names.empty() || std::ranges::count(names, name) + std::ranges::count(names, "all") > 0)
+      chosen.insert(reduction);
+  return chosen;
+}
+
+verify::Options engineOptions(const Arguments& arguments, ProgressLine& progress) {
+  verify::Options options;
+  options.reductions = reductions(arguments.reduce);
+  options.limits.seconds = arguments.timeLimit;
+  if (arguments.memoryLimit) options.limits.bytes = *arguments.memoryLimit * 1024 * 1024;
+  options.limits.classes = arguments.classLimit;
+  options.jobs = arguments.jobs;
+  options.cancelled = &interrupted;
+  options.progress = progress.callback();
+  return options;
+}
+
+int fail(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  return kUsage;
+}
+
+int failUnsupported(const verify::Unsupported& error) {
+  return fail("this model cannot be explored: " + error.message);
+}
+
+/// One line, as sift ends: `16 classe(s), 14 marking(s), 6 domain(s), 22 transition(s)`, and the time.
+int countGraph(const codegen::Model& model, const verify::Options& options) {
+  auto counted = verify::countClasses(model.fiacre, options);
+  if (!counted) return failUnsupported(counted.error());
+  fmt::print("{} classe(s), {} marking(s), {} domain(s), {} transition(s)\n{:.3f}s\n",
+             counted->classes, counted->markings, counted->domains, counted->transitions,
+             counted->seconds);
+  if (counted->complete) return kGood;
+  std::cerr << "the graph is not complete: " << counted->stopped << '\n';
+  return kInconclusive;
+}
+
+void write(const Arguments& arguments, const VerifyReport& report) {
+  switch (arguments.format) {
+  case Format::Text:
+    return writeText(std::cout, report,
+                     {wantsColour(arguments.colour, STDOUT_FILENO), arguments.traces});
+  case Format::Json: return writeJson(std::cout, report);
+  case Format::JUnit: return writeJUnit(std::cout, report);
+  case Format::Sarif: return writeSarif(std::cout, report);
+  }
+}
+
+int exitCodeOf(const ide::VerificationReport& report, bool strict) {
+  auto violated = [&](const ide::VerdictRow& row) {
+    return row.bad() && (strict || row.check->weight == codegen::Weight::Error);
+  };
+  auto open = [](const ide::VerdictRow& row) {
+    return row.verdict == ide::Verdict::Inconclusive;
+  };
+  if (std::ranges::any_of(report.rows, violated)) return kViolated;
+  return std::ranges::any_of(report.rows, open) ? kInconclusive : kGood;
+}
+
+/// A name that selects nothing is a mistake of the caller's, not a good verdict.
+std::optional<std::string> unknownName(const codegen::Model& model,
+                                       const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (std::ranges::none_of(model.checks,
+                             [&](const auto& check) { return ide::selects({name}, check); }))
+      return name;
+  return std::nullopt;
+}
+
+int verifyProperties(const Arguments& arguments, const analysis::Program& program,
+                     const codegen::Model& model) {
+  if (auto unknown = unknownName(model, arguments.properties))
+    return fail(fmt::format("no property is called `{}`; `--list` shows their names", *unknown));
+  std::signal(SIGINT, onInterrupt);
+  std::expected<ide::VerificationReport, verify::Unsupported> result;
+  {
+    ProgressLine progress;
+    result = ide::verifyModel(model, arguments.properties, engineOptions(arguments, progress));
+  }
+  if (!result) return failUnsupported(result.error());
+  VerifyReport report{program, model, *result, model.mainSkill};
+  write(arguments, report);
+  if (!arguments.saveTraces.empty())
+    if (auto error = saveTraces(arguments.saveTraces, report)) return fail(*error);
+  std::cout.flush();
+  if (!std::cout) return fail("the report could not be written to standard output");
+  return exitCodeOf(*result, arguments.strict);
+}
+
+int run(const Arguments& arguments, bool list) {
+  auto program = loadChecked(arguments.file, arguments.colour);
+  if (!program) return kUsage;
+  codegen::Options options;
+  options.mainSkill = arguments.mainSkill;
+  options.edition = arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Offline;
+  options.automata = arguments.automata;
+  auto model = codegen::generate(*program, options);
+  if (!model) return failGeneration(*program, model.error());
+  if (list) {
+    for (const auto& check : model->checks) fmt::print("{}\n", check.name);
+    return kGood;
+  }
+  if (arguments.graph == "counts") {
+    std::signal(SIGINT, onInterrupt);
+    ProgressLine progress;
+    return countGraph(*model, engineOptions(arguments, progress));
+  }
+  return verifyProperties(arguments, *program, *model);
+}
+
+} // namespace
+
+void addVerify(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto list = std::make_shared<bool>(false);
+  auto* command = app.add_subcommand("verify", "Check every property of a program, with traces");
+  command->add_option("file", arguments->file, "The program's root file")->required();
+  command->add_option("--property", arguments->properties,
+                      "Only these: a name, or its beginning up to a dot");
+  command->add_flag("--list", *list, "Print the properties' names and stop");
+  command->add_option("--main", arguments->mainSkill, "The skill that is the mission");
+  command->add_option("--format", arguments->format, "text, json, junit or sarif")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"text", Format::Text},
+                                                                        {"json", Format::Json},
+                                                                        {"junit", Format::JUnit},
+                                                                        {"sarif", Format::Sarif}}));
+  command->add_option("--traces", arguments->traces, "In text: of failed, all or none")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ShowTraces>{
+          {"failed", ShowTraces::Failed}, {"all", ShowTraces::All}, {"none", ShowTraces::None}}));
+  addColour(*command, arguments->colour);
+  command->add_option("--jobs", arguments->jobs, "Threads to explore with")
+      ->check(CLI::Range(1U, 256U));
+  command->add_option("--time-limit", arguments->timeLimit, "Seconds; what is open is inconclusive")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--memory-limit", arguments->memoryLimit, "MiB, likewise")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--class-limit", arguments->classLimit, "State classes, likewise")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--save-traces", arguments->saveTraces,
+                      "Write every trace into this directory, as JSON and text");
+  command->add_option("--reduce", arguments->reduce, "Which reductions to use: all, none, or names")
+      ->delimiter(',')
+      ->check(CLI::IsMember(reductionNames()));
+  command->add_option("--graph", arguments->graph, "counts: the size of the graph of state classes")
+      ->check(CLI::IsMember({"counts"}));
+  command->add_flag("--strict", arguments->strict, "Warnings make the exit code 1 too");
+  command->add_flag("--expanded", arguments->expanded, "Verify the expanded model");
+  command->add_option("--sv-automata", arguments->automata, "exact or paper")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, codegen::StateVariableAutomata>{
+          {"exact", codegen::StateVariableAutomata::Exact},
+          {"paper", codegen::StateVariableAutomata::Paper}}));
+  command->callback([arguments, list, &exitCode] { exitCode = run(*arguments, *list); });
+}
+
+} // namespace proskill::cli
