@@ -1,0 +1,119 @@
+#include "fiacre/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::fiacre {
+namespace {
+
+constexpr auto kReserved = std::to_array<std::string_view>({
+    // Fiacre
+    "and",
+    "any",
+    "append",
+    "array",
+    "assert",
+    "begin",
+    "bool",
+    "case",
+    "channel",
+    "component",
+    "const",
+    "dequeue",
+    "do",
+    "else",
+    "elsif",
+    "empty",
+    "end",
+    "enqueue",
+    "false",
+    "first",
+    "foreach",
+    "from",
+    "full",
+    "function",
+    "if",
+    "in",
+    "init",
+    "int",
+    "is",
+    "loop",
+    "nat",
+    "none",
+    "not",
+    "null",
+    "of",
+    "on",
+    "or",
+    "out",
+    "par",
+    "port",
+    "priority",
+    "process",
+    "property",
+    "prove",
+    "queue",
+    "read",
+    "record",
+    "return",
+    "select",
+    "states",
+    "sync",
+    "tag",
+    "then",
+    "to",
+    "true",
+    "type",
+    "union",
+    "unless",
+    "until",
+    "var",
+    "wait",
+    "where",
+    "while",
+    "write",
+    // H-Fiacre
+    "event",
+    "extern",
+    "start",
+    "task",
+    // patterns of properties
+    "absent",
+    "after",
+    "always",
+    "before",
+    "between",
+    "deadlockfree",
+    "duration",
+    "enter",
+    "for",
+    "infinitelyoften",
+    "interval",
+    "lasting",
+    "leadsto",
+    "leave",
+    "ltl",
+    "mortal",
+    "obs",
+    "precedes",
+    "present",
+    "state",
+    "value",
+    "within",
+});
+
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+} // namespace
+
+bool isReserved(std::string_view name) {
+  return std::ranges::find(kReserved, name) != kReserved.end();
+}
+
+bool isIdentifier(std::string_view name) {
+  return !name.empty() && isLetter(name.front()) &&
+         std::ranges::all_of(name, [](char c) { return isLetter(c) || isDigit(c); });
+}
+
+} // namespace proskill::fiacre
