@@ -1,0 +1,32 @@
+# What `cmake --install` copies beside the program, and the Debian package of it.
+include(GNUInstallDirs)
+
+install(FILES man/proskill.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES completions/proskill.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME proskill)
+install(FILES completions/_proskill DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES completions/proskill.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# The grammar, as editors want it: they compile src/ and read queries/ themselves.
+install(DIRECTORY tree-sitter-proskill/ DESTINATION ${CMAKE_INSTALL_DATADIR}/proskill/tree-sitter-proskill
+        FILES_MATCHING PATTERN "*.scm" PATTERN "*.js" PATTERN "*.json" PATTERN "*.c" PATTERN "*.h"
+        PATTERN "bindings" EXCLUDE PATTERN "test" EXCLUDE PATTERN "node_modules" EXCLUDE
+        PATTERN "build" EXCLUDE)
+
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME proskill)
+set(CPACK_PACKAGE_CONTACT "The ProSkill tools' authors <proskill@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${PROJECT_DESCRIPTION}
+ ProSkill is a Lisp-like language for the skills of robots. This package checks
+ programs, translates them to Fiacre, verifies them, and draws their automata.")
+include(CPack)
