@@ -37,6 +37,7 @@ void closeEnd(int& end) {
 
 [[noreturn]] void become(const std::vector<std::string>& command, const RunOptions& options,
                          const Pipe& in, const Pipe& out, const Pipe& err) {
+  std::signal(SIGPIPE, SIG_DFL);
   dup2(in.read, STDIN_FILENO);
   dup2(out.write, STDOUT_FILENO);
   dup2(err.write, STDERR_FILENO);
