@@ -1,0 +1,61 @@
+"""Whatever `--help` shows, the manual page describes and the shells complete.
+
+usage: commands.py PROGRAM
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+
+from house import ROOT, finish, read
+
+PROGRAM = sys.argv[1]
+PAGES = ["man/proskill.1", "completions/proskill.bash", "completions/_proskill",
+         "completions/proskill.fish"]
+
+
+def help_of(*command):
+    done = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+def subcommands(*command):
+    """The words below `Subcommands:`."""
+    _, _, below = help_of(*command).partition("Subcommands:\n")
+    return re.findall(r"^  (\S+)", below.split("\n\n")[0], re.M)
+
+
+def options(*command):
+    return set(re.findall(r"^  (?:-\w,)?--([a-z-]+)", help_of(*command), re.M)) - {"help"}
+
+
+def words(page):
+    """The words of a page; a manual page writes `--time-limit` as `\\-\\-time\\-limit`."""
+    return set(re.findall(r"[a-z][a-z-]*", read(page).replace("\\-", "-").replace("--", " ")))
+
+
+def missing(page):
+    known = words(page)
+    for command in subcommands():
+        wanted = options(command) | set(subcommands(command)) | {command}
+        for inner in subcommands(command):
+            wanted |= options(command, inner)
+        for word in sorted(wanted - known):
+            yield f"{page}: nothing on `{word}` of `proskill {command}`"
+
+
+def warnings():
+    """What man has to say about the manual page."""
+    if not shutil.which("man"):
+        return []
+    done = subprocess.run(["man", "--warnings", "-l", "-Tutf8", "man/proskill.1"], cwd=ROOT,
+                          capture_output=True, text=True, env={"LC_ALL": "C.UTF-8", "MANWIDTH": "80",
+                                                               "PATH": "/usr/bin:/bin"})
+    return done.stderr.splitlines()
+
+
+found = [complaint for page in PAGES for complaint in missing(page)] + warnings()
+if not subcommands():
+    found.append("`proskill --help` shows no subcommands")
+finish(found, f"{len(PAGES)} pages know {', '.join(subcommands())}")
