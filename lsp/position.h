@@ -1,0 +1,29 @@
+#pragma once
+
+#include "syntax/source.h"
+
+#include <cstdint>
+#include <string_view>
+
+/// The one place where bytes become the columns of an editor and back.
+namespace proskill::lsp {
+
+/// In what a column is counted. LSP 3.17, `PositionEncodingKind`.
+enum class Encoding : std::uint8_t { Utf8, Utf16, Utf32 };
+
+/// Counted from 0; `character` in units of the encoding.
+struct EditorPosition {
+  std::uint32_t line = 0;
+  std::uint32_t character = 0;
+  friend auto operator<=>(const EditorPosition&, const EditorPosition&) = default;
+};
+
+/// Bytes that are no UTF-8 count as one character each, as editors show them.
+[[nodiscard]] EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines,
+                                      syntax::Offset at, Encoding encoding);
+/// A column beyond its line is the line's end; a line beyond the text is the text's end; a place
+/// within a character is the character's start.
+[[nodiscard]] syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
+                                        EditorPosition position, Encoding encoding);
+
+} // namespace proskill::lsp

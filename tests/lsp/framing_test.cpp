@@ -1,0 +1,83 @@
+#include "lsp/framing.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill::lsp;
+
+namespace {
+
+/// Everything that a reader makes of a stream that comes in pieces of that size.
+std::vector<Frame> readAll(std::string_view stream, std::size_t piece, std::size_t limit = 1000) {
+  FrameReader reader(limit);
+  std::vector<Frame> frames;
+  while (!stream.empty()) {
+    reader.feed(stream.substr(0, piece));
+    stream.remove_prefix(std::min(piece, stream.size()));
+    while (auto frame = reader.next()) frames.push_back(*frame);
+  }
+  return frames;
+}
+
+std::string body(const Frame& frame) {
+  const auto* text = std::get_if<std::string>(&frame);
+  return text ? *text : "error: " + std::get<FramingError>(frame).message;
+}
+
+} // namespace
+
+TEST_CASE("messages are the same however their stream is cut") {
+  auto stream = frame("{\"a\":1}") + frame("") + frame("{\"é\":\"\r\n\r\n\"}");
+  for (std::size_t piece = 1; piece <= stream.size(); ++piece) {
+    auto frames = readAll(stream, piece);
+    REQUIRE(frames.size() == 3);
+    CHECK(body(frames[0]) == "{\"a\":1}");
+    CHECK(body(frames[1]).empty());
+    CHECK(body(frames[2]) == "{\"é\":\"\r\n\r\n\"}");
+  }
+}
+
+TEST_CASE("a header may have other fields, and its words any case") {
+  auto frames =
+      readAll("content-LENGTH:  2 \r\nContent-Type: application/vscode-jsonrpc\r\n\r\n{}", 5);
+  REQUIRE(frames.size() == 1);
+  CHECK(body(frames[0]) == "{}");
+}
+
+TEST_CASE("a header without a length is an error, and the message after it is read") {
+  auto frames = readAll("Hello: you\r\n\r\n" + frame("{}"), 3);
+  REQUIRE(frames.size() == 2);
+  CHECK(std::holds_alternative<FramingError>(frames[0]));
+  CHECK(body(frames[1]) == "{}");
+}
+
+TEST_CASE("a length that is no number is an error") {
+  for (auto length : {"-1", "2x", "", "99999999999999999999999"}) {
+    auto frames = readAll("Content-Length: " + std::string(length) + "\r\n\r\n" + frame("{}"), 64);
+    REQUIRE(frames.size() == 2);
+    CHECK(std::holds_alternative<FramingError>(frames[0]));
+    CHECK(body(frames[1]) == "{}");
+  }
+}
+
+TEST_CASE("a body that is too long is skipped as it comes") {
+  auto frames = readAll(frame(std::string(2000, 'x')) + frame("{}"), 100);
+  REQUIRE(frames.size() == 2);
+  CHECK(std::holds_alternative<FramingError>(frames[0]));
+  CHECK(body(frames[1]) == "{}");
+}
+
+TEST_CASE("two gibibytes are announced, and nothing is held for them") {
+  FrameReader reader;
+  reader.feed("Content-Length: 2147483648\r\n\r\n");
+  auto first = reader.next();
+  REQUIRE(first);
+  CHECK(std::holds_alternative<FramingError>(*first));
+  reader.feed(std::string(1 << 20, 'x'));
+  CHECK(!reader.next());
+}
+
+TEST_CASE("noise without a header is dropped, and the next message is read") {
+  auto frames = readAll(std::string(20000, '\0') + frame("{}"), 777);
+  REQUIRE(!frames.empty());
+  CHECK(body(frames.back()) == "{}");
+}
