@@ -1,0 +1,129 @@
+#pragma once
+
+#include "fiacre/tree.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// A second, obvious reading of Fiacre, to judge the engine by. It walks the tree at every step,
+/// reduces nothing, and shares no code with verify/ but the tree itself.
+namespace proskill::oracle {
+
+/// What the model does wrong, or what this interpreter does not know. Both fail a test.
+struct ModelError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A discrete state: the states of the instances first, by index, then the variables, one slot for
+/// each scalar. A constructor is its place in its union.
+using Store = std::vector<std::int64_t>;
+
+/// Where a variable, or a part of it, stands in a store.
+struct Place {
+  std::size_t offset = 0;
+  const fiacre::Type* type = nullptr;
+};
+
+using Scope = std::map<std::string, Place, std::less<>>;
+
+/// The name of a port within a process or a component, to its index in Interpreter::ports.
+using PortMap = std::map<std::string, std::size_t, std::less<>>;
+
+struct PortSlot {
+  std::string name;
+  std::vector<std::uint32_t> component; ///< the path of the component that declares it
+  const fiacre::Port* port = nullptr;
+};
+
+/// A process in the composition.
+struct Instance {
+  const fiacre::Process* process = nullptr;
+  std::vector<std::uint32_t> path; ///< 1-based places in `par`, from the main component down
+  Scope scope;
+  PortMap ports;
+};
+
+/// What makes a timed transition the same one in two states: who takes part, the branches of
+/// `select` on its path, its port or its wait, and where it ends. Tests inside a path do not: an
+/// `if` whose branches meet again is one transition.
+using ClockId = std::size_t;
+
+/// One atomic step.
+struct Firing {
+  ClockId clock = 0;
+  fiacre::Interval interval;
+  std::vector<std::size_t> participants; ///< instances, ascending
+  std::vector<std::size_t> movers;       ///< those that did not end in `loop`
+  std::optional<std::size_t> port;
+  std::vector<std::pair<std::size_t, std::string>> tags; ///< by instance
+  std::vector<fiacre::OriginId> origins;                 ///< of the statements passed
+  Store after;
+};
+
+struct Path;
+
+class Interpreter {
+public:
+  /// \pre `program` outlives this.
+  explicit Interpreter(const fiacre::Program& program);
+
+  [[nodiscard]] const Store& initial() const { return first; }
+  /// Every step that the discrete state allows when time is left aside. \throw ModelError
+  [[nodiscard]] std::vector<Firing> firings(const Store& store) const;
+  [[nodiscard]] const std::vector<Instance>& instances() const { return elaborated; }
+  [[nodiscard]] const std::vector<PortSlot>& ports() const { return slots; }
+  /// The instances that take part in a transition of this clock.
+  [[nodiscard]] const std::vector<std::size_t>& participants(ClockId clock) const;
+
+  /// The truth of `expression` as seen by the instance at `path`, or by the component there.
+  [[nodiscard]] bool holds(const std::vector<std::uint32_t>& path, const fiacre::Expr& expression,
+                           const Store& store) const;
+  /// The slots of an lvalue as printed, such as `skill[takeoff].status`, in the main component.
+  [[nodiscard]] Store read(const std::string& lvalue, const Store& store) const;
+  /// The name of an instance's current state.
+  [[nodiscard]] const std::string& stateName(std::size_t instance, const Store& store) const;
+
+private:
+  friend class Evaluation;
+  friend class PathWalk;
+  friend const fiacre::Type& resolveType(const Interpreter&, const fiacre::Type&);
+
+  [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
+  void countInstances(const fiacre::Component& component);
+  void elaborate(const fiacre::Component& component, std::vector<std::uint32_t> path, Scope scope,
+                 PortMap ports);
+  void addInstance(const fiacre::Process& process, const fiacre::Instance& instance,
+                   std::vector<std::uint32_t> path, const Scope& outer, const PortMap& outerPorts);
+  static PortMap bindPorts(const std::vector<fiacre::Port>& formal,
+                           const fiacre::Instance& instance, const PortMap& outer);
+  void bindParameters(const std::vector<fiacre::Parameter>& parameters,
+                      const fiacre::Instance& instance, const Scope& outer, Scope& scope);
+  void declare(const std::vector<fiacre::Variable>& variables, Scope& scope);
+  Place allocate(const fiacre::Type& type);
+  void start(std::size_t instance);
+  [[nodiscard]] std::vector<Path> paths(std::size_t instance, const Store& store) const;
+  void synchronise(std::size_t port, const std::vector<std::vector<Path>>& all, const Store& store,
+                   std::vector<Firing>& result) const;
+  [[nodiscard]] Firing combine(std::span<const Path* const> parts, const Store& store) const;
+  [[nodiscard]] ClockId clockOf(std::span<const Path* const> parts) const;
+
+  const fiacre::Program& program;
+  std::map<std::string, const fiacre::TypeDeclaration*, std::less<>> types;
+  std::map<std::string, const fiacre::Constant*, std::less<>> constants;
+  std::map<std::string, const fiacre::Function*, std::less<>> functions;
+  std::vector<Instance> elaborated;
+  std::map<std::vector<std::uint32_t>, Scope> componentScopes;
+  std::vector<PortSlot> slots;
+  Store first;
+
+  // Clocks are numbered as they are met.
+  mutable std::map<std::vector<std::uint64_t>, ClockId> clockNumbers;
+  mutable std::vector<std::vector<std::size_t>> clockParticipants;
+};
+
+} // namespace proskill::oracle

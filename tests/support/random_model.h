@@ -1,0 +1,14 @@
+#pragma once
+
+#include "fiacre/tree.h"
+
+#include <cstdint>
+
+namespace proskill::test {
+
+/// A small well-typed Fiacre program with every kind of interval, shared and local variables,
+/// ports, tags, a record array and a function. Its properties ask for each state of each instance,
+/// each tag, some values, deadlocks and progress. The same seed gives the same program.
+[[nodiscard]] fiacre::Program randomModel(std::uint64_t seed);
+
+} // namespace proskill::test
