@@ -1,0 +1,62 @@
+# Completion of proskill for bash.
+
+# What may follow an option; nothing: no option that takes a value from a list.
+_proskill_values() {
+  case "$1 $2" in
+    'check --format') echo 'text short json sarif' ;;
+    'verify --format') echo 'text json junit sarif' ;;
+    'graph --format') echo 'dot svg png' ;;
+    'graph --kind') echo 'sv skill body calls' ;;
+    'verify --traces') echo 'failed all none' ;;
+    'verify --reduce') echo 'all none dead-variables live-variables safe-steps inclusion extrapolation' ;;
+    'verify --graph') echo 'counts' ;;
+    *' --sv-automata') echo 'exact paper' ;;
+    *' --color') echo 'auto always never' ;;
+  esac
+}
+
+_proskill_options() {
+  case "$1" in
+    check) echo '--format --color --help' ;;
+    explain) echo '--help' ;;
+    emit) echo '--expanded --sv-automata --main --color --help' ;;
+    verify)
+      echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
+            --class-limit --reduce --graph --strict --expanded --sv-automata --color --help' ;;
+    graph) echo '--kind --name --format --main --color --help' ;;
+    *) echo '--help --version' ;;
+  esac
+}
+
+_proskill_properties() {
+  local word
+  for word in "${COMP_WORDS[@]:2}"; do
+    case "$word" in *.proskill) proskill verify --list "$word" 2>/dev/null; return ;; esac
+  done
+}
+
+_proskill() {
+  local current="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
+  local command="${COMP_WORDS[1]}" words
+  COMPREPLY=()
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    words="check explain emit verify graph $(_proskill_options)"
+  elif [ "$previous" = --property ]; then
+    words=$(_proskill_properties)
+  elif [ "$previous" = --save-traces ]; then
+    mapfile -t COMPREPLY < <(compgen -d -- "$current")
+    return
+  else
+    words=$(_proskill_values "$command" "$previous")
+    if [ -z "$words" ] && [[ "$current" == -* ]]; then words=$(_proskill_options "$command"); fi
+    if [ -z "$words" ] && [ "$command" = emit ] && [ "$COMP_CWORD" -eq 2 ]; then words='fiacre hfiacre'; fi
+  fi
+  if [ -n "$words" ]; then
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+  else
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.proskill' -- "$current"; compgen -d -S / -- "$current")
+    compopt -o nospace
+  fi
+}
+
+complete -F _proskill proskill
