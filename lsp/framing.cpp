@@ -109,10 +109,7 @@ std::optional<Frame> FrameReader::readBody() {
 
 /// Drops what cannot be a header, up to the next place that may be one.
 Frame FrameReader::resynchronise(std::string message) {
-  auto pending = std::string_view(buffer).substr(position);
-  auto bad = std::min(pending.find(kHeaderEnd), pending.size());
-  auto from = bad == pending.size() ? std::size_t{1} : bad + kHeaderEnd.size();
-  position += from + nextHeader(pending.substr(from));
+  position += 1 + nextHeader(std::string_view(buffer).substr(position + 1));
   return FramingError{std::move(message)};
 }
 
