@@ -89,7 +89,8 @@ struct Effects {
   Range range;
 };
 
-/// One keyword with what follows it, in the order of the text: for what is missing, twice, or misplaced.
+/// One keyword with what follows it, in the order of the text: for what is missing, twice, or
+/// misplaced.
 struct FieldUse {
   Name keyword; ///< with its colon
   Range range;  ///< keyword and value
@@ -187,8 +188,8 @@ struct Argument {
 };
 
 enum class StatementKind : std::uint8_t {
-  Unknown, // nothing that can be understood; it is diagnosed
-  Call,    // (name arguments…)
+  Unknown,       // nothing that can be understood; it is diagnosed
+  Call,          // (name arguments…)
   Interrupt,     // (name.interrupt)
   WaitCondition, // (^ condition [:effects effects])
   WaitTime,      // (^ duration)
@@ -284,9 +285,9 @@ struct UnknownForm {
 };
 
 struct Form {
-  Range range;       ///< from its parenthesis to its parenthesis
-  Name keyword;      ///< `defskill`, …
-  Range comment;     ///< the lines of comment directly above, empty where there are none
+  Range range;   ///< from its parenthesis to its parenthesis
+  Name keyword;  ///< `defskill`, …
+  Range comment; ///< the lines of comment directly above, empty where there are none
   std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property, Environment>
       node;
 };

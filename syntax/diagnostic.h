@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace proskill::syntax {
 
 /// A file of a program, by its place in the program's list of files; 0 is the root.
@@ -34,7 +36,7 @@ struct CodeInfo {
   Severity severity;
   std::string_view message;     ///< with `{}` for each argument
   std::string_view explanation; ///< a paragraph for `proskill explain`
-  std::string_view example;     ///< a program that raises it
+  std::string_view example;     ///< a program that raises it; empty where it would be too long
 };
 
 [[nodiscard]] std::span<const CodeInfo> allCodes();
@@ -62,5 +64,15 @@ struct Diagnostic {
   std::vector<Related> related;
   std::vector<Fix> fixes;
 };
+
+/// The diagnostic with the severity of its code and its message filled in with `arguments`.
+template <class... Arguments>
+[[nodiscard]] Diagnostic makeDiagnostic(Code code, Location location,
+                                        const Arguments&... arguments) {
+  const CodeInfo& entry = info(code);
+  return {code,     entry.severity,
+          location, fmt::vformat(entry.message, fmt::make_format_args(arguments...)),
+          {},       {}};
+}
 
 } // namespace proskill::syntax

@@ -3,6 +3,7 @@
 #include "syntax/ast.h"
 #include "syntax/diagnostic.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,8 +11,9 @@
 
 namespace proskill::syntax {
 
-/// A top-level form with the tree-sitter tree and the text that its typed tree looks into.
-struct ParsedForm;
+/// The longest text that is read, in bytes; a longer one gives a document without forms that says
+/// so.
+inline constexpr std::uint64_t kLongestText = 0xffff'ffff;
 
 /// A parsed text: a value, never changed, cheap to copy. Parsing never fails.
 class Document {

@@ -8,6 +8,8 @@
 
 namespace proskill::syntax {
 
+__extension__ using Wide = __int128; ///< holds the product of any two 64-bit integers
+
 /// An exact fraction in lowest terms, denominator positive. Durations are rationals of seconds.
 struct Rational {
   std::int64_t numerator = 0;
@@ -15,8 +17,7 @@ struct Rational {
 
   friend bool operator==(const Rational&, const Rational&) = default;
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
-    return static_cast<__int128>(a.numerator) * b.denominator <=>
-           static_cast<__int128>(b.numerator) * a.denominator;
+    return Wide{a.numerator} * b.denominator <=> Wide{b.numerator} * a.denominator;
   }
 };
 

@@ -33,6 +33,7 @@ public:
   explicit LineIndex(std::string_view text);
 
   [[nodiscard]] Position position(Offset at) const;
+  /// Past the end of its line, or of the text: that end.
   [[nodiscard]] Offset offset(Position position) const;
   [[nodiscard]] std::uint32_t lineCount() const;
   /// The line without its end.
@@ -40,6 +41,7 @@ public:
 
 private:
   std::vector<Offset> starts;
+  Offset size = 0;
 };
 
 } // namespace proskill::syntax

@@ -1,0 +1,177 @@
+#include "syntax/document.h"
+
+#include "syntax/region.h"
+#include "syntax/scan.h"
+#include "syntax/shift.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+namespace proskill::syntax {
+namespace {
+
+/// A region's place in a document, and how many of its forms, comments, and diagnostics are its
+/// own.
+struct Piece {
+  Range range;
+  std::shared_ptr<const ParsedText> parsed;
+  std::size_t forms = 0;
+  std::size_t comments = 0;
+  std::size_t diagnostics = 0;
+};
+
+/// Where a piece's share begins.
+struct Shares {
+  std::size_t forms = 0;
+  std::size_t comments = 0;
+  std::size_t diagnostics = 0;
+
+  void pass(const Piece& piece) {
+    forms += piece.forms;
+    comments += piece.comments;
+    diagnostics += piece.diagnostics;
+  }
+};
+
+void shift(Range& range, Offset by) {
+  range.begin += by;
+  range.end += by;
+}
+
+/// Copies or moves `count` items from `from`, moved `by` bytes.
+template <class Iterator, class Item>
+void append(Iterator from, std::size_t count, Offset by, std::vector<Item>& to) {
+  for (std::size_t i = 0; i < count; ++i, ++from) shift(to.emplace_back(*from), by);
+}
+
+} // namespace
+
+struct Document::State {
+  std::string text;
+  LineIndex lines;
+  std::vector<Piece> pieces;
+  std::vector<Form> forms;
+  std::vector<Range> comments;
+  std::vector<Diagnostic> diagnostics;
+
+  explicit State(std::string source) : text(std::move(source)), lines(text) {}
+
+  [[nodiscard]] std::string_view textOf(Range range) const {
+    return std::string_view(text).substr(range.begin, range.length());
+  }
+
+  void read(Parser& parser, Range range) {
+    Region region = readRegion(parser, textOf(range));
+    pieces.push_back({range, region.parsed, region.forms.size(), region.comments.size(),
+                      region.diagnostics.size()});
+    append(std::make_move_iterator(region.forms.begin()), region.forms.size(), range.begin, forms);
+    append(region.comments.begin(), region.comments.size(), range.begin, comments);
+    append(std::make_move_iterator(region.diagnostics.begin()), region.diagnostics.size(),
+           range.begin, diagnostics);
+  }
+
+  /// Takes a piece over from another document, in which its shares begin at `shares`.
+  void reuse(const State& other, const Piece& piece, const Shares& shares, Range range) {
+    Offset by = range.begin - piece.range.begin; // may wrap around, and back when it is added
+    pieces.push_back(piece);
+    pieces.back().range = range;
+    append(other.forms.begin() + static_cast<long>(shares.forms), piece.forms, by, forms);
+    append(other.comments.begin() + static_cast<long>(shares.comments), piece.comments, by,
+           comments);
+    append(other.diagnostics.begin() + static_cast<long>(shares.diagnostics), piece.diagnostics, by,
+           diagnostics);
+  }
+
+  /// Gives each form the comment that ends in the line above it.
+  void attachComments() {
+    auto comment = comments.begin();
+    for (Form& form : forms) {
+      while (comment != comments.end() && comment->end <= form.range.begin) ++comment;
+      form.comment = commentAbove(form.range.begin, comment);
+    }
+  }
+
+  [[nodiscard]] Range commentAbove(Offset at, std::vector<Range>::const_iterator next) const {
+    Range found;
+    std::uint32_t line = lines.position(at).line;
+    while (next != comments.begin()) {
+      const Range& comment = *--next;
+      Position place = lines.position(comment.begin);
+      auto before = textOf({comment.begin - place.column, comment.begin});
+      if (place.line + 1 != line || before.find_first_not_of(" \t") != std::string_view::npos)
+        break;
+      if (found.empty()) found.end = comment.end;
+      found.begin = comment.begin;
+      --line;
+    }
+    return found;
+  }
+};
+
+Document Document::parse(std::string text) {
+  Document document;
+  bool tooLong = text.size() > kLongestText;
+  auto state = std::make_shared<State>(tooLong ? std::string() : std::move(text));
+  if (tooLong) state->diagnostics.push_back(makeDiagnostic(Code::TextTooLong, {}));
+  Parser parser;
+  for (Range range : cut(state->text)) state->read(parser, range);
+  state->attachComments();
+  document.state = std::move(state);
+  return document;
+}
+
+Document Document::edit(Range range, std::string_view text) const {
+  assert(range.begin <= range.end && range.end <= state->text.size());
+  std::string edited = state->text;
+  edited.replace(range.begin, range.length(), text);
+  if (edited.size() > kLongestText) return parse(std::move(edited));
+  auto next = std::make_shared<State>(std::move(edited));
+  auto ranges = cut(next->text);
+  const auto& pieces = state->pieces;
+  auto same = [&](const Piece& piece, Range now) {
+    return state->textOf(piece.range) == next->textOf(now);
+  };
+  std::size_t most = std::min(ranges.size(), pieces.size());
+  std::size_t front = 0;
+  while (front < most && same(pieces[front], ranges[front])) ++front;
+  std::size_t back = 0;
+  while (back < most - front &&
+         same(pieces[pieces.size() - 1 - back], ranges[ranges.size() - 1 - back]))
+    ++back;
+
+  Parser parser;
+  Shares shares;
+  for (std::size_t i = 0; i < front; ++i) {
+    next->reuse(*state, pieces[i], shares, ranges[i]);
+    shares.pass(pieces[i]);
+  }
+  for (std::size_t i = front; i < ranges.size() - back; ++i) next->read(parser, ranges[i]);
+  for (std::size_t i = front; i < pieces.size() - back; ++i) shares.pass(pieces[i]);
+  for (std::size_t i = 0; i < back; ++i) {
+    const Piece& piece = pieces[pieces.size() - back + i];
+    next->reuse(*state, piece, shares, ranges[ranges.size() - back + i]);
+    shares.pass(piece);
+  }
+  next->attachComments();
+  Document document;
+  document.state = std::move(next);
+  return document;
+}
+
+const std::string& Document::text() const { return state->text; }
+const LineIndex& Document::lines() const { return state->lines; }
+const std::vector<Form>& Document::forms() const { return state->forms; }
+const std::vector<Range>& Document::comments() const { return state->comments; }
+const std::vector<Diagnostic>& Document::diagnostics() const { return state->diagnostics; }
+
+std::string Document::dump() const {
+  std::string out;
+  for (const Piece& piece : state->pieces) {
+    out += toString(piece.parsed->tree, piece.range.begin);
+    out += '\n';
+  }
+  return out;
+}
+
+} // namespace proskill::syntax

@@ -1,0 +1,73 @@
+#include "syntax/region.h"
+
+#include "syntax/build.h"
+#include "syntax/scan.h"
+#include "syntax/words.h"
+
+#include <algorithm>
+
+namespace proskill::syntax {
+namespace {
+
+// What is larger or deeper is no program that a person wrote, and would take memory and stack
+// out of proportion.
+constexpr std::size_t kLargest = 1 << 20;
+constexpr std::size_t kDeepest = 256;
+constexpr std::size_t kMostDiagnostics = 200;
+
+/// The parenthesis that opens one level too many; null where none does.
+const Parenthesis* tooDeep(const Scan& scan) {
+  std::size_t depth = 0;
+  for (const Parenthesis& parenthesis : scan.parentheses) {
+    if (!parenthesis.opens)
+      depth -= depth > 0;
+    else if (++depth > kDeepest)
+      return &parenthesis;
+  }
+  return nullptr;
+}
+
+Form unreadForm(std::string_view text) {
+  Form form;
+  form.range = {0, static_cast<Offset>(text.size())};
+  return form;
+}
+
+void sortByPlace(std::vector<Diagnostic>& diagnostics) {
+  std::ranges::stable_sort(diagnostics, {}, [](const Diagnostic& diagnostic) {
+    return std::pair(diagnostic.location.range.begin, diagnostic.location.range.end);
+  });
+  if (diagnostics.size() > kMostDiagnostics)
+    diagnostics.erase(diagnostics.begin() + kMostDiagnostics, diagnostics.end());
+}
+
+} // namespace
+
+Region readRegion(Parser& parser, std::string_view text) {
+  Region region;
+  auto parsed = std::make_shared<ParsedText>();
+  region.parsed = parsed;
+  Builder builder{{}, region.diagnostics};
+  if (text.size() > kLargest) {
+    builder.report(Code::FormTooLarge, {0, 1}, kLargest >> 20);
+    region.forms.push_back(unreadForm(text));
+    return region;
+  }
+  parsed->text = text;
+  cleanBytes(parsed->text, region.diagnostics);
+  Scan scanned = scan(parsed->text);
+  region.comments = scanned.comments;
+  if (const Parenthesis* place = tooDeep(scanned)) {
+    builder.report(Code::NestedTooDeep, {place->at, place->at + 1}, kDeepest);
+    region.forms.push_back(unreadForm(text));
+    return region;
+  }
+  parsed->tree = parser.parse(parsed->text);
+  builder.text = parsed->text;
+  checkWords(builder.text, parsed->tree, region.diagnostics);
+  region.forms = formsOf(builder, parsed->tree);
+  sortByPlace(region.diagnostics);
+  return region;
+}
+
+} // namespace proskill::syntax

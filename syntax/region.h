@@ -1,0 +1,31 @@
+#pragma once
+
+#include "syntax/ast.h"
+#include "syntax/diagnostic.h"
+#include "syntax/tree.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proskill::syntax {
+
+/// The text of a region as it was parsed, as long as the original, and its concrete tree.
+struct ParsedText {
+  std::string text;
+  Tree tree;
+};
+
+/// A stretch of a text that was parsed on its own: everything in it depends on its text alone.
+/// Ranges count from its begin.
+struct Region {
+  std::shared_ptr<const ParsedText> parsed; ///< the names of the forms look into it
+  std::vector<Form> forms;
+  std::vector<Range> comments;
+  std::vector<Diagnostic> diagnostics;
+};
+
+[[nodiscard]] Region readRegion(Parser& parser, std::string_view text);
+
+} // namespace proskill::syntax

@@ -1,0 +1,130 @@
+#include "syntax/scan.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace proskill::syntax {
+namespace {
+
+constexpr std::array<std::string_view, 7> kHeads = {
+    "defsv", "defevent", "defskill", "defresource", "defproperty", "defenvironment", "include",
+};
+
+// Keywords such as `:effects`, which stand at several depths, tell nothing.
+constexpr std::array<std::string_view, 16> kDefinitionKeywords = {
+    ":init",          ":min",       ":max",       ":states", ":transitions", ":capacity",
+    ":input",         ":start",     ":invariant", ":action", ":interrupt",   ":precondition",
+    ":time_interval", ":resources", ":monitor",   ":body",
+};
+
+bool isWordCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+std::string_view wordAt(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && isWordCharacter(text[end])) ++end;
+  return text.substr(at, end - at);
+}
+
+bool startsDefinition(std::string_view text, std::size_t at) {
+  if (at >= text.size() || text[at] != '(') return false;
+  return std::ranges::find(kHeads, wordAt(text, at + 1)) != kHeads.end();
+}
+
+class Scanning {
+public:
+  explicit Scanning(std::string_view source) : text(source) {}
+
+  Scan run() {
+    while (at < text.size()) {
+      char c = text[at];
+      if (c == '\n') {
+        lineStart = at + 1;
+        fresh = true;
+        ++at;
+      } else if (isSpace(c)) {
+        ++at;
+      } else if (c == ';') {
+        comment();
+      } else {
+        token(c);
+      }
+    }
+    return std::move(result);
+  }
+
+private:
+  void comment() {
+    std::size_t end = std::min(text.find('\n', at), text.size());
+    std::size_t last = end;
+    while (last > at && text[last - 1] == '\r') --last;
+    result.comments.push_back({offset(at), offset(last)});
+    at = end;
+  }
+
+  void token(char c) {
+    auto word = c == ':' ? text.substr(at, 1 + wordAt(text, at + 1).size()) : std::string_view{};
+    bool definition = std::ranges::find(kDefinitionKeywords, word) != kDefinitionKeywords.end();
+    if (fresh || definition)
+      result.landmarks.push_back({offset(at), offset(at - lineStart), result.end,
+                                  static_cast<std::uint32_t>(result.parentheses.size()), fresh,
+                                  c == ')', definition});
+    fresh = false;
+    if (c == '(' || c == ')') {
+      result.parentheses.push_back({offset(at), c == '('});
+      ++at;
+    } else if (c == '"') {
+      string();
+    } else {
+      at = std::max(at + 1, at + word.size());
+    }
+    result.end = offset(at);
+  }
+
+  /// To the closing quote, or to the end of the line.
+  void string() {
+    for (++at; at < text.size() && text[at] != '\n' && text[at] != '\r'; ++at) {
+      if (text[at] == '"') {
+        ++at;
+        return;
+      }
+      bool escape =
+          text[at] == '\\' && at + 1 < text.size() && text[at + 1] != '\n' && text[at + 1] != '\r';
+      if (escape) ++at;
+    }
+  }
+
+  static Offset offset(std::size_t at) { return static_cast<Offset>(at); }
+
+  std::string_view text;
+  std::size_t at = 0;
+  std::size_t lineStart = 0;
+  bool fresh = true; ///< nothing but space in this line so far
+  Scan result;
+};
+
+} // namespace
+
+std::vector<Range> cut(std::string_view text) {
+  std::vector<Range> stretches;
+  std::size_t begin = 0;
+  for (std::size_t line = 0; line < text.size();) {
+    if (line > begin && startsDefinition(text, line)) {
+      stretches.push_back({static_cast<Offset>(begin), static_cast<Offset>(line)});
+      begin = line;
+    }
+    line = text.find('\n', line);
+    if (line != std::string_view::npos) ++line;
+  }
+  if (begin < text.size())
+    stretches.push_back({static_cast<Offset>(begin), static_cast<Offset>(text.size())});
+  return stretches;
+}
+
+Scan scan(std::string_view text) { return Scanning(text).run(); }
+
+} // namespace proskill::syntax

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "syntax/source.h"
+
+#include <string_view>
+#include <vector>
+
+/// What can be told of a text without its grammar: comments, strings, parentheses, lines.
+namespace proskill::syntax {
+
+/// The stretches that are parsed each on its own: one from each line that begins with a definition,
+/// and one before the first. They cover the text; so an edit, or a mistake, stays in its stretch.
+[[nodiscard]] std::vector<Range> cut(std::string_view text);
+
+struct Parenthesis {
+  Offset at;
+  bool opens;
+};
+
+/// A token from whose place the nesting can be told: the first of a line, or the keyword of a
+/// field.
+struct Landmark {
+  Offset at;
+  Offset column;             ///< in bytes
+  Offset previousEnd;        ///< the end of the token before it
+  std::uint32_t parentheses; ///< how many stand before it
+  bool startsLine;
+  bool closes;     ///< it is a `)`
+  bool definition; ///< it is a keyword that only stands directly in a definition
+};
+
+struct Scan {
+  std::vector<Range> comments;
+  std::vector<Parenthesis> parentheses;
+  std::vector<Landmark> landmarks;
+  Offset end = 0; ///< of the last token
+};
+
+[[nodiscard]] Scan scan(std::string_view text);
+
+} // namespace proskill::syntax

@@ -1,0 +1,477 @@
+/**
+ * ProSkill: robot skills in a Lisp-like notation.
+ *
+ * Every rule is lenient. What stands in a pair of parentheses is read by the context that it stands
+ * in (a condition, a statement, effects, …), each context takes any word anywhere, and a form that it
+ * does not know is a plain `list`. So a half-typed program gives a clean tree; what is missing
+ * or too much is for those who read the tree to say.
+ */
+
+/// <reference types="tree-sitter-cli/dsl" />
+// @ts-check
+
+const NAME = /[A-Za-z_][A-Za-z0-9_]*/;
+
+/** A parenthesised form. It also ends where the next definition starts a line: see src/scanner.c. */
+const form = ($, ...contents) => seq('(', ...contents, $._close);
+
+/** Words that have their own field each, in this order, then anything. */
+const leading = ($, [name, ...others], rest) =>
+  name === undefined
+    ? repeat(choice($._word, rest))
+    : optional(
+        choice(
+          seq(field(name, $.symbol), leading($, others, rest)),
+          seq(choice($._word_but_symbol, rest), repeat(choice($._word, rest))),
+        ),
+      );
+
+/** A keyword and all that follows it up to the next one. */
+const keyed = ($, keyword, value) =>
+  seq(field('keyword', keyword), repeat(choice(field('value', value), $._loose)));
+
+const keyedFields = ($, ...known) => repeat(choice(...known, $.unknown_field));
+
+/** A definition: its name (and whatever else was typed there), then its fields. */
+const definition = ($, head, ...fields) =>
+  form($, field('head', head), definedName($), keyedFields($, ...fields));
+
+const definedName = ($, ...others) =>
+  optional(
+    choice(
+      seq(field('name', $.symbol), repeat(choice($._loose, $.list, ...others))),
+      seq(choice($._loose_but_symbol, $.list, ...others), repeat(choice($._loose, $.list, ...others))),
+    ),
+  );
+
+/** The forms of a condition, whose operands are `operand`; `prefix` tells the contexts apart. */
+const connectives = (prefix, operand) => ({
+  [`${prefix}comparison`]: $ =>
+    form($, field('operator', choice('=', '/=', '<', '<=', '>', '>=')), repeat($[operand])),
+  [`${prefix}conjunction`]: $ => form($, field('operator', choice('and', '&')), repeat($[operand])),
+  [`${prefix}disjunction`]: $ => form($, field('operator', choice('or', '|')), repeat($[operand])),
+  [`${prefix}negation`]: $ => form($, field('operator', choice('not', '~')), repeat($[operand])),
+  [`${prefix}arithmetic`]: $ => form($, field('operator', choice('+', '-')), repeat($[operand])),
+  [`${prefix}test`]: $ => form($, field('variable', $.symbol), repeat(field('value', $[operand]))),
+});
+
+/** Properties over one skill, event, or label: `(running takeoff)`. */
+const observation = ($, head, ...names) =>
+  form($, field('operator', head), leading($, names, $.list));
+
+const temporal = ($, head) => form($, field('operator', head), repeat($._property_operand));
+
+const pattern = ($, head) =>
+  form(
+    $,
+    field('head', head),
+    repeat($._proposition),
+    keyedFields(
+      $,
+      $.after_field,
+      $.before_field,
+      $.within_field,
+      $.for_field,
+      $.lasting_field,
+    ),
+  );
+
+const PATTERNS = [
+  'always',
+  'never',
+  'reachable',
+  'deadlockfree',
+  'infinitelyoften',
+  'leadsto',
+  'precedes',
+  'present',
+  'absent',
+  'ltl',
+];
+
+module.exports = grammar({
+  name: 'proskill',
+
+  extras: $ => [/\s/, $.comment],
+
+  externals: $ => [$._implicit_close, $._error_sentinel],
+
+  word: $ => $.symbol,
+
+  inline: $ => [$._close, $._definition, $._statement, $._condition, $._proposition],
+
+  rules: {
+    source_file: $ => repeat(choice($._definition, $._word, $.surplus_close)),
+
+    surplus_close: _ => ')',
+
+    _close: $ => choice(')', $._implicit_close),
+
+    // Words.
+
+    comment: _ => token(seq(';', /([^\r\n]|\r+[^\r\n])*/)),
+
+    symbol: _ => NAME,
+    parameter: _ => /\$[A-Za-z_][A-Za-z0-9_]*/,
+    keyword: _ => /:[A-Za-z_][A-Za-z0-9_]*/,
+    number: _ => /-?[0-9]+(\.[0-9]+)?/,
+    operator: _ => /[=<>\/&|~^+*!-]+/,
+    /** What looks like a name but is none: `take-off`, `3d`, `élan`. */
+    malformed_name: _ =>
+      token(
+        choice(
+          /[A-Za-z_][A-Za-z0-9_]*([-]|[^\x00-\x7f\s])([A-Za-z0-9_-]|[^\x00-\x7f\s])*/,
+          /[0-9]+([A-Za-z_]|[^\x00-\x7f\s])([A-Za-z0-9_-]|[^\x00-\x7f\s])*/,
+          /[^\x00-\x7f\s]([A-Za-z0-9_-]|[^\x00-\x7f\s])*/,
+        ),
+      ),
+    unexpected: _ => token(prec(-10, choice('...', /[^\s();"]/))),
+
+    /** `skill.status`; the second half is missing while it is typed. */
+    access: $ =>
+      prec.right(
+        seq(
+          field('object', $.symbol),
+          token.immediate('.'),
+          optional(field('member', alias($._member, $.symbol))),
+        ),
+      ),
+    _member: _ => token.immediate(NAME),
+
+    /** Ends with its line at the latest, so that a missing quote damages one line. */
+    string: $ =>
+      prec.right(
+        seq(
+          '"',
+          repeat(choice($.string_content, $.escape_sequence)),
+          optional(token.immediate(prec(2, '"'))),
+        ),
+      ),
+    string_content: _ => token.immediate(prec(1, /[^"\\\r\n]+/)),
+    escape_sequence: _ => token.immediate(prec(1, /\\[^\r\n]?/)),
+
+    /** `[1,3]`, `]0,1]`, `[1,...[`. */
+    interval: $ =>
+      prec.right(
+        seq(
+          field('left', choice('[', ']')),
+          optional(field('lower', $.number)),
+          optional(seq(',', optional(field('upper', choice($.number, $.unbounded))))),
+          optional(field('right', choice('[', ']'))),
+        ),
+      ),
+    unbounded: _ => '...',
+
+    _word: $ => choice($._loose, $.keyword),
+    _word_but_symbol: $ => choice($._loose_but_symbol, $.keyword),
+    _loose: $ => choice($.symbol, $._loose_but_symbol),
+    _loose_but_symbol: $ => choice($.access, $._literal),
+    _literal: $ => choice($.parameter, $.string, $._sign),
+    _sign: $ => choice($.number, $.interval, $.operator, $.malformed_name, $.unexpected),
+
+    /** Any form that its context does not know. */
+    list: $ => form($, leading($, ['head'], $.list)),
+    name_list: $ => form($, repeat(choice($._word, $.list))),
+
+    unknown_field: $ => keyed($, $.keyword, $.list),
+
+    // Definitions.
+
+    _definition: $ =>
+      choice(
+        $.include,
+        $.state_variable,
+        $.event,
+        $.skill,
+        $.resource,
+        $.property,
+        $.environment,
+        $.list,
+      ),
+
+    include: $ =>
+      form(
+        $,
+        field('head', 'include'),
+        repeat(
+          choice(
+            field('path', $.string),
+            $.symbol,
+            $.access,
+            $.parameter,
+            $.keyword,
+            $._sign,
+            $.list,
+          ),
+        ),
+      ),
+
+    state_variable: $ =>
+      definition(
+        $,
+        'defsv',
+        $.init_field,
+        $.min_field,
+        $.max_field,
+        $.states_field,
+        $.transitions_field,
+      ),
+    init_field: $ => keyed($, ':init', $.list),
+    min_field: $ => keyed($, ':min', $.list),
+    max_field: $ => keyed($, ':max', $.list),
+    states_field: $ => keyed($, ':states', $.name_list),
+    transitions_field: $ => keyed($, ':transitions', choice($.all, $.transition_list)),
+    all: _ => ':all',
+    transition_list: $ => form($, repeat(choice($._word, $.transition))),
+    transition: $ => form($, leading($, ['from', 'to'], $.list)),
+
+    event: $ => definition($, 'defevent', $.effects_field),
+
+    resource: $ => definition($, 'defresource', $.capacity_field),
+    capacity_field: $ => keyed($, ':capacity', $.list),
+
+    environment: $ => definition($, 'defenvironment', $.body_field),
+
+    skill: $ =>
+      definition(
+        $,
+        'defskill',
+        $.input_field,
+        $.precondition_field,
+        $.start_field,
+        $.invariant_field,
+        $.time_interval_field,
+        $.action_field,
+        $.interrupt_field,
+        $.success_field,
+        $.failure_field,
+        $.resources_field,
+        $.monitor_field,
+        $.body_field,
+      ),
+
+    input_field: $ => keyed($, ':input', $.input_list),
+    input_list: $ => form($, repeat(choice($.input, $._input_word, $.list))),
+    input: $ =>
+      prec.right(seq(field('name', $.parameter), optional(field('type', $.symbol)))),
+    _input_word: $ => choice($.symbol, $.access, $.keyword, $.string, $._sign),
+
+    precondition_field: $ => keyed($, ':precondition', $.precondition_list),
+    precondition_list: $ =>
+      form($, repeat(choice($.precondition, $._word_but_symbol, $._condition_form))),
+    precondition: $ =>
+      prec.right(
+        seq(
+          field('tag', $.symbol),
+          optional(field('condition', choice($._condition_form, $.boolean))),
+        ),
+      ),
+
+    start_field: $ => keyed($, ':start', $._effects),
+
+    invariant_field: $ => keyed($, ':invariant', $.invariant_list),
+    invariant_list: $ =>
+      form($, repeat(choice($.invariant, $._word_but_symbol, $.invariant_clause))),
+    invariant: $ => prec.right(seq(field('tag', $.symbol), optional($.invariant_clause))),
+    invariant_clause: $ =>
+      form($, repeat(choice($._loose, $.list)), keyedFields($, $.guard_field, $.effects_field)),
+    guard_field: $ => keyed($, ':guard', choice($._condition_form, $.boolean)),
+
+    time_interval_field: $ => keyed($, ':time_interval', $.list),
+
+    action_field: $ => keyed($, ':action', $.command),
+    command: $ => form($, leading($, ['name'], $.list)),
+
+    interrupt_field: $ => keyed($, ':interrupt', $.interrupt_clause),
+    interrupt_clause: $ =>
+      form($, repeat(choice($._loose, $.list)), keyedFields($, $.effects_field)),
+
+    success_field: $ => outcomes($, ':success'),
+    failure_field: $ => outcomes($, ':failure'),
+    outcome_list: $ => form($, repeat(choice($.outcome, $._word_but_symbol, $.outcome_list))),
+    outcome: $ => prec.right(seq(field('tag', $.symbol), optional($.outcome_clause))),
+    outcome_clause: $ =>
+      form(
+        $,
+        repeat(choice($._loose, $.list)),
+        keyedFields($, $.effects_field, $.postcondition_field),
+      ),
+    postcondition_field: $ => keyed($, ':postcondition', choice($._condition_form, $.boolean)),
+
+    resources_field: $ => keyed($, ':resources', $.name_list),
+    monitor_field: $ => keyed($, ':monitor', $.list),
+    body_field: $ => keyed($, ':body', $.block),
+
+    // Effects.
+
+    effects_field: $ => keyed($, ':effects', $._effects),
+    _effects: $ => choice($.effect, $.effect_list),
+    effect: $ => form($, field('variable', $.symbol), repeat(field('value', $._operand))),
+    effect_list: $ =>
+      form(
+        $,
+        optional(seq(choice($._word_but_symbol, $._effects), repeat(choice($._word, $._effects)))),
+      ),
+
+    // Conditions and values.
+
+    _condition: $ => choice($._loose, $.boolean, $._condition_form),
+    _operand: $ => choice($._condition, $.keyword),
+    _condition_form: $ =>
+      choice(
+        $.comparison,
+        $.conjunction,
+        $.disjunction,
+        $.negation,
+        $.arithmetic,
+        $.test,
+        alias($._condition_list, $.list),
+      ),
+    _condition_list: $ =>
+      form(
+        $,
+        optional(seq(choice($._word_but_symbol, $.boolean, $.list), repeat(choice($._word, $.list)))),
+      ),
+    boolean: _ => choice('true', 'false'),
+    ...connectives('', '_operand'),
+
+    // Statements.
+
+    block: $ => form($, repeat($._statement)),
+    _statement: $ =>
+      choice(
+        $.call,
+        $.interrupt,
+        $.wait,
+        $.if,
+        $.while,
+        $.do,
+        $.do_until,
+        $.break,
+        $.label,
+        $.goto,
+        $.parallel,
+        $.choose,
+        $.set,
+        $.printf,
+        $.success,
+        $.failure,
+        $.emit,
+        alias($._statement_list, $.list),
+        $._word,
+      ),
+    _statement_list: $ =>
+      form($, optional(seq(choice($._literal, $.keyword, $.list), repeat(choice($._word, $.list))))),
+
+    call: $ =>
+      form($, field('skill', $.symbol), repeat(choice($.argument, $._word_but_symbol, $._condition_form))),
+    argument: $ =>
+      prec.right(
+        seq(
+          field('name', $.symbol),
+          optional(field('value', choice($._loose, $.boolean, $._condition_form))),
+        ),
+      ),
+    interrupt: $ => form($, field('target', $.access), repeat(choice($._word, $.list))),
+
+    wait: $ => form($, field('head', '^'), repeat($._condition), keyedFields($, $.effects_field)),
+
+    if: $ =>
+      form($, field('head', 'if'), guarded($), repeat(choice($.elseif_clause, $.else_clause))),
+    elseif_clause: $ => prec.right(seq(field('head', 'elseif'), guarded($))),
+    else_clause: $ => prec.right(seq(field('head', 'else'), repeat($._statement))),
+    while: $ => form($, field('head', 'while'), guarded($)),
+    do: $ => form($, field('head', 'do'), repeat($._statement), optional($.until_clause)),
+    until_clause: $ => prec.right(seq(field('head', 'until'), guarded($))),
+    do_until: $ => form($, field('head', 'do-until'), guarded($)),
+    break: $ => choice('break', form($, 'break', repeat(choice($._word, $.list)))),
+
+    label: $ => named($, 'label'),
+    goto: $ => named($, 'goto'),
+    success: $ => named($, 'success'),
+    failure: $ => named($, 'failure'),
+    emit: $ => named($, 'emit'),
+
+    parallel: $ => branches($, '//'),
+    choose: $ => branches($, 'choose'),
+
+    set: $ => form($, field('head', 'set'), repeat(choice($._effects, $._word))),
+    printf: $ => form($, field('head', 'printf'), repeat($._operand)),
+
+    // Properties.
+
+    property: $ =>
+      form(
+        $,
+        field('head', 'defproperty'),
+        optional(
+          choice(
+            seq(field('name', $.symbol), repeat(choice($._word, $._pattern))),
+            seq(choice($._word_but_symbol, $._pattern), repeat(choice($._word, $._pattern))),
+          ),
+        ),
+      ),
+    _pattern: $ => choice(...PATTERNS.map(name => $[name]), $.list),
+    ...Object.fromEntries(PATTERNS.map(name => [name, $ => pattern($, name)])),
+    after_field: $ => keyed($, ':after', choice($._proposition_form, $.boolean)),
+    before_field: $ => keyed($, ':before', choice($._proposition_form, $.boolean)),
+    within_field: $ => keyed($, ':within', $.list),
+    for_field: $ => keyed($, ':for', $.list),
+    lasting_field: $ => keyed($, ':lasting', $.list),
+
+    _proposition: $ => choice($._loose, $.boolean, $._proposition_form),
+    _property_operand: $ => choice($._proposition, $.keyword),
+    _proposition_form: $ =>
+      choice(
+        alias($._property_comparison, $.comparison),
+        alias($._property_conjunction, $.conjunction),
+        alias($._property_disjunction, $.disjunction),
+        alias($._property_negation, $.negation),
+        alias($._property_arithmetic, $.arithmetic),
+        alias($._property_test, $.test),
+        alias($._condition_list, $.list),
+        $.running,
+        $.called,
+        $.ended,
+        $.occurs,
+        $.at,
+        $.value,
+        $.globally,
+        $.finally,
+        $.next,
+        $.until,
+        $.implication,
+      ),
+    ...connectives('_property_', '_property_operand'),
+    running: $ => observation($, 'running', 'skill'),
+    called: $ => observation($, 'called', 'skill'),
+    ended: $ => observation($, 'ended', 'skill', 'status'),
+    occurs: $ => observation($, 'occurs', 'event'),
+    at: $ => observation($, 'at', 'label'),
+    value: $ => observation($, 'value', 'variable', 'value'),
+    globally: $ => temporal($, '[]'),
+    finally: $ => temporal($, '<>'),
+    next: $ => temporal($, '()'),
+    until: $ => temporal($, 'until'),
+    implication: $ => temporal($, '=>'),
+  },
+});
+
+function guarded($) {
+  return optional(seq(field('condition', choice($._condition, $.keyword)), repeat($._statement)));
+}
+
+function named($, head) {
+  return form($, field('head', head), leading($, ['name'], $.list));
+}
+
+function branches($, head) {
+  return form($, field('head', head), repeat(choice(field('branch', $.block), $._word)));
+}
+
+function outcomes($, keyword) {
+  return seq(
+    field('keyword', keyword),
+    repeat(choice(field('value', choice($.outcome, $.outcome_list)), $._loose_but_symbol)),
+  );
+}
