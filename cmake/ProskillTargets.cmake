@@ -8,7 +8,7 @@ endif()
 
 add_library(proskill_flags INTERFACE)
 target_compile_options(proskill_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+  -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
   -Wold-style-cast -Woverloaded-virtual -Wno-missing-field-initializers -Werror)
 target_include_directories(proskill_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(PROSKILL_SANITIZE)
