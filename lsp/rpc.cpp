@@ -1,0 +1,76 @@
+#include "lsp/rpc.h"
+
+namespace proskill::lsp {
+
+namespace {
+
+/// Text that came from a program may be no UTF-8; it is shown with replacement characters then.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool isIdentifier(const Json& id) { return id.is_number_integer() || id.is_string(); }
+
+MalformedMessage invalid(std::string message, Json id = nullptr) {
+  return {{ErrorCode::InvalidRequest, std::move(message)}, std::move(id)};
+}
+
+Json member(const Json& json, const char* name) {
+  auto found = json.find(name);
+  return found == json.end() ? Json() : *found;
+}
+
+std::expected<Message, MalformedMessage> call(const Json& json, Json id) {
+  Message message;
+  message.kind = json.contains("id") ? MessageKind::Request : MessageKind::Notification;
+  message.method = json["method"].get<std::string>();
+  message.params = member(json, "params");
+  if (message.kind == MessageKind::Request && !isIdentifier(id))
+    return std::unexpected(invalid("`id` is neither a number nor a string"));
+  message.id = std::move(id);
+  if (!message.params.is_null() && !message.params.is_structured())
+    return std::unexpected(invalid("`params` is neither an object nor an array", message.id));
+  return message;
+}
+
+} // namespace
+
+std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
+  auto json = Json::parse(body, nullptr, false);
+  if (json.is_discarded())
+    return std::unexpected(MalformedMessage{{ErrorCode::ParseError, "the message is no JSON"}, {}});
+  if (!json.is_object()) return std::unexpected(invalid("the message is no object"));
+  auto id = member(json, "id");
+  if (member(json, "jsonrpc") != "2.0")
+    return std::unexpected(invalid("`jsonrpc` is not \"2.0\"", isIdentifier(id) ? id : Json()));
+  auto method = member(json, "method");
+  if (method.is_string()) return call(json, std::move(id));
+  if (!method.is_null() || !json.contains("id"))
+    return std::unexpected(invalid("`method` is no string", isIdentifier(id) ? id : Json()));
+  Message message;
+  message.kind = MessageKind::Response;
+  message.id = std::move(id);
+  message.result = member(json, "result");
+  message.error = member(json, "error");
+  return message;
+}
+
+std::string request(const Json& id, std::string_view method, const Json& params) {
+  return dump({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
+}
+
+std::string notification(std::string_view method, const Json& params) {
+  return dump({{"jsonrpc", "2.0"}, {"method", method}, {"params", params}});
+}
+
+std::string reply(const Json& id, const Json& result) {
+  return dump({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
+}
+
+std::string replyError(const Json& id, const RpcError& error) {
+  return dump({{"jsonrpc", "2.0"},
+               {"id", id},
+               {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
+}
+
+} // namespace proskill::lsp

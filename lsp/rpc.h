@@ -1,0 +1,57 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <expected>
+#include <string>
+#include <string_view>
+
+/// JSON-RPC 2.0 as LSP uses it: no batches, identifiers are numbers or strings.
+namespace proskill::lsp {
+
+using Json = nlohmann::json;
+
+enum class ErrorCode : int {
+  ParseError = -32700,
+  InvalidRequest = -32600,
+  MethodNotFound = -32601,
+  InvalidParams = -32602,
+  InternalError = -32603,
+  ServerNotInitialized = -32002,
+  RequestFailed = -32803,
+  ServerCancelled = -32802,
+  ContentModified = -32801,
+  RequestCancelled = -32800,
+};
+
+struct RpcError {
+  ErrorCode code = ErrorCode::InternalError;
+  std::string message;
+};
+
+enum class MessageKind : std::uint8_t { Request, Notification, Response };
+
+struct Message {
+  MessageKind kind = MessageKind::Notification;
+  Json id;            ///< of requests and responses
+  std::string method; ///< of requests and notifications
+  Json params;        ///< null where absent
+  Json result;        ///< of a response that is no error
+  Json error;         ///< of a response; null where there is none
+};
+
+/// What is wrong with a body that is no message, and the identifier that an answer to it must bear:
+/// null where it cannot be known.
+struct MalformedMessage {
+  RpcError error;
+  Json id;
+};
+
+[[nodiscard]] std::expected<Message, MalformedMessage> parseMessage(std::string_view body);
+
+[[nodiscard]] std::string request(const Json& id, std::string_view method, const Json& params);
+[[nodiscard]] std::string notification(std::string_view method, const Json& params);
+[[nodiscard]] std::string reply(const Json& id, const Json& result);
+[[nodiscard]] std::string replyError(const Json& id, const RpcError& error);
+
+} // namespace proskill::lsp
