@@ -4,8 +4,8 @@
 #include "syntax/document.h"
 
 #include <filesystem>
-#include <map>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace proskill::analysis {
@@ -29,10 +29,11 @@ template <class Node> struct Definition {
   [[nodiscard]] Location at(syntax::Range range) const { return {file, range}; }
 };
 
-/// The definitions of one namespace: in the order of the program, and by name (the first of a name).
+/// The definitions of one namespace: in the order of the program, and by name (the first of a
+/// name).
 template <class Node> struct Table {
   std::vector<Definition<Node>> all;
-  std::map<std::string_view, std::size_t, std::less<>> byName;
+  std::unordered_map<std::string_view, std::size_t> byName;
 
   [[nodiscard]] const Definition<Node>* find(std::string_view name) const {
     auto found = byName.find(name);
@@ -40,8 +41,13 @@ template <class Node> struct Table {
   }
 };
 
+/// How much of a program the root file shows. A fragment is a file that others include, opened
+/// alone: what it does not define may be defined by a root that is not known here.
+enum class Extent : std::uint8_t { Whole, Fragment };
+
 /// A root file with all that it includes, in the order in which a reader would meet the forms.
 struct Program {
+  Extent extent = Extent::Whole;
   std::vector<File> files; ///< files[0] is the root
   Table<syntax::StateVariable> stateVariables;
   Table<syntax::Event> events;
@@ -59,11 +65,12 @@ struct Program {
 };
 
 /// Reads `root` and what it includes. Never fails: what cannot be read is a diagnostic.
-[[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root);
-
-/// The same with the documents that an editor holds: `root` is given, only includes are read.
 [[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root,
-                           syntax::Document document);
+                           Extent extent = Extent::Whole);
+
+/// The same with the document that an editor holds: `root` is given, only includes are read.
+[[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root,
+                           syntax::Document document, Extent extent = Extent::Whole);
 
 /// Everything that is wrong with a program, those of loading included, in the order of the files.
 [[nodiscard]] std::vector<syntax::Diagnostic> check(const Program& program);

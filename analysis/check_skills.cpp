@@ -1,0 +1,45 @@
+#include "analysis/checks.h"
+
+#include "analysis/arguments.h"
+#include "analysis/expressions.h"
+
+namespace proskill::analysis {
+
+namespace {
+
+void checkOutcomes(Expressions& expressions, const std::vector<syntax::Outcome>& outcomes) {
+  for (const syntax::Outcome& outcome : outcomes) {
+    expressions.effects(outcome.effects);
+    if (outcome.postcondition) expressions.condition(*outcome.postcondition);
+  }
+}
+
+/// All but the body.
+void checkSkill(Context& context, const Definition<syntax::Skill>& skill, SymbolId symbol) {
+  Expressions expressions(context, skill.file);
+  Names names(context, skill.file);
+  for (const syntax::Input& input : skill->inputs) names.useType(input.type);
+  for (const auto& precondition : skill->preconditions)
+    expressions.condition(precondition.condition);
+  expressions.effects(skill->start);
+  for (const auto& invariant : skill->invariants) {
+    expressions.condition(invariant.guard);
+    expressions.effects(invariant.effects);
+  }
+  if (skill->interrupt) expressions.effects(skill->interrupt->effects);
+  checkOutcomes(expressions, skill->successes);
+  checkOutcomes(expressions, skill->failures);
+  if (!skill->action) return;
+  Arguments arguments(context, skill.file, symbol);
+  for (const syntax::Expr& argument : skill->action->arguments) arguments.type(argument, {});
+}
+
+} // namespace
+
+void checkSkills(Context& context) {
+  const auto& all = context.program.skills.all;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    checkSkill(context, all[i], context.symbols.topLevel(SymbolKind::Skill, i));
+}
+
+} // namespace proskill::analysis

@@ -1,0 +1,23 @@
+#include "analysis/checks.h"
+
+namespace proskill::analysis {
+
+namespace {
+
+void checkInputs(Context& context, const Definition<syntax::Skill>& skill) {
+  if (skill->inputs.empty()) return;
+  context.findings.report(syntax::Code::InputsAtStart, skill.at(skill->inputs.front().name.range),
+                          skill.name());
+}
+
+} // namespace
+
+/// What starts with the program has no caller that could pass it anything.
+void checkStart(Context& context) {
+  for (const auto& skill : context.program.skills.all)
+    if (skill->monitor) checkInputs(context, skill);
+  if (context.program.extent == Extent::Fragment) return;
+  if (const auto* main = mainSkill(context.program).skill) checkInputs(context, *main);
+}
+
+} // namespace proskill::analysis

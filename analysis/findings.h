@@ -1,0 +1,48 @@
+#pragma once
+
+#include "analysis/suggest.h"
+#include "syntax/diagnostic.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace proskill::analysis {
+
+/// A diagnostic that is being written: `findings.report(…).related(…).suggest(…)`.
+class Finding {
+public:
+  explicit Finding(syntax::Diagnostic& diagnostic) : diagnostic(diagnostic) {}
+
+  Finding& related(syntax::Location at, std::string message);
+  /// "did you mean …?", where there is a word that is near enough.
+  Finding& suggest(const Suggestion& suggestion);
+  /// The edit that mends it.
+  Finding& fix(std::string title, syntax::Location at, std::string text);
+  Finding& severity(syntax::Severity value);
+
+private:
+  syntax::Diagnostic& diagnostic;
+};
+
+/// Collects what the checks find.
+class Findings {
+public:
+  explicit Findings(std::vector<syntax::Diagnostic> known) : diagnostics(std::move(known)) {}
+
+  /// `arguments` are for the message of the code, in its order.
+  template <class... Arguments>
+  Finding report(syntax::Code code, syntax::Location at, const Arguments&... arguments) {
+    diagnostics.push_back(syntax::makeDiagnostic(code, at, arguments...));
+    return Finding(diagnostics.back());
+  }
+
+  /// All of them in the order of the files and of their texts.
+  [[nodiscard]] std::vector<syntax::Diagnostic> inOrder() &&;
+
+private:
+  std::vector<syntax::Diagnostic> diagnostics;
+};
+
+} // namespace proskill::analysis

@@ -1,0 +1,49 @@
+#include "analysis/index.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace proskill::analysis {
+
+namespace {
+
+auto place(const Occurrence& it) {
+  return std::tuple(it.at.file, it.at.range.begin, it.at.range.end);
+}
+
+} // namespace
+
+Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences)
+    : table(std::move(symbols)), places(std::move(occurrences)) {
+  const auto& all = table.all();
+  for (SymbolId id = 0; id < all.size(); ++id)
+    if (!all[id].name.empty()) places.push_back({id, all[id].at, Role::Definition});
+  std::ranges::stable_sort(places, {}, place);
+
+  groupStart.assign(all.size() + 1, 0);
+  for (const Occurrence& it : places) ++groupStart[it.symbol + 1];
+  for (std::size_t i = 1; i < groupStart.size(); ++i) groupStart[i] += groupStart[i - 1];
+  bySymbol.resize(places.size());
+  auto next = groupStart;
+  for (std::uint32_t i = 0; i < places.size(); ++i) bySymbol[next[places[i].symbol]++] = i;
+}
+
+const Occurrence* Index::at(FileId file, syntax::Offset offset) const {
+  auto after =
+      std::ranges::upper_bound(places, std::tuple(file, offset), {}, [](const Occurrence& it) {
+        return std::tuple(it.at.file, it.at.range.begin);
+      });
+  if (after == places.begin()) return nullptr;
+  const Occurrence& before = *std::prev(after);
+  const bool touches = before.at.file == file && offset <= before.at.range.end;
+  return touches ? &before : nullptr;
+}
+
+std::vector<Occurrence> Index::occurrencesOf(SymbolId symbol) const {
+  std::vector<Occurrence> found;
+  for (std::uint32_t i = groupStart[symbol]; i < groupStart[symbol + 1]; ++i)
+    found.push_back(places[bySymbol[i]]);
+  return found;
+}
+
+} // namespace proskill::analysis

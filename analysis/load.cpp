@@ -1,0 +1,140 @@
+#include "analysis/program.h"
+
+#include <algorithm>
+#include <set>
+
+namespace proskill::analysis {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Builds a program file by file. An include is followed where it stands, so that the definitions
+/// come in the order in which a reader would meet them.
+class Loader {
+public:
+  Loader(const FileSystem& files, Program& program) : files(files), program(program) {}
+
+  void add(const fs::path& path, const fs::path& canonical, syntax::Document document) {
+    const auto id = static_cast<FileId>(program.files.size());
+    loaded.insert(canonical);
+    open.push_back({canonical, path, {}});
+    program.files.push_back({path, document});
+    for (syntax::Diagnostic diagnostic : document.diagnostics())
+      program.diagnostics.push_back(inFile(std::move(diagnostic), id));
+    for (const syntax::Form& form : document.forms()) define(form, id);
+    open.pop_back();
+  }
+
+private:
+  /// A file that is being read, and its include that is being followed.
+  struct OpenFile {
+    fs::path canonical;
+    fs::path path;
+    Location include;
+  };
+
+  static syntax::Diagnostic inFile(syntax::Diagnostic diagnostic, FileId id) {
+    diagnostic.location.file = id;
+    for (syntax::Related& related : diagnostic.related) related.location.file = id;
+    for (syntax::Fix& fix : diagnostic.fixes) fix.location.file = id;
+    return diagnostic;
+  }
+
+  void define(const syntax::Form& form, FileId id) {
+    std::visit([&](const auto& node) { define(node, form, id); }, form.node);
+  }
+
+  void define(const syntax::UnknownForm&, const syntax::Form&, FileId) {}
+  void define(const syntax::Include& include, const syntax::Form&, FileId id) {
+    if (include.path) follow(include.path, id);
+  }
+  void define(const syntax::StateVariable& node, const syntax::Form& form, FileId id) {
+    enter(program.stateVariables, node, form, id);
+  }
+  void define(const syntax::Event& node, const syntax::Form& form, FileId id) {
+    enter(program.events, node, form, id);
+  }
+  void define(const syntax::Skill& node, const syntax::Form& form, FileId id) {
+    enter(program.skills, node, form, id);
+  }
+  void define(const syntax::Resource& node, const syntax::Form& form, FileId id) {
+    enter(program.resources, node, form, id);
+  }
+  void define(const syntax::Property& node, const syntax::Form& form, FileId id) {
+    enter(program.properties, node, form, id);
+  }
+  void define(const syntax::Environment& node, const syntax::Form& form, FileId id) {
+    enter(program.environments, node, form, id);
+  }
+
+  template <class Node>
+  static void enter(Table<Node>& table, const Node& node, const syntax::Form& form, FileId id) {
+    if (node.name) table.byName.try_emplace(node.name.text, table.all.size());
+    table.all.push_back({&node, &form, id});
+  }
+
+  void follow(const syntax::Name& written, FileId from) {
+    const Location at{from, written.range};
+    open.back().include = at;
+    const fs::path path =
+        (open.back().path.parent_path() / fs::path(written.text)).lexically_normal();
+    const fs::path canonical = files.canonical(path);
+    if (isOpen(canonical)) return cycle(canonical, at);
+    if (loaded.contains(canonical)) return;
+    if (open.size() > kDeepestInclude) return unreadable(written, at, "includes go too deep");
+    auto text = files.read(path);
+    if (!text) return unreadable(written, at, text.error());
+    add(path, canonical, syntax::Document::parse(std::move(*text)));
+  }
+
+  [[nodiscard]] bool isOpen(const fs::path& canonical) const {
+    return std::ranges::find(open, canonical, &OpenFile::canonical) != open.end();
+  }
+
+  void unreadable(const syntax::Name& written, Location at, std::string_view why) {
+    program.diagnostics.push_back(
+        syntax::makeDiagnostic(syntax::Code::UnreadableFile, at, written.text, why));
+  }
+
+  void cycle(const fs::path& canonical, Location at) {
+    auto diagnostic = syntax::makeDiagnostic(syntax::Code::IncludeCycle, at,
+                                             canonical.filename().generic_string());
+    auto first = std::ranges::find(open, canonical, &OpenFile::canonical);
+    for (auto it = first; it + 1 != open.end(); ++it)
+      diagnostic.related.push_back(
+          {it->include, "`" + it->path.filename().generic_string() + "` includes `" +
+                            (it + 1)->path.filename().generic_string() + "` here"});
+    program.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  /// Deeper chains are generated, or endless through links.
+  static constexpr std::size_t kDeepestInclude = 200;
+
+  const FileSystem& files;
+  Program& program;
+  std::set<fs::path> loaded;
+  std::vector<OpenFile> open;
+};
+
+} // namespace
+
+Program load(const FileSystem& files, const fs::path& root, Extent extent) {
+  auto text = files.read(root);
+  Program program =
+      load(files, root, syntax::Document::parse(text ? std::move(*text) : std::string()), extent);
+  if (!text)
+    program.diagnostics.push_back(syntax::makeDiagnostic(syntax::Code::UnreadableFile, {},
+                                                         root.generic_string(), text.error()));
+  return program;
+}
+
+Program load(const FileSystem& files, const fs::path& root, syntax::Document document,
+             Extent extent) {
+  Program program;
+  program.extent = extent;
+  Loader(files, program).add(root, files.canonical(root), std::move(document));
+  return program;
+}
+
+} // namespace proskill::analysis

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "analysis/findings.h"
+#include "analysis/index.h"
+#include "analysis/types.h"
+
+#include <vector>
+
+namespace proskill::analysis {
+
+/// What every check sees: the program, its names, and where to put what it finds.
+struct Context {
+  const Program& program;
+  const SymbolTable& symbols;
+  Findings& findings;
+  std::vector<Occurrence>& occurrences;
+
+  [[nodiscard]] const std::string& text(FileId file) const {
+    return program.files[file].document.text();
+  }
+  [[nodiscard]] Type typeOfVariable(SymbolId variable) const {
+    return analysis::typeOfVariable(program, symbols, variable);
+  }
+};
+
+/// Finds what names mean, notes it in the index, and says so where they mean nothing.
+class Names {
+public:
+  Names(Context& context, FileId file) : context(context), file(file) {}
+
+  /// The symbol of that kind and owner; none, with a diagnostic, where there is none. A missing
+  /// name is none without a diagnostic: the parser has said so.
+  SymbolId use(SymbolKind kind, const syntax::Name& name, Role role, SymbolId owner = kNoSymbol);
+  /// The tag of an outcome or of an invariant, after `skill.res`.
+  void useResult(const syntax::Name& tag, SymbolId skill);
+  /// The word of a status; `found` of those allowed.
+  void useStatus(const syntax::Name& word, std::span<const std::string_view> allowed);
+  /// The label in any skill, for a property.
+  void useLabelAnywhere(const syntax::Name& label);
+  /// The type of an input.
+  Type useType(const syntax::Name& name);
+  /// A parameter, with or without its `$`.
+  SymbolId useParameter(const syntax::Name& name, Role role, SymbolId skill);
+  /// Says so where a number lies outside of the state variable that `type` is of.
+  void checkDomain(const syntax::Expr& number, Type type);
+  /// For the index: the symbol is named here.
+  void note(SymbolId symbol, const syntax::Name& name, Role role);
+
+private:
+  void unknown(SymbolKind kind, const syntax::Name& name, SymbolId owner);
+  /// Something that a root may define that is not known here is a hint only.
+  void reportGlobal(syntax::Code code, const syntax::Name& name, const Suggestion& suggestion);
+  void offerAll(Suggestion& suggestion, SymbolKind kind, SymbolId owner) const;
+
+  Context& context;
+  FileId file;
+};
+
+} // namespace proskill::analysis

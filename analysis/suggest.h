@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace proskill::analysis {
+
+/// How many letters must be inserted, deleted, replaced or swapped with their neighbour to turn one
+/// word into the other (optimal string alignment), where it is at most `limit`. Case counts for
+/// nothing, so that `good` is at distance 0 from `Good`.
+[[nodiscard]] std::optional<std::size_t> editDistance(std::string_view a, std::string_view b,
+                                                      std::size_t limit);
+
+/// Keeps the best of the words that it is offered, the first of equals.
+class Suggestion {
+public:
+  explicit Suggestion(std::string_view misspelt);
+
+  void offer(std::string_view word);
+  /// The word that was probably meant; empty where none is near enough.
+  [[nodiscard]] std::string_view best() const { return found; }
+
+private:
+  std::string_view misspelt;
+  std::string_view found;
+  std::size_t limit; ///< a word must be this near to be better than `found`
+  bool full = false; ///< nothing can be nearer
+};
+
+} // namespace proskill::analysis

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "analysis/program.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace proskill::analysis {
+
+enum class SymbolKind : std::uint8_t {
+  StateVariable,
+  Event,
+  Skill,
+  Resource,
+  Property,
+  Environment,
+  // Inside of a state variable.
+  Value,
+  // Inside of a skill; labels inside of an environment too.
+  Parameter,
+  PreconditionTag,
+  InvariantTag,
+  SuccessTag,
+  FailureTag,
+  Label,
+};
+
+/// "state variable", "tag": what a user calls it.
+[[nodiscard]] std::string_view words(SymbolKind kind);
+
+/// `$height` as `height`: a parameter has its `$` where it is used, and none where it is given.
+[[nodiscard]] syntax::Name withoutDollar(syntax::Name name);
+
+/// An index into `SymbolTable::all`.
+using SymbolId = std::uint32_t;
+constexpr SymbolId kNoSymbol = ~SymbolId{0};
+
+/// Something that a program defines and that has a name.
+struct Symbol {
+  SymbolKind kind = SymbolKind::Skill;
+  std::string_view name;
+  Location at;                ///< of the name
+  syntax::Range extent;       ///< of the whole definition
+  SymbolId owner = kNoSymbol; ///< the state variable of a value, the skill of a tag
+  std::size_t definition = 0; ///< top level: its index in the program's table
+};
+
+/// A name that its owner has already.
+struct Duplicate {
+  SymbolId first = kNoSymbol;
+  SymbolId second = kNoSymbol;
+};
+
+/// Every definition of a program. A name belongs to a kind and an owner: two variables may share
+/// the value `Valid`, a skill and an event the name `land`. The first definition of a name has it.
+class SymbolTable {
+public:
+  explicit SymbolTable(const Program& program);
+
+  [[nodiscard]] const std::vector<Symbol>& all() const { return symbols; }
+  [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols[id]; }
+  [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name,
+                              SymbolId owner = kNoSymbol) const;
+  /// What may follow `skill.res`: an outcome's tag, or that of an invariant that failed.
+  [[nodiscard]] SymbolId findResult(std::string_view tag, SymbolId skill) const;
+  /// All labels of a name, whatever the skill that they stand in.
+  [[nodiscard]] std::span<const SymbolId> labels(std::string_view name) const;
+  /// The symbol of a definition at the top level, second ones of a name included.
+  [[nodiscard]] SymbolId topLevel(SymbolKind kind, std::size_t definition) const {
+    return definitions[static_cast<std::size_t>(kind)][definition];
+  }
+  [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return twice; }
+
+private:
+  struct Key {
+    SymbolKind kind;
+    SymbolId owner;
+    std::string_view name;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key& key) const;
+  };
+
+  SymbolId define(Symbol symbol);
+  void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent,
+                    SymbolId owner);
+  template <class Node> void defineAll(SymbolKind kind, const Table<Node>& table);
+  void defineParts(const Definition<syntax::StateVariable>& variable, SymbolId owner);
+  void defineParts(const Definition<syntax::Skill>& skill, SymbolId owner);
+  void defineLabels(const syntax::Block& block, SymbolId owner);
+
+  static constexpr std::size_t kTopLevelKinds = 6;
+
+  std::vector<Symbol> symbols;
+  std::vector<SymbolId> definitions[kTopLevelKinds];
+  std::unordered_map<Key, SymbolId, Hash> byName;
+  std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
+  std::vector<Duplicate> twice;
+};
+
+} // namespace proskill::analysis
