@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace proskill::lsp {
+
+/// The path of a `file:` URI, decoded; nothing for other schemes (`untitled:`, `git:`).
+/// RFC 3986, RFC 8089.
+[[nodiscard]] std::optional<std::filesystem::path> toPath(std::string_view uri);
+[[nodiscard]] std::string toUri(const std::filesystem::path& path);
+
+/// One spelling for each URI: clients write the same file with `%3A` or `:`, and in other ways.
+[[nodiscard]] std::string normalised(std::string_view uri);
+
+} // namespace proskill::lsp
