@@ -1,24 +1,31 @@
 #include "tests/support/random_model.h"
 
+#include "tests/fiacre/build.h"
 #include "tests/support/random_source.h"
-#include "tests/support/tree.h"
+
+#include <set>
 
 namespace proskill::test {
 
 using namespace fiacre;
+using namespace fiacre::test;
 
 namespace {
 
+Expr conditional(Expr test, Expr yes, Expr no) {
+  return {.kind = ExprKind::Conditional,
+          .operands = {std::move(test), std::move(yes), std::move(no)}};
+}
+
+Expr negation(Expr operand) { return unary(Op::Not, std::move(operand)); }
+
 /// `robot[index].field`
-Expr part(std::string index, std::string field) {
-  Expr element;
-  element.kind = ExprKind::Index;
-  element.operands = {name("robot"), name(std::move(index))};
-  Expr expr;
-  expr.kind = ExprKind::Field;
-  expr.name = std::move(field);
-  expr.operands = {std::move(element)};
-  return expr;
+Expr part(std::string at, std::string member) {
+  return field(index(name("robot"), name(std::move(at))), std::move(member));
+}
+
+Observable stateOf(std::uint32_t instance, std::string state) {
+  return {.path = {instance}, .name = std::move(state)};
 }
 
 enum class Sort : std::uint8_t { Bool, Number, Colour };
@@ -51,46 +58,34 @@ public:
 
 private:
   void declareTypes() {
-    Type colour = plain(TypeKind::Union);
-    for (const auto& text : kColours) colour.members.push_back(member(text));
-    program.types.push_back({"colour", colour, {}});
-    Type record = plain(TypeKind::Record);
-    record.members = {member("busy", {plain(TypeKind::Bool)}), member("mood", {named("colour")})};
-    program.types.push_back({"robot_record", record, {}});
-    Type array = plain(TypeKind::Array);
-    array.size = 2;
-    array.element = {named("robot_record")};
-    program.types.push_back({"robot_array", array, {}});
-    program.constants = {{"left", plain(TypeKind::Nat), number(0)},
-                         {"right", plain(TypeKind::Nat), number(1)}};
-    Function twice;
-    twice.name = "both";
-    twice.parameters = {{"first_one", plain(TypeKind::Bool), false},
-                        {"second_one", named("colour"), false}};
-    twice.result = plain(TypeKind::Bool);
-    twice.body =
-        with(StatementKind::Return, binary(Op::And, name("first_one"),
-                                           binary(Op::Equal, name("second_one"), name("Red"))));
-    program.functions.push_back(twice);
+    program.types = {{"colour", unionOf(kColours), {}},
+                     {"robot_record", record({{"busy", boolean()}, {"mood", named("colour")}}), {}},
+                     {"robot_array", array(2, named("robot_record")), {}}};
+    program.constants = {{"left", nat(), number(0)}, {"right", nat(), number(1)}};
+    Statement body{.kind = StatementKind::Return,
+                   .values = {binary(Op::And, name("first_one"),
+                                     binary(Op::Equal, name("second_one"), name("Red")))}};
+    program.functions = {
+        {.name = "both",
+         .parameters = {{"first_one", boolean(), false}, {"second_one", named("colour"), false}},
+         .result = boolean(),
+         .body = body}};
   }
 
   void declareShared() {
     component.name = "Main";
-    addShared("flag", plain(TypeKind::Bool), boolean(random.chance(50)), Sort::Bool);
+    addShared("flag", boolean(), truth(random.chance(50)), Sort::Bool);
     addShared("level", range(0, 2), number(random.between(0, 2)), Sort::Number);
     if (random.chance(60))
       addShared("paint", named("colour"), name(random.pick(kColours)), Sort::Colour);
     if (random.chance(60)) return;
-    Expr array;
-    array.kind = ExprKind::Array;
-    for (int i = 0; i < 2; ++i) {
-      Expr record;
-      record.kind = ExprKind::Record;
-      record.fields = {"busy", "mood"};
-      record.operands = {boolean(random.chance(50)), name(random.pick(kColours))};
-      array.operands.push_back(record);
-    }
-    component.variables.push_back({"robot", named("robot_array"), array, {}});
+    Expr robots{.kind = ExprKind::Array};
+    for (int i = 0; i < 2; ++i)
+      robots.operands.push_back(
+          {.kind = ExprKind::Record,
+           .fields = {"busy", "mood"},
+           .operands = {truth(random.chance(50)), name(random.pick(kColours))}});
+    component.variables.push_back({"robot", named("robot_array"), robots, {}});
     for (const char* index : {"left", "right"}) {
       scalars.push_back({part(index, "busy"), Sort::Bool});
       scalars.push_back({part(index, "mood"), Sort::Colour});
@@ -103,10 +98,9 @@ private:
   }
 
   void addPort(std::string text) {
-    Port port;
-    port.name = std::move(text);
-    if (random.chance(70)) port.interval = interval();
-    component.ports.push_back(port);
+    Port added{.name = std::move(text)};
+    if (random.chance(70)) added.interval = interval();
+    component.ports.push_back(added);
   }
 
   Interval interval() {
@@ -125,8 +119,7 @@ private:
 
   Expr valueOf(const Scalar& scalar) {
     switch (scalar.sort) {
-    case Sort::Bool:
-      return random.chance(30) ? negation(scalar.lvalue) : boolean(random.chance(50));
+    case Sort::Bool: return random.chance(30) ? negation(scalar.lvalue) : truth(random.chance(50));
     case Sort::Colour: return name(random.pick(kColours));
     case Sort::Number: break;
     }
@@ -140,7 +133,7 @@ private:
     Expr result = scalar.lvalue;
     if (scalar.sort == Sort::Colour) {
       result = binary(Op::Equal, scalar.lvalue, name(random.pick(kColours)));
-      if (random.chance(15)) result = call(scalar.lvalue);
+      if (random.chance(15)) result = call("both", {name("flag"), scalar.lvalue});
     }
     if (scalar.sort == Sort::Number)
       result = binary(random.chance(50) ? Op::LessEqual : Op::NotEqual, scalar.lvalue,
@@ -151,91 +144,80 @@ private:
     return result;
   }
 
-  static Expr call(const Expr& colour) {
-    Expr expr;
-    expr.kind = ExprKind::Construct;
-    expr.name = "both";
-    expr.operands = {name("flag"), colour};
-    return expr;
-  }
-
   void addProcess(std::size_t index) {
-    Process process;
-    process.name = "P" + std::to_string(index);
+    Process made{.name = "P" + std::to_string(index)};
     Instance instance;
-    instance.process = process.name;
+    instance.process = made.name;
     for (const auto& variable : component.variables) {
-      process.parameters.push_back({variable.name, variable.type, true});
+      made.parameters.push_back({variable.name, variable.type, true});
       instance.arguments.push_back(name(variable.name));
       instance.references.push_back(true);
     }
-    for (const auto& port : component.ports) {
+    for (const auto& offered : component.ports) {
       if (!random.chance(60)) continue;
-      process.ports.push_back(port);
-      instance.ports.push_back(port.name);
+      made.ports.push_back(offered);
+      instance.ports.push_back(offered.name);
     }
     local = scalars;
     if (random.chance(50)) {
-      process.variables.push_back({"count", range(0, 2), number(0), {}});
+      made.variables.push_back({"count", range(0, 2), number(0), {}});
       local.push_back({name("count"), Sort::Number});
     }
     std::size_t states = 2 + random.below(3);
-    for (std::size_t i = 0; i < states; ++i) process.states.push_back({"s" + std::to_string(i), 0});
+    for (std::size_t i = 0; i < states; ++i) made.states.push_back({"s" + std::to_string(i), 0});
     for (std::size_t i = 0; i < states; ++i)
-      if (i == 0 || random.chance(85)) process.transitions.push_back(from(process, index, i));
-    program.processes.push_back(std::move(process));
+      if (i == 0 || random.chance(85)) made.transitions.push_back(stateBody(made, index, i));
+    program.processes.push_back(std::move(made));
     component.instances.push_back(std::move(instance));
   }
 
-  From from(const Process& process, std::size_t index, std::size_t state) {
+  From stateBody(const Process& process, std::size_t index, std::size_t state) {
     std::vector<Statement> branches;
     std::size_t count = 1 + random.below(3);
     for (std::size_t i = 0; i < count; ++i) branches.push_back(path(process, index));
     From result;
     result.state = process.states[state].name;
-    result.statement = count == 1 ? branches[0] : block(StatementKind::Select, std::move(branches));
+    result.statement = count == 1 ? branches[0] : select(std::move(branches));
     return result;
   }
 
   Statement path(const Process& process, std::size_t index) {
     std::vector<Statement> steps;
     bool onPort = !process.ports.empty() && random.chance(30);
-    if (random.chance(50)) steps.push_back(with(StatementKind::On, test(local)));
+    if (random.chance(50)) steps.push_back(on(test(local)));
     if (onPort) {
-      steps.push_back(statement(StatementKind::Send, random.pick(process.ports).name));
+      steps.push_back(port(random.pick(process.ports).name));
     } else if (random.chance(90)) {
-      steps.push_back(statement(StatementKind::Wait));
-      steps.back().interval = interval();
+      steps.push_back({.kind = StatementKind::Wait, .interval = interval()});
     }
-    if (random.chance(20)) steps.push_back(tag());
+    if (random.chance(20)) steps.push_back(someTag(index));
     if (random.chance(50)) steps.push_back(change(onPort, index));
     if (random.chance(25))
-      steps.push_back(choice(random.chance(50) ? tag() : change(onPort, index)));
+      steps.push_back(choice(random.chance(50) ? someTag(index) : change(onPort, index)));
     if (random.chance(15)) steps.push_back(choice(end(process)));
     steps.push_back(end(process));
-    return block(StatementKind::Sequence, std::move(steps));
+    return sequence(std::move(steps));
   }
 
-  Statement tag() { return statement(StatementKind::Tag, "t" + std::to_string(random.below(3))); }
-
-  Statement choice(Statement then) {
-    Statement result = with(StatementKind::If, test(local));
-    result.children = {std::move(then)};
-    return result;
+  Statement someTag(std::size_t index) {
+    std::string text = "t" + std::to_string(random.below(3));
+    tags.emplace(static_cast<std::uint32_t>(index + 1), text);
+    return tag(text);
   }
+
+  Statement choice(Statement then) { return ifThen(test(local), std::move(then)); }
 
   Statement end(const Process& process) {
-    if (random.chance(15)) return statement(StatementKind::Loop);
-    return statement(StatementKind::To, random.pick(process.states).name);
+    if (random.chance(15)) return {.kind = StatementKind::Loop};
+    return to(random.pick(process.states).name);
   }
 
   // Two parts of one step never write the same variable: on a port, each process has its own.
   Statement change(bool onPort, std::size_t index) {
-    if (onPort && index >= scalars.size()) return statement(StatementKind::Null);
+    if (onPort && index >= scalars.size()) return null();
     const Scalar& scalar = onPort ? scalars[index] : random.pick(local);
     if (!onPort && scalar.sort == Sort::Colour && random.chance(20)) {
-      Statement any = statement(StatementKind::Any);
-      any.targets = {scalar.lvalue};
+      Statement any{.kind = StatementKind::Any, .targets = {scalar.lvalue}};
       if (random.chance(50)) any.values = {test({scalar})};
       return any;
     }
@@ -256,35 +238,30 @@ private:
   }
 
   void askForTheRest() {
-    for (std::uint32_t i = 0; i < component.instances.size(); ++i)
-      for (int t = 0; t < 3; ++t) {
-        Observable observable = stateOf(i + 1, "t" + std::to_string(t));
-        observable.kind = ObservableKind::Tag;
-        ask(PatternKind::Absent, {observable});
-      }
+    for (const auto& [instance, text] : tags)
+      ask(PatternKind::Absent, {{.kind = ObservableKind::Tag, .path = {instance}, .name = text}});
+    for (const auto& offered : component.ports)
+      ask(PatternKind::Absent, {{.kind = ObservableKind::Event, .name = offered.name}});
+    ask(PatternKind::Absent,
+        {{.kind = random.chance(50) ? ObservableKind::Enter : ObservableKind::Leave,
+          .operands = {value()}}});
     for (int i = 0; i < 3; ++i)
       ask(random.chance(50) ? PatternKind::Always : PatternKind::Absent, {value()});
-    Observable both;
-    both.kind = ObservableKind::And;
-    both.operands = {value(), stateOf(1, "s1")};
-    ask(PatternKind::Absent, {both});
+    ask(PatternKind::Absent,
+        {{.kind = ObservableKind::And, .operands = {value(), stateOf(1, "s1")}}});
     ask(PatternKind::DeadlockFree, {});
     ask(PatternKind::DeadlockFree, {stateOf(1, "s1")});
     ask(PatternKind::Progress, {});
   }
 
-  Observable value() {
-    Observable observable;
-    observable.kind = ObservableKind::Value;
-    observable.value = test(scalars);
-    return observable;
-  }
+  Observable value() { return {.kind = ObservableKind::Value, .value = test(scalars)}; }
 
   RandomSource random;
   Program program;
   Component component;
-  std::vector<Scalar> scalars; ///< of the shared variables
-  std::vector<Scalar> local;   ///< of the process in hand, too
+  std::vector<Scalar> scalars;                          ///< of the shared variables
+  std::set<std::pair<std::uint32_t, std::string>> tags; ///< by instance
+  std::vector<Scalar> local;                            ///< of the process in hand, too
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "support/run.h"
+#include "tests/support/run.h"
 
 #include <cerrno>
 #include <csignal>
