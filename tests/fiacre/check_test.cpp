@@ -1,4 +1,4 @@
-#include "build.h"
+#include "tests/fiacre/build.h"
 
 #include "fiacre/check.h"
 #include "fiacre/words.h"

@@ -1,4 +1,4 @@
-#include "build.h"
+#include "tests/fiacre/build.h"
 
 namespace proskill::fiacre::test {
 namespace {
