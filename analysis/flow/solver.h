@@ -1,0 +1,94 @@
+#pragma once
+
+#include "analysis/flow/interference.h"
+#include "analysis/flow/system.h"
+
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+/// What may be true at each point of a program: the least solution of the equations between the
+/// states of all nodes, the exits of what they call, and who interferes.
+///
+/// Sound for the model of docs/semantics.md with time left out: a step may be delayed or hurried at
+/// will, and anybody who may run beside may act between two steps, at the same instant too. What is
+/// known from a test is therefore closed under interference before the next step; within a step (a
+/// precondition and the start effects, a wait and its effects) it is exact.
+class Solver {
+public:
+  explicit Solver(const System& system);
+
+  [[nodiscard]] const System& system() const { return model; }
+  [[nodiscard]] const Interference& interference() const { return moves; }
+  /// When the process has come to the node, before it does what the node says.
+  [[nodiscard]] const State& before(ProcessId process, NodeId node) const {
+    return states[process][node];
+  }
+  [[nodiscard]] bool reachable(ProcessId process, NodeId node) const {
+    return states[process][node].reachable;
+  }
+  /// All that a variable may ever be.
+  [[nodiscard]] ValueSet ever(VariableId variable) const { return everything[variable]; }
+  /// `(x.interrupt)` or the world outside may interrupt it while its caller goes on.
+  [[nodiscard]] bool mayBeInterrupted(ProcessId process) const { return interrupted[process]; }
+  /// Its caller may stop it because it is stopped itself.
+  [[nodiscard]] bool mayBeStopped(ProcessId process) const { return stopped[process]; }
+  /// What the callee of a call may find.
+  [[nodiscard]] State atCallee(ProcessId caller, NodeId call) const;
+  /// While the node waits for what it has called, if it has.
+  [[nodiscard]] State during(ProcessId process, NodeId node) const;
+  /// After the assignments of a node, in the same step.
+  [[nodiscard]] State after(State before, const Process& process, NodeId node) const;
+
+private:
+  /// The moves that close a state, slot by slot.
+  using Closing = std::vector<const Relation*>;
+
+  void prepare();
+  void prepareEvents();
+  [[nodiscard]] Closing closingOf(ProcessId process, const Bits& processes);
+  void close(State& state, const Closing& closing) const;
+
+  void run(ProcessId process);
+  void step(ProcessId process, NodeId node);
+  void flow(ProcessId process, NodeId node, const Edge& edge);
+  void stop(ProcessId process, NodeId node, const Edge& edge, const State& during);
+  void call(ProcessId process, NodeId node, NodeId next);
+  void fork(ProcessId process, NodeId node, NodeId next);
+  void interrupt(ProcessId process, NodeId node);
+  void stopCallees(ProcessId process, NodeId node);
+  void stopBeforeStart(ProcessId process);
+
+  [[nodiscard]] State returned(ProcessId process, NodeId node) const;
+  [[nodiscard]] State refused(ProcessId process, NodeId node) const;
+  [[nodiscard]] bool mayStop(ProcessId process) const;
+  [[nodiscard]] bool isPoint(ProcessId process, NodeId node) const;
+  void record(const State& before, ProcessId process, const Assignment& assignment);
+  void record(const State& before, ProcessId process, NodeId node);
+  void arrive(ProcessId process, NodeId node, State state);
+  void enter(ProcessId process, const State& state);
+  void announceEnd(ProcessId process);
+  void schedule(ProcessId process) { queue.insert(process); }
+  void scheduleReaders(ProcessId writer, VariableId variable);
+  void mark(std::vector<bool>& flags, ProcessId process);
+  [[nodiscard]] State project(const State& state, const Process& from, const Process& to) const;
+  void summarise();
+
+  const System& model;
+  Interference moves;
+  std::vector<std::vector<State>> states;
+  std::vector<Closing> rely;                      ///< of each process
+  std::vector<std::vector<Closing>> whileCalling; ///< of each node that calls or forks
+  std::vector<std::vector<ProcessId>> readers;    ///< of each variable
+  std::vector<std::vector<bool>> pending;         ///< nodes to step
+  std::vector<bool> interrupted;
+  std::vector<bool> stopped;
+  std::set<ProcessId> queue;
+  ProcessId running = kNoProcess;
+  NodeId cursor = 0; ///< of the running process: the next node to look at
+  std::vector<ValueSet> everything;
+};
+
+} // namespace proskill::analysis::flow

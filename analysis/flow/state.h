@@ -1,0 +1,58 @@
+#pragma once
+
+#include "analysis/flow/variables.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+using Slot = std::uint32_t;
+
+/// Which variables a process follows, in the order of their numbers. A variable that neither it nor
+/// what it calls ever looks at is not worth a slot.
+class Slots {
+public:
+  Slots() = default;
+  /// Duplicates are welcome.
+  explicit Slots(std::vector<VariableId> variables) : ids(std::move(variables)) {
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  }
+
+  [[nodiscard]] std::size_t size() const { return ids.size(); }
+  [[nodiscard]] VariableId operator[](Slot slot) const { return ids[slot]; }
+  [[nodiscard]] const std::vector<VariableId>& variables() const { return ids; }
+  [[nodiscard]] std::optional<Slot> find(VariableId id) const {
+    auto found = std::ranges::lower_bound(ids, id);
+    if (found == ids.end() || *found != id) return std::nullopt;
+    return static_cast<Slot>(found - ids.begin());
+  }
+
+private:
+  std::vector<VariableId> ids;
+};
+
+/// What a process knows at one point of its graph: the values that each of its slots may have.
+struct State {
+  bool reachable = false;
+  std::vector<ValueSet> values; ///< one a slot where reachable
+
+  /// Takes in another way to get here. \return something is new
+  bool join(const State& other) {
+    if (!other.reachable) return false;
+    if (!reachable) {
+      *this = other;
+      return true;
+    }
+    bool grew = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      grew |= !other.values[i].within(values[i]);
+      values[i] |= other.values[i];
+    }
+    return grew;
+  }
+};
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "analysis/flow/bits.h"
+#include "analysis/flow/graph.h"
+#include "analysis/flow/resolve.h"
+
+#include <deque>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+using ProcessId = std::uint32_t;
+constexpr ProcessId kNoProcess = ~ProcessId{0};
+
+enum class ProcessKind : std::uint8_t { Skill, Branch, Environment, Event };
+
+/// What the transitions of a node do, over the slots of its process.
+struct Action {
+  std::vector<Condition> conditions;
+  std::vector<Assignment> assignments;
+  ProcessId target = kNoProcess;   ///< Call: what is called; Interrupt: what is interrupted
+  std::vector<ProcessId> branches; ///< Fork
+  ProcessId leaver = kNoProcess;   ///< Outcome that a branch chose: the branch
+  NodeId leave = kNoNode;          ///< … and its node there
+};
+
+/// A thread of the model: it does one step at a time, in between of those of others.
+struct Process {
+  ProcessKind kind = ProcessKind::Skill;
+  std::size_t definition =
+      0; ///< in the program's table: the skill (of a branch too), environment, event
+  const Graph* graph = nullptr;  ///< null for an event: it has one step, at any time
+  ProcessId parent = kNoProcess; ///< of a branch: where it was forked
+  bool root = false;             ///< starts with the program
+  bool repeats = false;          ///< called again and again by whoever uses the library
+  bool analysed = false;         ///< some root starts it, directly or not
+  Slots slots;
+  std::vector<Action> actions; ///< one a node; of an event just one
+};
+
+/// Who calls whom, and where.
+struct Site {
+  ProcessId caller = kNoProcess;
+  NodeId node = kNoNode;
+};
+
+/// A program as processes that share variables: what the analysis runs on. Looks into the program.
+class System {
+public:
+  explicit System(const Program& program);
+
+  [[nodiscard]] const Program& program() const { return source; }
+  [[nodiscard]] const Variables& variables() const { return shared; }
+  [[nodiscard]] const Resolver& resolver() const { return names; }
+  [[nodiscard]] std::size_t size() const { return processes.size(); }
+  [[nodiscard]] const Process& operator[](ProcessId id) const { return processes[id]; }
+  [[nodiscard]] ProcessId ofSkill(std::size_t skill) const { return skillProcess[skill]; }
+  [[nodiscard]] ProcessId ofEvent(std::size_t event) const {
+    return firstEvent + static_cast<ProcessId>(event);
+  }
+  /// The calls of a skill's process.
+  [[nodiscard]] const std::vector<Site>& callers(ProcessId id) const { return sites[id]; }
+  /// A process, its branches, all that these call, and so on.
+  [[nodiscard]] const Bits& activity(ProcessId id) const { return activities[id]; }
+  /// Those that may act between two steps of a process and are not called by it.
+  [[nodiscard]] const Bits& concurrent(ProcessId id) const { return others[id]; }
+  /// Events happen at any time: no environment restricts them.
+  [[nodiscard]] bool hasFreeEvents() const { return source.environments.all.empty(); }
+
+  [[nodiscard]] const syntax::Skill& skill(const Process& process) const {
+    return *source.skills.all[process.definition].node;
+  }
+  [[nodiscard]] Location at(const Process& process, syntax::Range range) const;
+
+private:
+  void addProcesses();
+  void addThreads(const SkillGraph& graph, ProcessKind kind, std::size_t definition);
+  void link();
+  void linkNode(ProcessId id, NodeId node);
+  void chooseRoots();
+  void chooseSlots();
+  void compile();
+  void findActivities();
+  void findConcurrency();
+  [[nodiscard]] Bits readsOf(ProcessId id) const;
+  [[nodiscard]] std::vector<ProcessId> startedBy(const Process& process) const;
+
+  const Program& source;
+  Variables shared;
+  Resolver names;
+  std::deque<SkillGraph> graphs;
+  std::vector<Process> processes;
+  std::vector<ProcessId> skillProcess;
+  ProcessId firstEvent = 0;
+  std::vector<ProcessId> candidates; ///< each may be the main skill, one is
+  std::vector<std::vector<Site>> sites;
+  std::vector<Bits> activities;
+  std::vector<Bits> others;
+};
+
+} // namespace proskill::analysis::flow
