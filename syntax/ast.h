@@ -285,9 +285,10 @@ struct UnknownForm {
 };
 
 struct Form {
-  Range range;   ///< from its parenthesis to its parenthesis
-  Name keyword;  ///< `defskill`, …
-  Range comment; ///< the lines of comment directly above, empty where there are none
+  Range range;         ///< from its parenthesis to its parenthesis
+  Name keyword;        ///< `defskill`, …
+  bool mended = false; ///< parentheses were put in or left out: what it means is a guess
+  Range comment;       ///< the lines of comment directly above, empty where there are none
   std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property, Environment>
       node;
 };

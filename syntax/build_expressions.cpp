@@ -151,16 +151,22 @@ void reportNoCondition(Builder& builder, const Node& node) {
     builder.report(Code::MalformedCondition, node.range, hintFor(builder.textOf(*head)));
 }
 
+/// A name or a truth value; among the arguments of a command the grammar takes both for symbols.
+void readSymbol(Builder& builder, const Node& node, Expr& expression) {
+  auto text = builder.textOf(node);
+  expression.kind = text == "true"    ? ExprKind::True
+                    : text == "false" ? ExprKind::False
+                                      : ExprKind::Symbol;
+  if (expression.kind == ExprKind::Symbol) expression.name = builder.nameOf(node);
+}
+
 } // namespace
 
 Expr expressionOf(Builder& builder, const Node& node, Context context) {
   Expr expression;
   expression.range = node.range;
   switch (node.kind) {
-  case NodeKind::Symbol:
-    expression.kind = ExprKind::Symbol;
-    expression.name = builder.nameOf(node);
-    break;
+  case NodeKind::Symbol: readSymbol(builder, node, expression); break;
   case NodeKind::Parameter:
     expression.kind = ExprKind::Parameter;
     expression.name = builder.nameOf(node);
@@ -169,9 +175,7 @@ Expr expressionOf(Builder& builder, const Node& node, Context context) {
     expression.kind = ExprKind::String;
     expression.name = contentOf(builder, node);
     break;
-  case NodeKind::Boolean:
-    expression.kind = builder.textOf(node) == "true" ? ExprKind::True : ExprKind::False;
-    break;
+  case NodeKind::Boolean: readSymbol(builder, node, expression); break;
   case NodeKind::Number: readNumber(builder, node, expression); break;
   case NodeKind::Access: readAccess(builder, node, expression); break;
   case NodeKind::Test: readTest(builder, node, expression, context); break;

@@ -1,6 +1,7 @@
 #include "syntax/region.h"
 
 #include "syntax/build.h"
+#include "syntax/mend.h"
 #include "syntax/scan.h"
 #include "syntax/words.h"
 
@@ -41,6 +42,14 @@ void sortByPlace(std::vector<Diagnostic>& diagnostics) {
     diagnostics.erase(diagnostics.begin() + kMostDiagnostics, diagnostics.end());
 }
 
+std::size_t problemsOf(Parser& parser, std::string_view text) {
+  std::vector<Diagnostic> diagnostics;
+  Builder builder{text, diagnostics};
+  Tree tree = parser.parse(text);
+  formsOf(builder, tree);
+  return diagnostics.size();
+}
+
 } // namespace
 
 Region readRegion(Parser& parser, std::string_view text) {
@@ -56,16 +65,22 @@ Region readRegion(Parser& parser, std::string_view text) {
   parsed->text = text;
   cleanBytes(parsed->text, region.diagnostics);
   Scan scanned = scan(parsed->text);
+  if (mendStrings(parsed->text, scanned, region.diagnostics)) scanned = scan(parsed->text);
   region.comments = scanned.comments;
   if (const Parenthesis* place = tooDeep(scanned)) {
     builder.report(Code::NestedTooDeep, {place->at, place->at + 1}, kDeepest);
     region.forms.push_back(unreadForm(text));
     return region;
   }
+  auto judge = [&](std::string_view attempt) { return problemsOf(parser, attempt); };
+  bool mended = mendParentheses(parsed->text, scanned, judge, region.diagnostics);
   parsed->tree = parser.parse(parsed->text);
-  builder.text = parsed->text;
-  checkWords(builder.text, parsed->tree, region.diagnostics);
-  region.forms = formsOf(builder, parsed->tree);
+  checkWords(parsed->text, parsed->tree, region.diagnostics);
+  // What else seems to be wrong with mended forms may come from the same mistake.
+  std::vector<Diagnostic> ignored;
+  Builder forms{parsed->text, mended ? ignored : region.diagnostics};
+  region.forms = formsOf(forms, parsed->tree);
+  for (Form& form : region.forms) form.mended = mended;
   sortByPlace(region.diagnostics);
   return region;
 }

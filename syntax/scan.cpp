@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 7> kHeads = {
 };
 
 // Keywords such as `:effects`, which stand at several depths, tell nothing.
-constexpr std::array<std::string_view, 16> kDefinitionKeywords = {
+constexpr std::array<std::string_view, 16> kFields = {
     ":init",          ":min",       ":max",       ":states", ":transitions", ":capacity",
     ":input",         ":start",     ":invariant", ":action", ":interrupt",   ":precondition",
     ":time_interval", ":resources", ":monitor",   ":body",
@@ -68,14 +68,10 @@ private:
 
   void token(char c) {
     auto word = c == ':' ? text.substr(at, 1 + wordAt(text, at + 1).size()) : std::string_view{};
-    bool definition = std::ranges::find(kDefinitionKeywords, word) != kDefinitionKeywords.end();
-    if (fresh || definition)
-      result.landmarks.push_back({offset(at), offset(at - lineStart), result.end,
-                                  static_cast<std::uint32_t>(result.parentheses.size()), fresh,
-                                  c == ')', definition});
+    if (fresh || c == ':') landmark(word);
     fresh = false;
     if (c == '(' || c == ')') {
-      result.parentheses.push_back({offset(at), c == '('});
+      result.parentheses.push_back({offset(at), offset(at - lineStart), c == '('});
       ++at;
     } else if (c == '"') {
       string();
@@ -85,17 +81,32 @@ private:
     result.end = offset(at);
   }
 
+  void landmark(std::string_view word) {
+    result.landmarks.push_back(
+        {.at = offset(at),
+         .column = offset(at - lineStart),
+         .previousEnd = result.end,
+         .parentheses = static_cast<std::uint32_t>(result.parentheses.size()),
+         .startsLine = fresh,
+         .keyword = !word.empty(),
+         .fieldOfDefinition = std::ranges::find(kFields, word) != kFields.end()});
+  }
+
   /// To the closing quote, or to the end of the line.
   void string() {
-    for (++at; at < text.size() && text[at] != '\n' && text[at] != '\r'; ++at) {
+    std::size_t begin = at;
+    for (++at; at < text.size() && !isLineEnd(at); ++at) {
       if (text[at] == '"') {
         ++at;
         return;
       }
-      bool escape =
-          text[at] == '\\' && at + 1 < text.size() && text[at + 1] != '\n' && text[at + 1] != '\r';
-      if (escape) ++at;
+      if (text[at] == '\\' && at + 1 < text.size() && !isLineEnd(at + 1)) ++at;
     }
+    result.unterminated.push_back({offset(begin), offset(at)});
+  }
+
+  [[nodiscard]] bool isLineEnd(std::size_t place) const {
+    return text[place] == '\n' || text[place] == '\r';
   }
 
   static Offset offset(std::size_t at) { return static_cast<Offset>(at); }

@@ -14,23 +14,24 @@ namespace proskill::syntax {
 
 struct Parenthesis {
   Offset at;
+  Offset column; ///< in bytes
   bool opens;
 };
 
-/// A token from whose place the nesting can be told: the first of a line, or the keyword of a
-/// field.
+/// A token that tells how deep it means to stand: the first of a line, or a keyword.
 struct Landmark {
   Offset at;
-  Offset column;             ///< in bytes
+  Offset column;
   Offset previousEnd;        ///< the end of the token before it
   std::uint32_t parentheses; ///< how many stand before it
   bool startsLine;
-  bool closes;     ///< it is a `)`
-  bool definition; ///< it is a keyword that only stands directly in a definition
+  bool keyword;
+  bool fieldOfDefinition; ///< a keyword that only stands directly in a definition
 };
 
 struct Scan {
   std::vector<Range> comments;
+  std::vector<Range> unterminated; ///< strings, to the end of their lines
   std::vector<Parenthesis> parentheses;
   std::vector<Landmark> landmarks;
   Offset end = 0; ///< of the last token

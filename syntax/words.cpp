@@ -36,14 +36,6 @@ bool isControl(char c) {
   return (code < 0x20 && !(code >= '\t' && code <= '\r')) || code == 0x7f;
 }
 
-void checkString(Builder& builder, const Node& string) {
-  const Node* last = string.size > 1 ? &string + string.size - 1 : nullptr;
-  bool closed = last ? last->range.end < string.range.end : string.range.length() > 1;
-  if (closed) return;
-  auto& diagnostic = builder.report(Code::UnterminatedString, string.range);
-  diagnostic.fixes.push_back({"insert `\"`", {0, {string.range.end, string.range.end}}, "\""});
-}
-
 void checkEscape(Builder& builder, const Node& escape) {
   auto text = builder.textOf(escape);
   if (text != "\\\"" && text != "\\\\" && text != "\\n" && text != "\\t")
@@ -87,7 +79,6 @@ void checkWords(std::string_view text, const Tree& tree, std::vector<Diagnostic>
   for (const Node& node : tree) {
     auto word = builder.textOf(node);
     switch (node.kind) {
-    case NodeKind::String: checkString(builder, node); break;
     case NodeKind::EscapeSequence: checkEscape(builder, node); break;
     case NodeKind::MalformedName: checkName(builder, node); break;
     case NodeKind::Number:

@@ -13,7 +13,7 @@ namespace proskill::syntax {
 void cleanBytes(std::string& text, std::vector<Diagnostic>& diagnostics);
 inline constexpr char kNoText = '\x1a';
 
-/// Reports bad names, stray characters, unterminated strings, unknown escapes, numbers too large.
+/// Reports bad names, stray characters, unknown escapes, numbers too large.
 void checkWords(std::string_view text, const Tree& tree, std::vector<Diagnostic>& diagnostics);
 
 } // namespace proskill::syntax
