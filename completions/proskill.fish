@@ -9,9 +9,9 @@ function __proskill_properties
     end
 end
 
-function __proskill_option -a command option description values
-    complete -c proskill -n "__fish_seen_subcommand_from $command" -l $option -d $description $argv[5..] \
-        (test -n "$values"; and echo -- -xa; and echo -- $values)
+# __proskill_option COMMANDS OPTION DESCRIPTION ARGUMENTS…: the arguments say what may follow the option.
+function __proskill_option
+    complete -c proskill -n "__fish_seen_subcommand_from $argv[1]" -l $argv[2] -d $argv[3] $argv[4..]
 end
 
 complete -c proskill -f
@@ -25,23 +25,23 @@ complete -c proskill -n __fish_use_subcommand -a graph -d 'draw a part of a prog
 complete -c proskill -n '__fish_seen_subcommand_from check emit verify graph' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre hfiacre'
 
-__proskill_option check format 'how to print' 'text short json sarif'
-__proskill_option 'check emit verify graph' color 'when to use colours' 'auto always never'
-__proskill_option 'emit verify graph' main 'the skill that is the mission' '' -x
+__proskill_option check format 'how to print' -x -a 'text short json sarif'
+__proskill_option 'check emit verify graph' color 'when to use colours' -x -a 'auto always never'
+__proskill_option 'emit verify graph' main 'the skill that is the mission' -x
 __proskill_option 'emit verify' expanded 'name every state'
-__proskill_option 'emit verify' sv-automata 'form of the automata' 'exact paper'
-__proskill_option verify property 'only these' '(__proskill_properties)'
+__proskill_option 'emit verify' sv-automata 'form of the automata' -x -a 'exact paper'
+__proskill_option verify property 'only these' -x -a '(__proskill_properties)'
 __proskill_option verify list 'print the names of the properties'
-__proskill_option verify format 'how to print' 'text json junit sarif'
-__proskill_option verify traces 'whose traces to show' 'failed all none'
-__proskill_option verify save-traces 'write every trace there' '(__fish_complete_directories)'
-__proskill_option verify jobs threads '' -x
-__proskill_option verify time-limit seconds '' -x
-__proskill_option verify memory-limit MiB '' -x
-__proskill_option verify class-limit classes '' -x
-__proskill_option verify reduce 'measures to use' 'all none dead-variables live-variables safe-steps inclusion extrapolation'
-__proskill_option verify graph 'size of the graph of classes' counts
+__proskill_option verify format 'how to print' -x -a 'text json junit sarif'
+__proskill_option verify traces 'whose traces to show' -x -a 'failed all none'
+__proskill_option verify save-traces 'write every trace there' -x -a '(__fish_complete_directories)'
+__proskill_option verify jobs threads -x
+__proskill_option verify time-limit seconds -x
+__proskill_option verify memory-limit MiB -x
+__proskill_option verify class-limit classes -x
+__proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables safe-steps inclusion extrapolation'
+__proskill_option verify graph 'size of the graph of classes' -x -a counts
 __proskill_option verify strict 'warnings count'
-__proskill_option graph kind 'what to draw' 'sv skill body calls'
-__proskill_option graph name 'which state variable or skill' '' -x
-__proskill_option graph format 'how to print' 'dot svg png'
+__proskill_option graph kind 'what to draw' -x -a 'sv skill body calls'
+__proskill_option graph name 'which state variable or skill' -x
+__proskill_option graph format 'how to print' -x -a 'dot svg png'
