@@ -320,6 +320,15 @@ Store Evaluation::queue(const Expr& expr, const Type* expected) {
   return all;
 }
 
+std::string Evaluation::show(const Expr& lvalue) {
+  Place at = place(lvalue).value();
+  const Type& type = resolve(*at.type);
+  std::int64_t value = store[at.offset];
+  if (type.kind == TypeKind::Bool) return value ? "true" : "false";
+  if (type.kind == TypeKind::Union) return type.members[static_cast<std::size_t>(value)].name;
+  return std::to_string(value);
+}
+
 void Evaluation::assign(Place target, const Store& value) {
   const Type& type = resolve(*target.type);
   bool inside = type.kind == TypeKind::Range ? type.low <= value[0] && value[0] <= type.high

@@ -31,6 +31,9 @@ public:
   [[nodiscard]] bool matches(const fiacre::Expr& pattern, const Store& value,
                              const fiacre::Type& type);
 
+  /// The value of a scalar in words.
+  [[nodiscard]] std::string show(const fiacre::Expr& lvalue);
+
 private:
   [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
   [[nodiscard]] std::int64_t name(const std::string& name, const fiacre::Type* expected);

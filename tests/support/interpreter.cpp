@@ -18,6 +18,30 @@ template <class Item> const Item* findNamed(const std::vector<Item>& items, std:
   return found == items.end() ? nullptr : &*found;
 }
 
+/// `skill[takeoff].status`: a name, then indices and fields.
+fiacre::Expr parseLvalue(std::string_view text) {
+  std::size_t end = text.find_first_of("[].");
+  fiacre::Expr expr{.kind = fiacre::ExprKind::Name, .name = std::string(text.substr(0, end))};
+  while (end < text.size()) {
+    bool field = text[end] == '.';
+    std::size_t begin = end + 1;
+    end = std::min(text.find_first_of("[].", begin), text.size());
+    std::string word(text.substr(begin, end - begin));
+    if (!field) ++end;
+    fiacre::Expr whole = std::move(expr);
+    if (field) {
+      expr = {.kind = fiacre::ExprKind::Field, .name = word, .operands = {whole}};
+      continue;
+    }
+    bool digits = word.find_first_not_of("0123456789") == std::string::npos;
+    fiacre::Expr at =
+        digits ? fiacre::Expr{.kind = fiacre::ExprKind::Number, .number = std::stoll(word)}
+               : fiacre::Expr{.kind = fiacre::ExprKind::Name, .name = word};
+    expr = {.kind = fiacre::ExprKind::Index, .operands = {whole, at}};
+  }
+  return expr;
+}
+
 std::uint64_t code(const Interval& interval) {
   auto upper = interval.upper ? *interval.upper + 1 : 0;
   return (static_cast<std::uint64_t>(interval.lower) << 33) +
@@ -238,6 +262,11 @@ const std::vector<std::size_t>& Interpreter::participants(ClockId clock) const {
 
 const std::string& Interpreter::stateName(std::size_t instance, const Store& store) const {
   return elaborated[instance].process->states[static_cast<std::size_t>(store[instance])].name;
+}
+
+std::string Interpreter::show(const std::string& lvalue, const Store& store) const {
+  Store copy = store;
+  return Evaluation(*this, copy, componentScopes.at({})).show(parseLvalue(lvalue));
 }
 
 bool Interpreter::holds(const std::vector<std::uint32_t>& path, const fiacre::Expr& expression,

@@ -83,8 +83,9 @@ public:
   /// The truth of `expression` as seen by the instance at `path`, or by the component there.
   [[nodiscard]] bool holds(const std::vector<std::uint32_t>& path, const fiacre::Expr& expression,
                            const Store& store) const;
-  /// The slots of an lvalue as printed, such as `skill[takeoff].status`, in the main component.
-  [[nodiscard]] Store read(const std::string& lvalue, const Store& store) const;
+  /// The value of an lvalue as printed, such as `skill[takeoff].status`, in the main component: a
+  /// number, a truth, a constructor's name.
+  [[nodiscard]] std::string show(const std::string& lvalue, const Store& store) const;
   /// The name of an instance's current state.
   [[nodiscard]] const std::string& stateName(std::size_t instance, const Store& store) const;
 

@@ -1,0 +1,121 @@
+#include "tests/oracle/agreement.h"
+
+#include "tests/oracle/replay.h"
+#include "tests/support/judge.h"
+
+#include "fiacre/print.h"
+
+#include <set>
+
+namespace proskill::oracle {
+
+using fiacre::Observable;
+using fiacre::ObservableKind;
+using fiacre::PatternKind;
+using fiacre::Statement;
+using verify::Options;
+using verify::Reduction;
+using verify::Truth;
+
+namespace {
+
+std::string wordOf(Truth truth) {
+  return truth == Truth::True ? "true" : truth == Truth::False ? "false" : "unknown";
+}
+
+std::string describe(const fiacre::Program& program, std::size_t property,
+                     const std::string& engine, const std::string& oracle) {
+  const auto& asked = program.properties[property];
+  return asked.name + ": " + fiacre::printPattern(asked.pattern, program.main) +
+         "\n  engine: " + engine + "\n  oracle: " + oracle;
+}
+
+void collectTags(const Statement& statement, std::set<std::string>& tags) {
+  if (statement.kind == fiacre::StatementKind::Tag) tags.insert(statement.name);
+  for (const auto& child : statement.children) collectTags(child, tags);
+}
+
+void askForAbsence(fiacre::Program& program, Observable observable) {
+  fiacre::Property property{.name = "control" + std::to_string(program.properties.size())};
+  property.pattern = {.kind = PatternKind::Absent, .operands = {std::move(observable)}};
+  program.properties.push_back(std::move(property));
+}
+
+} // namespace
+
+const std::vector<std::pair<std::string, Options>>& settings() {
+  static const std::vector<std::pair<std::string, Options>> all = [] {
+    std::vector<std::pair<std::string, Options>> made;
+    made.emplace_back("all reductions", Options{});
+    made.emplace_back("no reduction", Options{.reductions = {}});
+    const std::vector<std::pair<std::string, Reduction>> names{
+        {"dead variables", Reduction::DeadVariables},
+        {"live variables", Reduction::LiveVariables},
+        {"safe steps", Reduction::SafeSteps},
+        {"inclusion", Reduction::Inclusion},
+        {"extrapolation", Reduction::Extrapolation}};
+    for (const auto& [name, reduction] : names) {
+      made.emplace_back("without " + name, Options{});
+      made.back().second.reductions.erase(reduction);
+      made.emplace_back("only " + name, Options{.reductions = {reduction}});
+    }
+    return made;
+  }();
+  return all;
+}
+
+Judged judge(const fiacre::Program& program, std::size_t limit) {
+  Interpreter model(program);
+  RegionGraph graph(model, limit);
+  Judged judged{{}, graph.nodes().size(), graph.complete()};
+  if (judged.complete)
+    for (const auto& property : program.properties)
+      judged.truths.push_back(isTrue(model, graph, property.pattern));
+  return judged;
+}
+
+std::optional<std::string> disagreement(const fiacre::Program& program,
+                                        const fiacre::Provenance& provenance, const Judged& judged,
+                                        const std::pair<std::string, Options>& setting) {
+  std::vector<verify::Question> questions;
+  for (std::size_t i = 0; i < program.properties.size(); ++i) questions.push_back({i});
+  Options options = setting.second;
+  // Without extrapolation a model may have zones without end; what was decided until then must
+  // still be right.
+  options.limits.classes = 200'000;
+  auto result = verify::verify(program, provenance, questions, options);
+  if (!result) return "the engine cannot run it: " + result.error().message;
+  Interpreter model(program);
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const auto& answer = result->answers[i];
+    if (!judged.truths[i]) continue;
+    std::string expected = *judged.truths[i] ? "true" : "false";
+    bool open = answer.truth == Truth::Unknown && !result->exploration.complete;
+    if (!open && wordOf(answer.truth) != expected)
+      return describe(program, i, wordOf(answer.truth) + " " + answer.reason, expected) +
+             "\n  with " + setting.first;
+    if (!answer.trace) continue;
+    if (auto wrong = replay(model, provenance, program.properties[i].pattern, *answer.trace))
+      return describe(program, i, wordOf(answer.truth), "the trace cannot be replayed, " + *wrong) +
+             "\n  with " + setting.first;
+  }
+  return std::nullopt;
+}
+
+fiacre::Program askedForControl(fiacre::Program program) {
+  Interpreter model(program);
+  std::vector<Observable> wanted;
+  for (const auto& instance : model.instances()) {
+    for (const auto& state : instance.process->states)
+      wanted.push_back({.kind = ObservableKind::State, .path = instance.path, .name = state.name});
+    std::set<std::string> tags;
+    for (const auto& from : instance.process->transitions) collectTags(from.statement, tags);
+    for (const auto& tag : tags)
+      wanted.push_back({.kind = ObservableKind::Tag, .path = instance.path, .name = tag});
+  }
+  fiacre::Program asked = program;
+  for (auto& observable : wanted) askForAbsence(asked, std::move(observable));
+  return asked;
+}
+
+} // namespace proskill::oracle

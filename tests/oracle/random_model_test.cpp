@@ -1,0 +1,77 @@
+#include "tests/oracle/agreement.h"
+#include "tests/support/class_graph.h"
+#include "tests/support/random_model.h"
+
+#include "fiacre/check.h"
+#include "fiacre/print.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+
+namespace {
+
+constexpr std::uint64_t kModels = 3000;
+constexpr std::size_t kLimit = 5000; ///< nodes of a graph of regions
+
+fiacre::Provenance watchingEverything(const fiacre::Program& program) {
+  fiacre::Provenance provenance;
+  for (const auto& variable : program.components[0].variables) {
+    std::vector<std::string> lvalues{variable.name};
+    if (variable.name == "robot")
+      lvalues = {"robot[left].busy", "robot[left].mood", "robot[right].busy", "robot[right].mood"};
+    for (const auto& lvalue : lvalues) provenance.watched.push_back({lvalue, lvalue});
+  }
+  return provenance;
+}
+
+} // namespace
+
+TEST_CASE("random Fiacre models are well-typed") {
+  for (std::uint64_t seed = 0; seed < kModels; ++seed) {
+    auto problems = fiacre::check(test::randomModel(seed));
+    INFO("seed " << seed << ": " << (problems.empty() ? "" : problems[0].message));
+    REQUIRE(problems.empty());
+  }
+}
+
+TEST_CASE("engine and oracle agree on random Fiacre models, whatever is reduced") {
+  std::size_t compared = 0;
+  std::size_t nodes = 0;
+  for (std::uint64_t seed = 0; seed < kModels; ++seed) {
+    fiacre::Program program = test::randomModel(seed);
+    oracle::Judged judged = oracle::judge(program, kLimit);
+    if (!judged.complete) continue;
+    ++compared;
+    nodes += judged.nodes;
+    for (const auto& setting : oracle::settings()) {
+      auto wrong = oracle::disagreement(program, watchingEverything(program), judged, setting);
+      INFO("seed " << seed << "\n"
+                   << wrong.value_or("") << "\n"
+                   << (wrong ? fiacre::print(program) : ""));
+      REQUIRE_FALSE(wrong.has_value());
+    }
+  }
+  INFO(compared << " models, " << nodes << " regions");
+  CHECK(compared > kModels * 9 / 10);
+  CHECK(nodes > 200'000);
+}
+
+TEST_CASE("the engine counts state classes as the textbook does") {
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 0; seed < kModels; ++seed) {
+    fiacre::Program program = test::randomModel(seed);
+    oracle::Interpreter model(program);
+    auto expected = oracle::countClasses(model, kLimit);
+    if (!expected.complete) continue;
+    ++compared;
+    auto counted = verify::countClasses(program);
+    INFO("seed " << seed << "\n" << fiacre::print(program));
+    REQUIRE(counted.has_value());
+    CHECK(counted->classes == expected.classes);
+    CHECK(counted->markings == expected.markings);
+    CHECK(counted->transitions == expected.transitions);
+    REQUIRE(counted->domains == expected.domains);
+  }
+  CHECK(compared > kModels * 8 / 10);
+}
