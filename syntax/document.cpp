@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <span>
 
 namespace proskill::syntax {
 namespace {
@@ -61,8 +62,15 @@ struct Document::State {
     return std::string_view(text).substr(range.begin, range.length());
   }
 
-  void read(Parser& parser, Range range) {
-    Region region = readRegion(parser, textOf(range));
+  /// Reads what stands in `ranges`, which follow each other.
+  void read(std::span<const Range> ranges) {
+    std::vector<std::string_view> texts;
+    for (Range range : ranges) texts.push_back(textOf(range));
+    auto regions = readRegions(texts);
+    for (std::size_t i = 0; i < ranges.size(); ++i) add(ranges[i], std::move(regions[i]));
+  }
+
+  void add(Range range, Region region) {
     pieces.push_back({range, region.parsed, region.forms.size(), region.comments.size(),
                       region.diagnostics.size()});
     append(std::make_move_iterator(region.forms.begin()), region.forms.size(), range.begin, forms);
@@ -114,8 +122,7 @@ Document Document::parse(std::string text) {
   bool tooLong = text.size() > kLongestText;
   auto state = std::make_shared<State>(tooLong ? std::string() : std::move(text));
   if (tooLong) state->diagnostics.push_back(makeDiagnostic(Code::TextTooLong, {}));
-  Parser parser;
-  for (Range range : cut(state->text)) state->read(parser, range);
+  state->read(cut(state->text));
   state->attachComments();
   document.state = std::move(state);
   return document;
@@ -140,13 +147,12 @@ Document Document::edit(Range range, std::string_view text) const {
          same(pieces[pieces.size() - 1 - back], ranges[ranges.size() - 1 - back]))
     ++back;
 
-  Parser parser;
   Shares shares;
   for (std::size_t i = 0; i < front; ++i) {
     next->reuse(*state, pieces[i], shares, ranges[i]);
     shares.pass(pieces[i]);
   }
-  for (std::size_t i = front; i < ranges.size() - back; ++i) next->read(parser, ranges[i]);
+  next->read(std::span(ranges).subspan(front, ranges.size() - front - back));
   for (std::size_t i = front; i < pieces.size() - back; ++i) shares.pass(pieces[i]);
   for (std::size_t i = 0; i < back; ++i) {
     const Piece& piece = pieces[pieces.size() - back + i];

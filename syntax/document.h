@@ -33,6 +33,8 @@ public:
   [[nodiscard]] const std::vector<Range>& comments() const;
   /// What is wrong with the form of the text; `Location::file` is 0.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  /// Whether this is a copy of the other, or it of this. Two parses of one text are not the same.
+  [[nodiscard]] bool isSameAs(const Document& other) const { return state == other.state; }
   /// The concrete trees as one S-expression with ranges, for tests and for debugging.
   [[nodiscard]] std::string dump() const;
 

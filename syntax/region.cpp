@@ -6,6 +6,8 @@
 #include "syntax/words.h"
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace proskill::syntax {
 namespace {
@@ -83,6 +85,25 @@ Region readRegion(Parser& parser, std::string_view text) {
   for (Form& form : region.forms) form.mended = mended;
   sortByPlace(region.diagnostics);
   return region;
+}
+
+std::vector<Region> readRegions(const std::vector<std::string_view>& texts) {
+  constexpr std::size_t kWorthAThread = 1 << 16; // bytes: some milliseconds of work
+  std::size_t bytes = 0;
+  for (auto text : texts) bytes += text.size();
+  std::vector<Region> regions(texts.size());
+  std::atomic<std::size_t> next = 0;
+  auto work = [&] {
+    Parser parser;
+    for (std::size_t i = next++; i < texts.size(); i = next++)
+      regions[i] = readRegion(parser, texts[i]);
+  };
+  std::size_t cores = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+  std::vector<std::jthread> helpers(std::min(cores - 1, bytes / kWorthAThread));
+  for (std::jthread& helper : helpers) helper = std::jthread(work);
+  work();
+  helpers.clear(); // waits for them
+  return regions;
 }
 
 } // namespace proskill::syntax

@@ -27,5 +27,7 @@ struct Region {
 };
 
 [[nodiscard]] Region readRegion(Parser& parser, std::string_view text);
+/// The regions of many texts, in their order; large ones are shared out to the processor's cores.
+[[nodiscard]] std::vector<Region> readRegions(const std::vector<std::string_view>& texts);
 
 } // namespace proskill::syntax
