@@ -1,5 +1,7 @@
 #pragma once
 
+#include "syntax/document.h"
+
 #include <expected>
 #include <filesystem>
 #include <string>
@@ -16,6 +18,13 @@ public:
   /// One spelling for each file, so that two includes of it are seen to be the same.
   [[nodiscard]] virtual std::filesystem::path
   canonical(const std::filesystem::path& path) const = 0;
+  /// The file parsed; whoever holds it parsed already, as an editor does, gives that.
+  [[nodiscard]] virtual std::expected<syntax::Document, std::string>
+  document(const std::filesystem::path& path) const {
+    auto text = read(path);
+    if (!text) return std::unexpected(std::move(text.error()));
+    return syntax::Document::parse(std::move(*text));
+  }
 };
 
 } // namespace proskill::analysis

@@ -83,9 +83,9 @@ private:
     if (isOpen(canonical)) return cycle(canonical, at);
     if (loaded.contains(canonical)) return;
     if (open.size() > kDeepestInclude) return unreadable(written, at, "includes go too deep");
-    auto text = files.read(path);
-    if (!text) return unreadable(written, at, text.error());
-    add(path, canonical, syntax::Document::parse(std::move(*text)));
+    auto document = files.document(path);
+    if (!document) return unreadable(written, at, document.error());
+    add(path, canonical, std::move(*document));
   }
 
   [[nodiscard]] bool isOpen(const fs::path& canonical) const {
@@ -120,12 +120,12 @@ private:
 } // namespace
 
 Program load(const FileSystem& files, const fs::path& root, Extent extent) {
-  auto text = files.read(root);
+  auto document = files.document(root);
   Program program =
-      load(files, root, syntax::Document::parse(text ? std::move(*text) : std::string()), extent);
-  if (!text)
+      load(files, root, document ? std::move(*document) : syntax::Document::parse({}), extent);
+  if (!document)
     program.diagnostics.push_back(syntax::makeDiagnostic(syntax::Code::UnreadableFile, {},
-                                                         root.generic_string(), text.error()));
+                                                         root.generic_string(), document.error()));
   return program;
 }
 

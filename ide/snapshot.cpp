@@ -1,0 +1,127 @@
+#include "ide/snapshot.h"
+
+#include <algorithm>
+#include <set>
+
+namespace proskill::ide {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The disk, with what the editor holds in front of it.
+class Overlay : public analysis::FileSystem {
+public:
+  Overlay(const analysis::FileSystem& disk, const OpenTexts& open) : disk(disk), open(open) {}
+
+  [[nodiscard]] std::expected<std::string, std::string> read(const fs::path& path) const override {
+    auto found = open.find(path);
+    return found == open.end() ? disk.read(path) : found->second.document.text();
+  }
+  [[nodiscard]] fs::path canonical(const fs::path& path) const override {
+    return disk.canonical(path);
+  }
+  [[nodiscard]] std::expected<syntax::Document, std::string>
+  document(const fs::path& path) const override {
+    auto found = open.find(path);
+    return found == open.end() ? disk.document(path) : found->second.document;
+  }
+
+private:
+  const analysis::FileSystem& disk;
+  const OpenTexts& open;
+};
+
+analysis::FileId fileIn(const analysis::Program& program, const fs::path& path) {
+  auto found = std::ranges::find(program.files, path, &analysis::File::path);
+  return found == program.files.end()
+             ? 0
+             : static_cast<analysis::FileId>(found - program.files.begin());
+}
+
+/// Whether the program was made from just these texts, where they are open, and from no others.
+bool isCurrent(const AnalysedProgram& analysed, const OpenTexts& before, const OpenTexts& now) {
+  return std::ranges::all_of(analysed.program.files, [&](const analysis::File& file) {
+    auto old = before.find(file.path);
+    auto fresh = now.find(file.path);
+    if (old == before.end() || fresh == now.end()) return old == before.end() && fresh == now.end();
+    return old->second.document.isSameAs(fresh->second.document);
+  });
+}
+
+} // namespace
+
+Snapshot::Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open,
+                   Includes includes)
+    : disk(std::move(disk)), texts(std::move(open)), includes(std::move(includes)) {}
+
+std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open, Includes nowIncludes) const {
+  auto next = std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes));
+  std::lock_guard lock(mutex);
+  for (const auto& [root, entry] : entries)
+    if (entry->program && isCurrent(*entry->program, texts, next->texts))
+      next->entries[root] = entry;
+  return next;
+}
+
+std::vector<View> Snapshot::views(const fs::path& file) const {
+  std::vector<View> result;
+  for (const auto& root : rootsOf(file)) {
+    auto analysed = program(root);
+    result.push_back({analysed, fileIn(analysed->program, file)});
+  }
+  return result;
+}
+
+View Snapshot::view(const fs::path& file) const { return views(file).front(); }
+
+std::shared_ptr<const AnalysedProgram> Snapshot::program(const fs::path& root) const {
+  std::shared_ptr<Entry> entry;
+  {
+    std::lock_guard lock(mutex);
+    auto& slot = entries[root];
+    if (!slot) slot = std::make_shared<Entry>();
+    entry = slot;
+  }
+  std::call_once(entry->once, [&] {
+    auto loaded = analysis::load(Overlay(*disk, texts), root);
+    auto analysed = analysis::analyse(loaded);
+    auto whole = std::make_shared<const AnalysedProgram>(
+        AnalysedProgram{std::move(loaded), std::move(analysed)});
+    std::lock_guard lock(mutex);
+    entry->program = std::move(whole);
+  });
+  return entry->program;
+}
+
+/// Goes from includer to includer. Files that include each other in a circle have no root but
+/// themselves.
+std::vector<fs::path> Snapshot::rootsOf(const fs::path& file) const {
+  std::vector<fs::path> roots;
+  std::set<fs::path> seen{file};
+  std::vector<fs::path> pending{file};
+  while (!pending.empty()) {
+    auto current = pending.back();
+    pending.pop_back();
+    bool included = false;
+    for (const auto& [includer, targets] : includes) {
+      if (std::ranges::count(targets, current) == 0) continue;
+      included = true;
+      if (seen.insert(includer).second) pending.push_back(includer);
+    }
+    if (!included) roots.push_back(current);
+  }
+  if (roots.empty()) roots.push_back(file);
+  std::ranges::sort(roots);
+  return roots;
+}
+
+std::vector<fs::path> includesOf(const fs::path& file, const syntax::Document& document) {
+  std::vector<fs::path> result;
+  for (const auto& form : document.forms())
+    if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
+      result.push_back((file.parent_path() / include->path.text).lexically_normal());
+  return result;
+}
+
+} // namespace proskill::ide

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "analysis/index.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+/// The texts of an editor at one moment, and what analysis says of them.
+namespace proskill::ide {
+
+/// A text as an editor holds it; its file may not exist.
+struct OpenText {
+  std::string uri; ///< as the client spells it
+  std::int64_t version = 0;
+  syntax::Document document;
+};
+
+using OpenTexts = std::map<std::filesystem::path, OpenText>;
+
+struct AnalysedProgram {
+  analysis::Program program;
+  analysis::Analysis analysis;
+};
+
+/// A file within the program that it belongs to: what a feature looks at. Keeps all alive that it
+/// refers to.
+struct View {
+  std::shared_ptr<const AnalysedProgram> owner;
+  analysis::FileId file = 0;
+
+  [[nodiscard]] const analysis::Program& program() const { return owner->program; }
+  [[nodiscard]] const analysis::Analysis& analysis() const { return owner->analysis; }
+  [[nodiscard]] const analysis::Index& index() const { return owner->analysis.index; }
+  [[nodiscard]] const syntax::Document& document() const { return program().files[file].document; }
+  [[nodiscard]] const std::string& text() const { return document().text(); }
+};
+
+/// Which files include which, by their paths; what includes nothing and is included by nothing need
+/// not be in it.
+using Includes = std::map<std::filesystem::path, std::vector<std::filesystem::path>>;
+
+/// Never changes; programs are analysed when they are first asked for, once, by whoever asks first.
+/// Any thread may use it.
+class Snapshot {
+public:
+  Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open, Includes includes);
+
+  /// The same moment after an edit: programs that the edit does not touch are kept.
+  [[nodiscard]] std::shared_ptr<const Snapshot> with(OpenTexts open, Includes includes) const;
+
+  [[nodiscard]] const OpenTexts& open() const { return texts; }
+  /// The file in each program that it belongs to, one a root; a file that nothing includes is its
+  /// own root.
+  [[nodiscard]] std::vector<View> views(const std::filesystem::path& file) const;
+  /// The first of them.
+  [[nodiscard]] View view(const std::filesystem::path& file) const;
+
+private:
+  std::shared_ptr<const AnalysedProgram> program(const std::filesystem::path& root) const;
+  std::vector<std::filesystem::path> rootsOf(const std::filesystem::path& file) const;
+
+  /// Analysed at most once, whoever comes first.
+  struct Entry {
+    std::once_flag once;
+    std::shared_ptr<const AnalysedProgram> program;
+  };
+
+  std::shared_ptr<const analysis::FileSystem> disk;
+  OpenTexts texts;
+  Includes includes;
+  mutable std::mutex mutex;
+  mutable std::map<std::filesystem::path, std::shared_ptr<Entry>> entries;
+};
+
+/// What a document includes, resolved against its own path.
+[[nodiscard]] std::vector<std::filesystem::path> includesOf(const std::filesystem::path& file,
+                                                            const syntax::Document& document);
+
+} // namespace proskill::ide
