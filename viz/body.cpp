@@ -1,0 +1,275 @@
+#include "viz/builder.h"
+
+#include <algorithm>
+#include <map>
+
+namespace proskill::viz {
+namespace {
+
+using syntax::Statement;
+using syntax::StatementKind;
+
+void append(Exits& exits, Exits more) {
+  exits.insert(exits.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+/// The statements of a body as a flow chart.
+class BodyPicture {
+public:
+  /// \param owner the skill whose outcomes the body may end with; null for an environment
+  BodyPicture(Builder& made, const syntax::Skill* owner) : builder(made), skill(owner) {}
+
+  /// A body or a branch, with its own labels. \return the ways out of its end
+  Exits drawScope(const syntax::Block& block, Exits in) {
+    scopes.emplace_back();
+    auto out = drawBlock(block, std::move(in));
+    for (auto& jump : scopes.back().jumps) {
+      const auto target = scopes.back().labels.find(jump.label);
+      if (target != scopes.back().labels.end())
+        builder.connect({{jump.from, jump.role, "goto " + jump.label, jump.source}},
+                        target->second);
+    }
+    scopes.pop_back();
+    return out;
+  }
+
+private:
+  struct Scope {
+    std::map<std::string, std::size_t> labels;
+    Exits jumps; ///< their labels are where they go to
+  };
+
+  Exits drawBlock(const syntax::Block& block, Exits in) {
+    for (const auto& statement : block.statements) in = draw(statement, in);
+    return in;
+  }
+
+  Exits draw(const Statement& s, const Exits& in) {
+    switch (s.kind) {
+    case StatementKind::Unknown: return in;
+    case StatementKind::Call: return drawCall(s, in);
+    case StatementKind::Interrupt:
+      return step(s, in, NodeRole::Interrupt, "interrupt " + name(s.name), {});
+    case StatementKind::WaitCondition:
+      return step(s, in, NodeRole::Wait, builder.text(s.condition.range),
+                  builder.effects(s.effects));
+    case StatementKind::WaitTime:
+      return step(s, in, NodeRole::Wait, builder.seconds(s.duration), {});
+    case StatementKind::If: return drawIf(s, in);
+    case StatementKind::While: return drawWhile(s, in);
+    case StatementKind::DoUntil: return drawDoUntil(s, in);
+    case StatementKind::Break: return drawBreak(in);
+    case StatementKind::Label: return drawLabel(s, in);
+    case StatementKind::Goto: return drawGoto(s, in);
+    case StatementKind::Parallel: return drawParallel(s, in);
+    case StatementKind::Set: return step(s, in, NodeRole::Step, "set", builder.effects(s.effects));
+    case StatementKind::Printf:
+      return step(s, in, NodeRole::Message, "“" + name(s.format) + "”", {});
+    case StatementKind::Success:
+      return drawEnd(s, in, NodeRole::Success, skill ? &skill->successes : nullptr);
+    case StatementKind::Failure:
+      return drawEnd(s, in, NodeRole::Failure, skill ? &skill->failures : nullptr);
+    case StatementKind::Emit: return step(s, in, NodeRole::Event, name(s.name), {});
+    case StatementKind::Choose: return drawChoose(s, in);
+    }
+    return in;
+  }
+
+  static std::string name(const syntax::Name& word) { return std::string(word.text); }
+
+  Exits step(const Statement& s, const Exits& in, NodeRole role, std::string label,
+             std::vector<std::string> details) {
+    return builder.then(in, builder.node(role, std::move(label), s.range, std::move(details)));
+  }
+
+  Exits drawCall(const Statement& s, const Exits& in) {
+    std::string arguments;
+    for (const auto& argument : s.arguments)
+      arguments += (arguments.empty() ? "" : " ") + name(argument.name) + " " +
+                   builder.text(argument.value.range);
+    std::vector<std::string> details;
+    if (!arguments.empty()) details.push_back(arguments);
+    return step(s, in, NodeRole::Call, name(s.name), details);
+  }
+
+  std::size_t test(const syntax::Expr& condition, syntax::Range range) {
+    return builder.node(NodeRole::Test, builder.text(condition.range), range);
+  }
+
+  static Exit yes(std::size_t node) { return {node, EdgeRole::Yes, "yes", {}}; }
+  static Exit no(std::size_t node) { return {node, EdgeRole::No, "no", {}}; }
+
+  Exits drawIf(const Statement& s, Exits in) {
+    Exits out;
+    for (const auto& arm : s.arms) {
+      if (!arm.condition) {
+        append(out, drawBlock(arm.body, in));
+        return out;
+      }
+      const auto node = test(*arm.condition, arm.condition->range);
+      builder.connect(in, node);
+      append(out, drawBlock(arm.body, {yes(node)}));
+      in = {no(node)};
+    }
+    append(out, in);
+    return out;
+  }
+
+  Exits drawWhile(const Statement& s, const Exits& in) {
+    const auto node = test(s.condition, s.condition.range);
+    builder.connect(in, node);
+    auto out = loop(s, {yes(node)}, node);
+    out.push_back(no(node));
+    return out;
+  }
+
+  /// The body of a loop; its end goes back to a node. \return the ways of its breaks
+  Exits loop(const Statement& s, const Exits& in, std::size_t back) {
+    breaks.emplace_back();
+    if (!s.branches.empty()) builder.connect(drawBlock(s.branches[0], in), back);
+    auto out = std::move(breaks.back());
+    breaks.pop_back();
+    return out;
+  }
+
+  Exits drawDoUntil(const Statement& s, const Exits& in) {
+    const auto head = builder.node(NodeRole::Junction, {}, s.head.range);
+    const auto node = test(s.condition, s.condition.range);
+    builder.connect(in, head);
+    auto out = loop(s, {{.from = head}}, node);
+    builder.connect({no(node)}, head);
+    out.push_back(yes(node));
+    return out;
+  }
+
+  Exits drawBreak(const Exits& in) {
+    if (!breaks.empty()) append(breaks.back(), in);
+    return {};
+  }
+
+  Exits drawLabel(const Statement& s, const Exits& in) {
+    auto out = step(s, in, NodeRole::Label, name(s.name), {});
+    scopes.back().labels.emplace(name(s.name), out[0].from);
+    return out;
+  }
+
+  Exits drawGoto(const Statement& s, const Exits& in) {
+    for (const auto& exit : in)
+      scopes.back().jumps.push_back({exit.from, exit.role, name(s.name), builder.source(s.range)});
+    return {};
+  }
+
+  Exits drawParallel(const Statement& s, const Exits& in) {
+    const auto fork = builder.node(NodeRole::Fork, {}, s.head.range);
+    builder.connect(in, fork);
+    Exits out;
+    for (std::size_t i = 0; i < s.branches.size(); ++i) {
+      builder.enterCluster("branch " + std::to_string(i + 1), s.branches[i].range);
+      append(out, drawScope(s.branches[i], {{.from = fork}}));
+      builder.leaveCluster();
+    }
+    return builder.then(out, builder.node(NodeRole::Join, {}, s.head.range));
+  }
+
+  Exits drawEnd(const Statement& s, const Exits& in, NodeRole role,
+                const std::vector<syntax::Outcome>* outcomes) {
+    std::vector<std::string> details;
+    if (outcomes) {
+      const auto same = [&](const syntax::Outcome& o) { return o.tag.text == s.name.text; };
+      const auto declared = std::ranges::find_if(*outcomes, same);
+      if (declared != outcomes->end()) details = outcomeLines(*declared);
+    }
+    step(s, in, role, name(s.name), details);
+    return {};
+  }
+
+  [[nodiscard]] std::vector<std::string> outcomeLines(const syntax::Outcome& outcome) const {
+    auto lines = builder.effects(outcome.effects);
+    if (outcome.postcondition)
+      lines.push_back("then " + builder.text(outcome.postcondition->range));
+    return lines;
+  }
+
+  Exits drawChoose(const Statement& s, const Exits& in) {
+    const auto node = builder.node(NodeRole::Test, "choose", s.head.range);
+    builder.connect(in, node);
+    Exits out;
+    for (const auto& branch : s.branches) append(out, drawBlock(branch, {{.from = node}}));
+    return out;
+  }
+
+  Builder& builder;
+  const syntax::Skill* skill;
+  std::vector<Scope> scopes;
+  std::vector<Exits> breaks;
+};
+
+/// The last byte of a block: where a body runs off its end.
+syntax::Range endOf(const syntax::Block& block) {
+  const auto end = block.range.end;
+  return {end == 0 ? 0 : end - 1, end};
+}
+
+/// The process that looks at the time that a composite skill takes.
+void drawWatchdog(Builder& builder, const syntax::Interval& interval) {
+  builder.enterCluster("watchdog " + builder.seconds(interval), interval.range);
+  const auto range = interval.range;
+  const auto start = builder.node(NodeRole::Start, {}, range);
+  const auto early = builder.node(NodeRole::State, "early", range);
+  const auto undershoot = builder.node(NodeRole::Error, "undershoot", range);
+  builder.edge({start, early, EdgeRole::Next, "the skill starts", {}});
+  builder.edge({early, undershoot, EdgeRole::Forbidden, "it has ended", {}});
+  const auto onTime = builder.node(NodeRole::State, "on time", range);
+  builder.edge({early, onTime, EdgeRole::Next, "the lower bound comes", {}});
+  const auto end = builder.node(NodeRole::End, "good", range);
+  builder.edge({onTime, end, EdgeRole::Next, "it has ended", {}});
+  if (interval.upper) {
+    const auto overshoot = builder.node(NodeRole::Error, "overshoot", range);
+    builder.edge({onTime, overshoot, EdgeRole::Forbidden, "the upper bound has passed", {}});
+  }
+  builder.leaveCluster();
+}
+
+/// What may end a composite skill wherever it is.
+void drawWatched(Builder& builder, const syntax::Skill& skill) {
+  if (skill.invariants.empty() && !skill.interrupt) return;
+  builder.enterCluster("at any time", skill.name.range);
+  for (const auto& invariant : skill.invariants) {
+    auto lines = builder.effects(invariant.effects);
+    lines.insert(lines.begin(), "not " + builder.text(invariant.guard.range));
+    builder.node(NodeRole::Invariant, std::string(invariant.tag.text), invariant.range, lines);
+  }
+  if (skill.interrupt)
+    builder.node(NodeRole::Interrupt, "interrupted", skill.interrupt->range,
+                 builder.effects(skill.interrupt->effects));
+  builder.leaveCluster();
+}
+
+} // namespace
+
+Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
+  Builder builder(program, skill.file);
+  builder.graph.title = (skill->monitor ? "monitor " : "skill ") + std::string(skill.name());
+  const auto& body = *skill->body;
+  const auto out = BodyPicture(builder, skill.node).drawScope(body, drawBeginning(builder, skill));
+  if (!out.empty())
+    builder.connect(out,
+                    builder.node(NodeRole::Success, "success", endOf(body), {"end of the body"}));
+  drawWatched(builder, *skill.node);
+  if (skill->timeInterval) drawWatchdog(builder, *skill->timeInterval);
+  return std::move(builder.graph);
+}
+
+Graph drawEnvironment(const analysis::Program& program,
+                      const analysis::Definition<syntax::Environment>& environment) {
+  Builder builder(program, environment.file);
+  builder.graph.title = "environment " + std::string(environment.name());
+  const auto start = builder.node(NodeRole::Start, {}, environment->name.range);
+  const auto& body = environment->body;
+  const auto out = BodyPicture(builder, nullptr).drawScope(body, {{.from = start}});
+  if (!out.empty()) builder.connect(out, builder.node(NodeRole::End, "ends", endOf(body)));
+  return std::move(builder.graph);
+}
+
+} // namespace proskill::viz

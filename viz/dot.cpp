@@ -1,0 +1,207 @@
+#include "viz/dot.h"
+
+#include "viz/label.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <vector>
+
+namespace proskill::viz {
+namespace {
+
+/// cgraph takes writable strings everywhere and changes none of those that are passed here.
+char* text(std::string& value) { return value.data(); }
+
+/// A name in a URL: everything but letters, digits and what paths are made of as %XX.
+std::string urlOf(const Source& source) {
+  std::string out;
+  for (char c : source.file) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("/._-~").find(c) != std::string_view::npos;
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return fmt::format("{}#{}-{}", out, source.range.begin, source.range.end);
+}
+
+/// Sets attributes of one object, declaring each where it is new.
+class Attributes {
+public:
+  Attributes(Agraph_t* within, void* what) : graph(within), object(what) {}
+
+  void set(std::string name, std::string value) {
+    declare(name);
+    agxset(object, agattr(agraphof(object), AGTYPE(object), text(name), nullptr), text(value));
+  }
+  void setHtml(std::string name, std::string value) {
+    declare(name);
+    char* html = agstrdup_html(graph, text(value));
+    agxset(object, agattr(agraphof(object), AGTYPE(object), text(name), nullptr), html);
+    agstrfree(graph, html);
+  }
+  void setSource(const Source& source) {
+    const auto file = clean(source.file);
+    set("range", fmt::format("{}:{}-{}", file, source.range.begin, source.range.end));
+    set("URL", urlOf(source));
+    set("tooltip",
+        fmt::format("{}:{}:{}", file, source.position.line + 1, source.position.column + 1));
+  }
+
+private:
+  void declare(std::string& name) {
+    std::string nothing;
+    const auto kind = AGTYPE(object);
+    if (!agattr(agroot(graph), kind, text(name), nullptr))
+      agattr(agroot(graph), kind, text(name), text(nothing));
+  }
+
+  Agraph_t* graph;
+  void* object;
+};
+
+class Drawing {
+public:
+  Drawing(const Graph& shown, Scheme chosen)
+      : graph(shown), scheme(chosen), page(pageStyle(chosen)) {}
+
+  CGraph draw() {
+    std::string name = "proskill";
+    root.reset(agopen(text(name), Agdirected, nullptr));
+    drawPage();
+    drawClusters();
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) drawNode(i);
+    for (std::size_t i = 0; i < graph.edges.size(); ++i) drawEdge(i);
+    return std::move(root);
+  }
+
+private:
+  void drawPage() {
+    setDefaults();
+    Attributes attributes(root.get(), root.get());
+    attributes.set("charset", "UTF-8");
+    attributes.set("layout", graph.layout == Layout::Layered ? "dot" : "circo");
+    attributes.set("rankdir", "TB");
+    attributes.set("nodesep", "0.35");
+    attributes.set("ranksep", "0.42");
+    attributes.set("mindist", "1.3");
+    attributes.set("pad", "0.3");
+    attributes.set("bgcolor", std::string(page.background));
+    attributes.set("fontname", std::string(kFont));
+    attributes.set("fontcolor", std::string(page.text));
+    attributes.set("labelloc", "t");
+    attributes.set("labeljust", "l");
+    attributes.setHtml("label", titleAndLegend(graph, scheme));
+  }
+
+  /// What holds for all nodes and edges, so that it is written once.
+  void setDefaults() {
+    const auto set = [&](int kind, std::string name, std::string value) {
+      agattr(root.get(), kind, text(name), text(value));
+    };
+    for (int kind : {AGNODE, AGEDGE}) {
+      set(kind, "fontname", std::string(kFont));
+      set(kind, "fontsize", kind == AGNODE ? "11" : "9");
+      set(kind, "fontcolor", std::string(kind == AGNODE ? page.text : page.faint));
+    }
+    set(AGNODE, "penwidth", "1.2");
+    set(AGNODE, "margin", "0.14,0.08");
+    set(AGNODE, "height", "0.36");
+    set(AGNODE, "width", "0.75");
+    set(AGEDGE, "arrowsize", "0.7");
+    set(AGEDGE, "penwidth", "1.2");
+  }
+
+  void drawClusters() {
+    for (std::size_t i = 0; i < graph.clusters.size(); ++i) {
+      const auto& cluster = graph.clusters[i];
+      auto* parent = cluster.parent ? clusters[*cluster.parent] : root.get();
+      auto name = fmt::format("cluster_{}", i);
+      clusters.push_back(agsubg(parent, text(name), 1));
+      Attributes attributes(root.get(), clusters.back());
+      attributes.set("id", name);
+      attributes.set("style", "filled,rounded");
+      attributes.set("color", std::string(page.frame));
+      attributes.set("fillcolor", std::string(page.shade));
+      attributes.set("fontsize", "10");
+      attributes.set("fontcolor", std::string(page.faint));
+      attributes.set("margin", "12");
+      attributes.set("label", clean(cluster.label));
+      attributes.setSource(cluster.source);
+    }
+  }
+
+  void drawNode(std::size_t i) {
+    const auto& node = graph.nodes[i];
+    auto id = fmt::format("n{}", i);
+    auto* within = node.cluster ? clusters[*node.cluster] : root.get();
+    nodes.push_back(agnode(within, text(id), 1));
+    const auto style = nodeStyle(node.role, scheme);
+    Attributes attributes(root.get(), nodes.back());
+    attributes.set("id", id);
+    attributes.set("class", "role-" + std::string(style.id));
+    attributes.set("shape", std::string(style.shape));
+    attributes.set("style", std::string(style.style));
+    attributes.set("fillcolor", std::string(style.fill));
+    attributes.set("color", std::string(style.line));
+    attributes.setSource(node.source);
+    if (node.label.empty())
+      drawSign(attributes, node.role);
+    else
+      attributes.setHtml("label", nodeLabel(node, scheme));
+  }
+
+  /// A node without words: a dot, or the bar of a fork.
+  void drawSign(Attributes& attributes, NodeRole role) {
+    const bool bar = role == NodeRole::Fork || role == NodeRole::Join;
+    const auto* height = bar ? "0.07" : role == NodeRole::Junction ? "0.09" : "0.18";
+    attributes.set("label", "");
+    attributes.set("height", height);
+    attributes.set("width", bar ? "1.8" : height);
+    attributes.set("fixedsize", "true");
+  }
+
+  void drawEdge(std::size_t i) {
+    const auto& edge = graph.edges[i];
+    auto key = fmt::format("e{}", i);
+    auto* drawn = agedge(root.get(), nodes[edge.from], nodes[edge.to], text(key), 1);
+    const auto style = edgeStyle(edge.role, scheme);
+    Attributes attributes(root.get(), drawn);
+    attributes.set("id", key);
+    attributes.set("class", "role-" + std::string(style.id));
+    attributes.set("style", std::string(style.style));
+    attributes.set("color", std::string(style.colour));
+    if (edge.role == EdgeRole::Both) attributes.set("dir", "both");
+    if (!edge.label.empty()) attributes.set("label", " " + clean(edge.label) + " ");
+    if (edge.source) attributes.setSource(*edge.source);
+  }
+
+  const Graph& graph;
+  Scheme scheme;
+  PageStyle page;
+  CGraph root;
+  std::vector<Agraph_t*> clusters;
+  std::vector<Agnode_t*> nodes;
+};
+
+int putString(void* out, const char* bytes) {
+  static_cast<std::string*>(out)->append(bytes);
+  return 0;
+}
+
+int flush(void*) { return 0; }
+
+} // namespace
+
+CGraph toCGraph(const Graph& graph, Scheme scheme) { return Drawing(graph, scheme).draw(); }
+
+std::string writeDot(Agraph_t* graph) {
+  std::string out;
+  Agiodisc_t toString{nullptr, putString, flush};
+  auto* former = graph->clos->disc.io;
+  graph->clos->disc.io = &toString;
+  agwrite(graph, &out);
+  graph->clos->disc.io = former;
+  return out;
+}
+
+} // namespace proskill::viz

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "viz/graph.h"
+#include "viz/theme.h"
+
+#include <graphviz/cgraph.h>
+
+#include <memory>
+#include <string>
+
+namespace proskill::viz {
+
+struct CloseGraph {
+  void operator()(Agraph_t* graph) const { agclose(graph); }
+};
+using CGraph = std::unique_ptr<Agraph_t, CloseGraph>;
+
+/// The graph as cgraph has it, with shapes and colours. Each node has the attributes `id`, `class`,
+/// `range`
+/// (`file:begin-end`, in bytes), `URL` (`file#begin-end`) and `tooltip` (`file:line:column`, from
+/// 1). \pre no other thread uses Graphviz, which keeps state of its own.
+[[nodiscard]] CGraph toCGraph(const Graph& graph, Scheme scheme);
+
+/// As `toCGraph`'s graph is written to a file.
+[[nodiscard]] std::string writeDot(Agraph_t* graph);
+
+} // namespace proskill::viz

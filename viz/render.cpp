@@ -1,0 +1,84 @@
+#include "viz/render.h"
+
+#include "viz/dot.h"
+
+#include <graphviz/gvc.h>
+
+#include <memory>
+#include <mutex>
+
+namespace proskill::viz {
+namespace {
+
+struct FreeContext {
+  void operator()(GVC_t* context) const { gvFreeContext(context); }
+};
+using Context = std::unique_ptr<GVC_t, FreeContext>;
+
+/// What Graphviz has to say, kept while this lives. Its callback takes no data of ours, hence the
+/// one place for all, which is safe because one thread at a time is in Graphviz.
+class Complaints {
+public:
+  Complaints() : former(agseterrf(collect)), level(agseterr(AGWARN)) { said.clear(); }
+  ~Complaints() {
+    agseterrf(former);
+    agseterr(level);
+  }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+
+  [[nodiscard]] static const std::string& text() { return said; }
+
+private:
+  static int collect(char* message) {
+    said += message;
+    return 0;
+  }
+
+  static inline std::string said;
+  agusererrf former;
+  agerrlevel_t level;
+};
+
+std::unexpected<std::string> failed(const std::string& what) {
+  auto reason = Complaints::text();
+  while (reason.ends_with('\n')) reason.pop_back();
+  return std::unexpected(reason.empty() ? what : what + ": " + reason);
+}
+
+std::expected<std::string, std::string> renderBytes(Agraph_t* graph, const char* engine,
+                                                    const char* format) {
+  const Context context(gvContext());
+  if (!context) return failed("Graphviz cannot be started");
+  if (gvLayout(context.get(), graph, engine) != 0) return failed("Graphviz cannot place the nodes");
+  char* data = nullptr;
+  unsigned length = 0;
+  const bool good = gvRenderData(context.get(), graph, format, &data, &length) == 0 && data;
+  std::string bytes = good ? std::string(data, length) : std::string();
+  gvFreeRenderData(data);
+  gvFreeLayout(context.get(), graph);
+  if (!good) return failed(std::string("Graphviz cannot write ") + format);
+  return bytes;
+}
+
+/// Pictures of dots are for screens of today.
+void setResolution(Agraph_t* graph) {
+  std::string name = "dpi";
+  std::string value = "144";
+  agattr(graph, AGRAPH, name.data(), value.data());
+}
+
+} // namespace
+
+std::expected<std::string, std::string> render(const Graph& graph, Format format, Scheme scheme) {
+  static std::mutex graphviz;
+  const std::lock_guard lock(graphviz);
+  const Complaints complaints;
+  const auto drawn = toCGraph(graph, scheme);
+  if (format == Format::Dot) return writeDot(drawn.get());
+  if (format == Format::Png) setResolution(drawn.get());
+  const auto* engine = graph.layout == Layout::Layered ? "dot" : "circo";
+  return renderBytes(drawn.get(), engine, format == Format::Svg ? "svg" : "png");
+}
+
+} // namespace proskill::viz

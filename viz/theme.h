@@ -1,0 +1,43 @@
+#pragma once
+
+#include "viz/graph.h"
+
+#include <string_view>
+
+namespace proskill::viz {
+
+enum class Scheme : std::uint8_t { Light, Dark };
+
+/// How the nodes of a role look. Colours as Graphviz and SVG write them: `#rrggbb`.
+struct NodeStyle {
+  std::string_view id;      ///< `call`: of SVG classes
+  std::string_view meaning; ///< in the legend; empty: not there
+  std::string_view shape;
+  std::string_view style;
+  std::string_view fill;
+  std::string_view line;
+};
+
+struct EdgeStyle {
+  std::string_view id;
+  std::string_view meaning;
+  std::string_view style;
+  std::string_view colour;
+  std::string_view sign; ///< how the legend draws it
+};
+
+struct PageStyle {
+  std::string_view background;
+  std::string_view text;
+  std::string_view faint; ///< details, labels of edges, the legend
+  std::string_view frame; ///< lines of clusters
+  std::string_view shade; ///< ground of clusters
+};
+
+inline constexpr std::string_view kFont = "DejaVu Sans";
+
+[[nodiscard]] NodeStyle nodeStyle(NodeRole role, Scheme scheme);
+[[nodiscard]] EdgeStyle edgeStyle(EdgeRole role, Scheme scheme);
+[[nodiscard]] PageStyle pageStyle(Scheme scheme);
+
+} // namespace proskill::viz
