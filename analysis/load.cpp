@@ -121,8 +121,7 @@ private:
 
 Program load(const FileSystem& files, const fs::path& root, Extent extent) {
   auto document = files.document(root);
-  Program program =
-      load(files, root, document ? std::move(*document) : syntax::Document::parse({}), extent);
+  Program program = load(files, root, document.value_or(syntax::Document::parse("")), extent);
   if (!document)
     program.diagnostics.push_back(syntax::makeDiagnostic(syntax::Code::UnreadableFile, {},
                                                          root.generic_string(), document.error()));

@@ -1,6 +1,9 @@
 #include "cli/paint.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdlib>
+#include <map>
 #include <unistd.h>
 
 namespace proskill::cli {
@@ -31,6 +34,14 @@ bool wantsColour(ColourChoice choice, int fileDescriptor) {
   if (choice != ColourChoice::Auto) return choice == ColourChoice::Always;
   const char* none = std::getenv("NO_COLOR");
   return isatty(fileDescriptor) == 1 && (none == nullptr || *none == '\0');
+}
+
+void addColour(CLI::App& command, ColourChoice& choice) {
+  command.add_option("--color", choice, "auto, always or never")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ColourChoice>{{"auto", ColourChoice::Auto},
+                                              {"always", ColourChoice::Always},
+                                              {"never", ColourChoice::Never}}));
 }
 
 } // namespace proskill::cli

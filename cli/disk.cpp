@@ -1,0 +1,71 @@
+#include "cli/disk.h"
+
+#include "cli/render.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Places in a text are counted in 32 bits.
+constexpr std::size_t kLargestFile = (std::size_t{1} << 32) - 1;
+
+std::string reason(int error) {
+  std::string words = std::generic_category().message(error);
+  if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z')
+    words[0] = static_cast<char>(words[0] - 'A' + 'a');
+  return words;
+}
+
+} // namespace
+
+std::expected<std::string, std::string> DiskFileSystem::read(const fs::path& path) const {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return std::unexpected(reason(EISDIR));
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::unexpected(reason(errno == 0 ? EIO : errno));
+  std::string text;
+  const auto size = fs::file_size(path, error);
+  if (!error && size <= kLargestFile) text.reserve(size);
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), file.gcount() > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLargestFile) return std::unexpected("it is larger than 4 GiB");
+  }
+  if (file.bad()) return std::unexpected(reason(errno == 0 ? EIO : errno));
+  return text;
+}
+
+fs::path DiskFileSystem::canonical(const fs::path& path) const {
+  std::error_code error;
+  const fs::path found = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : found;
+}
+
+std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour) {
+  const DiskFileSystem disk;
+  auto document = disk.document(root);
+  if (!document) {
+    std::cerr << "error: cannot read `" << root << "`: " << document.error() << '\n';
+    return std::nullopt;
+  }
+  auto program = analysis::load(disk, root, std::move(*document));
+  const auto diagnostics = analysis::check(program);
+  render(std::cerr, program, diagnostics, Paint{wantsColour(colour, STDERR_FILENO)});
+  const bool broken = std::ranges::any_of(diagnostics, [](const syntax::Diagnostic& it) {
+    return it.severity == syntax::Severity::Error;
+  });
+  if (broken) return std::nullopt;
+  return program;
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "analysis/program.h"
+#include "cli/paint.h"
+
+#include <optional>
+#include <string>
+
+namespace proskill::cli {
+
+/// The files of this machine.
+class DiskFileSystem : public analysis::FileSystem {
+public:
+  [[nodiscard]] std::expected<std::string, std::string>
+  read(const std::filesystem::path& path) const override;
+  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
+};
+
+/// The program of a root file, for commands that need one without errors: all that is wrong with it
+/// is printed to standard error. Nothing where it has errors or cannot be read.
+[[nodiscard]] std::optional<analysis::Program> loadChecked(const std::string& root,
+                                                           ColourChoice colour);
+
+} // namespace proskill::cli
