@@ -61,11 +61,11 @@ Form Bodies::simple(Place place) {
   if (place.inLoop && random.chance(12)) return random.chance(50) ? Form("break") : Form{"break"};
   if (!place.labels->empty() && random.chance(15))
     return {"if", phrase.condition(), Form{"goto", place.labels->front()}};
-  if (random.chance(25)) return wait();
+  if (random.chance(25)) return wait(place);
   if (place.environment) {
     if (!vocabulary.events.empty() && random.chance(80))
       return {"emit", random.pick(vocabulary.events)};
-    return interruptOf(true);
+    return interruptOf(place);
   }
   if (random.chance(50)) return callOrInterrupt(place);
   switch (random.below(3)) {
@@ -80,20 +80,20 @@ Form Bodies::compound(Place place) {
   return random.chance(65) ? choice(place) : loop(place);
 }
 
-Form Bodies::wait() {
-  switch (random.below(4)) {
+Form Bodies::wait(Place place) {
+  switch (random.below(place.environment ? 3 : 4)) {
   case 0: return {"^", phrase.duration()};
   case 1: return {"^", phrase.interval()};
-  case 2: return {"^", phrase.condition(), ":effects", phrase.effects()};
-  default: return {"^", phrase.condition()};
+  case 2: return {"^", phrase.condition()};
+  default: return {"^", phrase.condition(), ":effects", phrase.effects()};
   }
 }
 
-Form Bodies::interruptOf(bool fromOutside) {
+Form Bodies::interruptOf(Place place) {
   std::vector<std::string> names;
   for (const auto& skill : vocabulary.skills)
-    if (skill.interruptible && !(fromOutside && skill.monitor)) names.push_back(skill.name);
-  if (names.empty()) return wait();
+    if (skill.interruptible && !(place.environment && skill.monitor)) names.push_back(skill.name);
+  if (names.empty()) return wait(place);
   return {random.pick(names) + ".interrupt"};
 }
 
@@ -111,7 +111,7 @@ Form Bodies::call(std::size_t index, std::size_t caller) {
 }
 
 Form Bodies::callOrInterrupt(Place place) {
-  if (random.chance(12)) return interruptOf(false);
+  if (random.chance(12)) return interruptOf(place);
   std::vector<std::size_t> callable;
   for (std::size_t i = place.skill + 1; i < vocabulary.skills.size(); ++i)
     if (!vocabulary.skills[i].monitor) callable.push_back(i);

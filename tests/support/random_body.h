@@ -34,14 +34,14 @@ private:
   [[nodiscard]] Form statement(Place place);
   [[nodiscard]] Form simple(Place place);
   [[nodiscard]] Form compound(Place place);
-  [[nodiscard]] Form wait();
+  [[nodiscard]] Form wait(Place place);
   [[nodiscard]] Form callOrInterrupt(Place place);
   [[nodiscard]] Form outcome(Place place);
   [[nodiscard]] Form print();
   [[nodiscard]] Form choice(Place place);
   [[nodiscard]] Form loop(Place place);
   [[nodiscard]] Form branches(Place place, const char* head);
-  [[nodiscard]] Form interruptOf(bool fromOutside);
+  [[nodiscard]] Form interruptOf(Place place);
 
   RandomSource& random;
   Words& vocabulary;

@@ -84,8 +84,7 @@ private:
     if (random.chance(skill.composite ? 35 : 75))
       form.addAll({":time_interval", phrase.interval()});
     if (!skill.composite) form.addAll({":action", action(skill)});
-    if (skill.interruptible)
-      form.addAll({":interrupt", random.chance(70) ? Form{":effects", phrase.effects()} : Form()});
+    if (skill.interruptible) form.addAll({":interrupt", Form{":effects", phrase.effects()}});
     addOutcomes(form, ":success", skill.successes);
     addOutcomes(form, ":failure", skill.failures);
     if (!words.resources.empty() && random.chance(40)) form.addAll({":resources", resources()});
