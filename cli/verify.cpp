@@ -94,7 +94,8 @@ int failUnsupported(const verify::Unsupported& error) {
   return fail("this model cannot be explored: " + error.message);
 }
 
-/// One line, as sift ends: `16 classe(s), 14 marking(s), 6 domain(s), 22 transition(s)`, and the time.
+/// One line, as sift ends: `16 classe(s), 14 marking(s), 6 domain(s), 22 transition(s)`, and the
+/// time.
 int countGraph(const codegen::Model& model, const verify::Options& options) {
   auto counted = verify::countClasses(model.fiacre, options);
   if (!counted) return failUnsupported(counted.error());
@@ -121,9 +122,7 @@ int exitCodeOf(const ide::VerificationReport& report, bool strict) {
   auto violated = [&](const ide::VerdictRow& row) {
     return row.bad() && (strict || row.check->weight == codegen::Weight::Error);
   };
-  auto open = [](const ide::VerdictRow& row) {
-    return row.verdict == ide::Verdict::Inconclusive;
-  };
+  auto open = [](const ide::VerdictRow& row) { return row.verdict == ide::Verdict::Inconclusive; };
   if (std::ranges::any_of(report.rows, violated)) return kViolated;
   return std::ranges::any_of(report.rows, open) ? kInconclusive : kGood;
 }

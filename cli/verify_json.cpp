@@ -1,5 +1,6 @@
 #include "cli/verify_json.h"
 
+#include "cli/source_place.h"
 #include "cli/verify_report.h"
 
 #include <ostream>
@@ -11,19 +12,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json rangeJson(const analysis::Program& program, analysis::Location location) {
-  const auto& file = program.files[location.file];
-  auto begin = file.document.lines().position(location.range.begin);
-  auto end = file.document.lines().position(location.range.end);
-  return {{"file", file.path.string()},
-          {"begin", {{"line", begin.line + 1}, {"column", begin.column + 1}}},
-          {"end", {{"line", end.line + 1}, {"column", end.column + 1}}},
+  SourcePlaces places(program);
+  auto begin = places.begin(location);
+  auto end = places.end(location);
+  return {{"file", places.path(location.file)},
+          {"begin", {{"line", begin.line}, {"column", begin.column}}},
+          {"end", {{"line", end.line}, {"column", end.column}}},
           {"bytes", {location.range.begin, location.range.end}}};
 }
 
 /// Seconds as an exact string and, for programs that plot, as a number.
 Json secondsJson(syntax::Rational value) {
-  return {{"exact", syntax::toString(value)},
-          {"seconds", static_cast<double>(value.numerator) / static_cast<double>(value.denominator)}};
+  return {
+      {"exact", syntax::toString(value)},
+      {"seconds", static_cast<double>(value.numerator) / static_cast<double>(value.denominator)}};
 }
 
 Json momentJson(const ide::Moment& moment) {
@@ -73,10 +75,10 @@ Json traceJson(const analysis::Program& program, const ide::Trace& trace) {
 }
 
 Json explorationJson(const verify::Exploration& exploration) {
-  return {{"classes", exploration.classes},     {"markings", exploration.markings},
-          {"domains", exploration.domains},     {"transitions", exploration.transitions},
-          {"bytes", exploration.bytes},         {"seconds", exploration.seconds},
-          {"complete", exploration.complete},   {"stopped", exploration.stopped}};
+  return {{"classes", exploration.classes},   {"markings", exploration.markings},
+          {"domains", exploration.domains},   {"transitions", exploration.transitions},
+          {"bytes", exploration.bytes},       {"seconds", exploration.seconds},
+          {"complete", exploration.complete}, {"stopped", exploration.stopped}};
 }
 
 Json reportJson(const VerifyReport& report) {

@@ -1,3 +1,4 @@
+#include "cli/source_place.h"
 #include "cli/verify_json.h"
 #include "cli/verify_report.h"
 
@@ -11,16 +12,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json physical(const analysis::Program& program, analysis::Location location) {
-  const auto& file = program.files[location.file];
-  auto begin = file.document.lines().position(location.range.begin);
-  auto end = file.document.lines().position(location.range.end);
+  SourcePlaces places(program);
+  auto begin = places.begin(location);
+  auto end = places.end(location);
   return {{"physicalLocation",
-           {{"artifactLocation", {{"uri", file.path.generic_string()}}},
+           {{"artifactLocation", {{"uri", places.path(location.file)}}},
             {"region",
-             {{"startLine", begin.line + 1},
-              {"startColumn", begin.column + 1},
-              {"endLine", end.line + 1},
-              {"endColumn", end.column + 1}}}}}};
+             {{"startLine", begin.line},
+              {"startColumn", begin.column},
+              {"endLine", end.line},
+              {"endColumn", end.column}}}}}};
 }
 
 Json flowStep(const VerifyReport& report, const ide::TraceStep& step) {
@@ -65,9 +66,8 @@ void writeSarif(std::ostream& out, const VerifyReport& report) {
   Json rules = Json::array();
   for (const auto& kind : kinds) rules.push_back({{"id", kind}, {"name", kind}});
   Json run{{"tool",
-            {{"driver",
-              {{"name", "proskill"}, {"version", PROSKILL_VERSION}, {"rules", rules}}}}},
-           {"columnKind", "utf16CodeUnits"},
+            {{"driver", {{"name", "proskill"}, {"version", PROSKILL_VERSION}, {"rules", rules}}}}},
+           {"columnKind", "unicodeCodePoints"},
            {"results", results}};
   Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
            {"version", "2.1.0"},

@@ -1,4 +1,5 @@
 #include "cli/paint.h"
+#include "cli/source_place.h"
 #include "cli/verify_report.h"
 
 #include <fmt/format.h>
@@ -130,9 +131,8 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
   auto count = [&](auto&& predicate) { return std::ranges::count_if(rows, predicate); };
   auto good = count([](const auto& row) { return row.good(); });
   auto open = count([](const auto& row) { return row.verdict == Verdict::Inconclusive; });
-  auto errors = count([](const auto& row) {
-    return row.bad() && row.check->weight == codegen::Weight::Error;
-  });
+  auto errors = count(
+      [](const auto& row) { return row.bad() && row.check->weight == codegen::Weight::Error; });
   auto warnings = static_cast<std::ptrdiff_t>(rows.size()) - good - open - errors;
   out << fmt::format("{} properties: {}", rows.size(),
                      paint(Colour::Green, fmt::format("{} good", good)));
@@ -149,9 +149,9 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
 } // namespace
 
 std::string place(const analysis::Program& program, analysis::Location location) {
-  const auto& file = program.files[location.file];
-  auto position = file.document.lines().position(location.range.begin);
-  return fmt::format("{}:{}:{}", file.path.string(), position.line + 1, position.column + 1);
+  SourcePlaces places(program);
+  auto [line, column] = places.begin(location);
+  return fmt::format("{}:{}:{}", places.path(location.file), line, column);
 }
 
 void writeTrace(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row,
@@ -161,8 +161,7 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
     out << "    at the start: " << initialText(row.trace->initial) << '\n';
   auto layout = layoutOf(*row.trace);
   std::size_t number = 0;
-  for (const auto& step : row.trace->steps)
-    writeStep(out, report, step, ++number, layout, paint);
+  for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
 }
 
 void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options) {
