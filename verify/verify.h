@@ -36,17 +36,18 @@ struct Date {
 
 /// A step of a witness.
 struct Step {
-  std::vector<fiacre::OriginId> origins;  ///< of the statements that were passed, most telling last
-  std::vector<std::string> transitions;   ///< the Fiacre transitions: `skill_takeoff_1_t3`
-  Date earliest;                          ///< since the start, over all runs through these steps
-  std::optional<Date> latest;             ///< nothing: unbounded
-  std::int64_t date = 0;                  ///< in the concrete run that was replayed, in units of 1/Trace::scale
+  std::vector<fiacre::OriginId> origins; ///< of the statements that were passed, most telling last
+  std::vector<std::string> transitions;  ///< the Fiacre transitions: `skill_takeoff_1_t3`
+  Date earliest;                         ///< since the start, over all runs through these steps
+  std::optional<Date> latest;            ///< nothing: unbounded
+  std::int64_t date = 0; ///< in the concrete run that was replayed, in units of 1/Trace::scale
   std::vector<Change> changes;
 };
 
-/// A run from the initial state. It was replayed step by step, with the dates that it gives, before it got here.
+/// A run from the initial state. It was replayed step by step, with the dates that it gives, before
+/// it got here.
 struct Trace {
-  std::int64_t scale = 1; ///< `Step::date` is in units of 1/scale of the model's unit
+  std::int64_t scale = 1;      ///< `Step::date` is in units of 1/scale of the model's unit
   std::vector<Change> initial; ///< every watched variable's first value, in `after`
   std::vector<Step> steps;
 };
@@ -57,13 +58,14 @@ struct Answer {
   std::string reason;         ///< where unknown: which limit was met, or what is not supported
 };
 
-/// Measures against the explosion of states; each is its own file, argued sound in docs/verification.md.
+/// Measures against the explosion of states; each is its own file, argued sound in
+/// docs/verification.md.
 enum class Reduction : std::uint8_t {
-  DeadVariables,  ///< variables that nothing reads, and processes that only watch
-  LiveVariables,  ///< a variable that is written before it is read again counts as 0
-  SafeSteps,      ///< one safe urgent step at a time
-  Inclusion,      ///< a zone within another of the same marking is not explored
-  Extrapolation,  ///< bounds beyond the largest constants are forgotten (LU)
+  DeadVariables, ///< variables that nothing reads, and processes that only watch
+  LiveVariables, ///< a variable that is written before it is read again counts as 0
+  SafeSteps,     ///< one safe urgent step at a time
+  Inclusion,     ///< a zone within another of the same marking is not explored
+  Extrapolation, ///< bounds beyond the largest constants are forgotten (LU)
 };
 
 struct Limits {
@@ -113,15 +115,17 @@ struct Unsupported {
   fiacre::OriginId origin = 0;
 };
 
-/// Answers all questions by one exploration of the dense-time states. Exact: an answer other than Unknown is never
-/// wrong, and Unknown is given only where a limit was met or the property's kind is not supported.
+/// Answers all questions by one exploration of the dense-time states. Exact: an answer other than
+/// Unknown is never wrong, and Unknown is given only where a limit was met or the property's kind
+/// is not supported.
 [[nodiscard]] std::expected<Result, Unsupported> verify(const fiacre::Program& program,
                                                         const fiacre::Provenance& provenance,
                                                         const std::vector<Question>& questions,
                                                         const Options& options = {});
 
 /// The graph of state classes with nothing reduced, counted as sift does.
-/// Berthomieu and Diaz, "Modeling and verification of time dependent systems using time Petri nets", TSE 1991.
+/// Berthomieu and Diaz, "Modeling and verification of time dependent systems using time Petri
+/// nets", TSE 1991.
 [[nodiscard]] std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& program,
                                                                    const Options& options = {});
 

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "verify/expressions.h"
+
+#include <map>
+#include <utility>
+
+namespace proskill::verify {
+
+/// Events by what they are of; numbered as they are asked for.
+class Events {
+public:
+  explicit Events(System& of) : system(of) {}
+
+  EventId tag(InstanceId instance, const std::string& name) {
+    return numbered(tags, {instance, name});
+  }
+  EventId entering(InstanceId instance, std::uint32_t location) {
+    return numbered(entries, {instance, location});
+  }
+  EventId port(std::uint32_t port) { return numbered(ports, port); }
+
+  /// kNone where nobody asked for it.
+  [[nodiscard]] EventId askedTag(InstanceId instance, const std::string& name) const {
+    return asked(tags, {instance, name});
+  }
+  [[nodiscard]] EventId askedEntering(InstanceId instance, std::uint32_t location) const {
+    return asked(entries, {instance, location});
+  }
+  [[nodiscard]] EventId askedPort(std::uint32_t port) const { return asked(ports, port); }
+
+private:
+  template <class Map> static EventId asked(const Map& map, const typename Map::key_type& key) {
+    auto found = map.find(key);
+    return found == map.end() ? kNone : found->second;
+  }
+  template <class Map> EventId numbered(Map& map, const typename Map::key_type& key) {
+    auto [entry, added] = map.try_emplace(key, system.eventCount);
+    if (added) ++system.eventCount;
+    return entry->second;
+  }
+
+  System& system;
+  std::map<std::pair<InstanceId, std::string>, EventId> tags;
+  std::map<std::pair<InstanceId, std::uint32_t>, EventId> entries;
+  std::map<std::uint32_t, EventId> ports;
+};
+
+/// The main component with its instances: who they are, what they see, how they start.
+struct Elaboration {
+  const fiacre::Component* component = nullptr;
+  Scope componentScope;
+  std::map<std::string, std::int64_t, std::less<>> constants; ///< those that are one number
+  std::vector<const fiacre::Process*> processes;              ///< by instance
+  std::vector<Scope> scopes;                                  ///< by instance
+  std::vector<std::vector<std::uint32_t>>
+      portsOf;                                  ///< by instance: System::ports of its formal ports
+  std::vector<std::vector<InstanceId>> members; ///< by port: the instances that have it
+};
+
+/// Gives the system its cells, instances, ports and initial values. \throw CompileError
+[[nodiscard]] Elaboration elaborate(const fiacre::Program& program, const Types& types,
+                                    Expressions& expressions, System& system);
+
+} // namespace proskill::verify

@@ -1,0 +1,112 @@
+#include "verify/evaluate.h"
+
+namespace proskill::verify {
+
+namespace {
+
+std::int64_t quotient(std::int64_t a, std::int64_t b, bool& failed) {
+  if (b == 0) failed = true;
+  return b == 0 ? 0 : a / b;
+}
+
+std::int64_t remainder(std::int64_t a, std::int64_t b, bool& failed) {
+  if (b == 0) failed = true;
+  return b == 0 ? 0 : a % b;
+}
+
+/// One reading of the nodes for both kinds of state: `leaf` reads a cell or tests it.
+template <class Leaf, class Steps>
+std::int64_t walk(const System& system, NodeId id, const Leaf& leaf, const Steps& steps,
+                  bool& failed) {
+  const Node& node = system.nodes[id];
+  const auto at = [&](NodeId child) { return walk(system, child, leaf, steps, failed); };
+  switch (node.op) {
+  case NodeOp::Number: return node.number;
+  case NodeOp::Cell:
+  case NodeOp::Test: return leaf(node);
+  case NodeOp::Not: return at(node.a) == 0;
+  case NodeOp::Negate: return -at(node.a);
+  case NodeOp::And: return at(node.a) != 0 && at(node.b) != 0;
+  case NodeOp::Or: return at(node.a) != 0 || at(node.b) != 0;
+  case NodeOp::Equal: return at(node.a) == at(node.b);
+  case NodeOp::Less: return at(node.a) < at(node.b);
+  case NodeOp::LessEqual: return at(node.a) <= at(node.b);
+  case NodeOp::Add: return at(node.a) + at(node.b);
+  case NodeOp::Subtract: return at(node.a) - at(node.b);
+  case NodeOp::Multiply: return at(node.a) * at(node.b);
+  case NodeOp::Divide: return quotient(at(node.a), at(node.b), failed);
+  case NodeOp::Modulo: return remainder(at(node.a), at(node.b), failed);
+  case NodeOp::Conditional: return at(node.a) != 0 ? at(node.b) : at(node.c);
+  case NodeOp::Happens: return steps.event(node.a);
+  case NodeOp::Entered:
+  case NodeOp::Left: return steps.change(node, failed);
+  }
+  return 0;
+}
+
+struct PackedLeaf {
+  const System& system;
+  const Word* state;
+
+  std::int64_t operator()(const Node& node) const {
+    if (node.op == NodeOp::Test) return (state[node.a] & node.mask) == node.value;
+    return readCell(system, node.a, state);
+  }
+};
+
+/// Outside of goals nothing happens.
+struct NoSteps {
+  static std::int64_t event(EventId) { return 0; }
+  static std::int64_t change(const Node&, bool&) { return 0; }
+};
+
+/// Events and changes as a moment has them.
+struct MomentSteps {
+  const System& system;
+  const Moment& moment;
+
+  [[nodiscard]] std::int64_t event(EventId id) const {
+    return moment.events && moment.events->contains(id);
+  }
+  std::int64_t change(const Node& node, bool& failed) const {
+    if (!moment.after) return 0;
+    const auto now = [&](const Word* state) {
+      Moment still{state, nullptr, nullptr};
+      return walk(system, node.a, PackedLeaf{system, state}, MomentSteps{system, still}, failed) !=
+             0;
+    };
+    bool after = now(moment.after);
+    bool before = now(moment.before);
+    return node.op == NodeOp::Entered ? !before && after : before && !after;
+  }
+};
+
+struct PlainLeaf {
+  const System& system;
+  const std::vector<std::int64_t>& values;
+
+  std::int64_t operator()(const Node& node) const {
+    return node.op == NodeOp::Cell ? values.at(node.a) : 0;
+  }
+};
+
+} // namespace
+
+std::int64_t evaluate(const System& system, NodeId node, const Word* state, bool& failed) {
+  return walk(system, node, PackedLeaf{system, state}, NoSteps{}, failed);
+}
+
+bool holdsAt(const System& system, NodeId node, const Moment& moment) {
+  bool failed = false;
+  return walk(system, node, PackedLeaf{system, moment.before}, MomentSteps{system, moment},
+              failed) != 0;
+}
+
+std::optional<std::int64_t> evaluateUnpacked(const System& system, NodeId node,
+                                             const std::vector<std::int64_t>& values) {
+  bool failed = false;
+  auto value = walk(system, node, PlainLeaf{system, values}, NoSteps{}, failed);
+  return failed ? std::nullopt : std::optional(value);
+}
+
+} // namespace proskill::verify

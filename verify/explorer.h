@@ -1,0 +1,121 @@
+#pragma once
+
+#include "verify/enabled.h"
+#include "verify/goals.h"
+#include "verify/limits.h"
+#include "verify/reductions.h"
+#include "verify/verify.h"
+
+namespace proskill::verify {
+
+/// A way to what a goal asks for: from the initial state along `steps`.
+struct Witness {
+  std::vector<TransitionId> steps;
+};
+
+struct Found {
+  bool decided = false; ///< something was found
+  std::optional<Witness> witness;
+};
+
+/// What an exploration found, and how far it went.
+struct Explored {
+  std::vector<Found> goals;
+  Exploration statistics;
+  std::string failure; ///< an error of the model: a value out of range
+  fiacre::OriginId failureOrigin = 0;
+};
+
+using NodeIndex = std::uint32_t;
+
+/// A discrete state with a zone, and how it was reached.
+struct ZoneNode {
+  StateId state = 0;
+  ZoneId zone = 0;
+  NodeIndex parent = kNone;
+  TransitionId transition = kNone;
+  NodeIndex next = kNone; ///< in the list of the state's nodes
+  bool covered = false;   ///< within a later zone: not expanded any more
+};
+
+/// What was explored so far.
+struct ZoneGraph {
+  Enabling enabling;
+  Timing timing;
+  StateStore states;
+  std::vector<SignatureId> signatureOf; ///< by state
+  std::vector<NodeIndex> headOf;        ///< by state: the first of its nodes
+  std::vector<ZoneNode> nodes;
+
+  ZoneGraph(const System& system, const Reductions& reductions, Forgetting forgetting)
+      : enabling(system, reductions.dropped),
+        timing(system, forgetting),
+        states(system.storedWords) {}
+  [[nodiscard]] std::uint64_t bytes() const;
+};
+
+/// Breadth-first search of the zone graph.
+class Explorer {
+public:
+  /// \pre the arguments outlive this
+  Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
+           Forgetting forgetting, LimitWatch& limits);
+
+  /// To be called once.
+  Explored run();
+  [[nodiscard]] const ZoneGraph& explored() const { return graph; }
+  [[nodiscard]] ZoneGraph& explored() { return graph; }
+  /// The transitions from the initial state to a node, safe steps included.
+  [[nodiscard]] std::vector<TransitionId> pathTo(NodeIndex index) const;
+
+private:
+  /// A state on its way into the store.
+  struct Current {
+    std::vector<Word> state;
+    TransitionSet enabled;
+    SignatureId signature = 0;
+    ZoneId zone = 0;
+  };
+
+  void start();
+  void load(NodeIndex index);
+  void expand(NodeIndex index);
+  void step(NodeIndex parent, TransitionId transition);
+  bool advance(Current& current, TransitionId transition);
+  void runSafeSteps(Current& current);
+  void add(Current& current, NodeIndex parent, TransitionId transition);
+  bool isCovered(StateId state, ZoneId zone);
+  void noticeStep(const Current& after);
+  void noticeState(const Current& current);
+  void noticeDeadlock();
+  void found(std::size_t goal);
+  [[nodiscard]] bool allDecided() const { return open == 0 && !goals.empty(); }
+  [[nodiscard]] Progress progress(NodeIndex next) const;
+  /// Takes safe steps from a state on by `advance`, which gets each transition and says whether to
+  /// go on.
+  template <class Advance>
+  void followSafeSteps(const std::vector<Word>& state, const TransitionSet& enabled,
+                       Advance advance) const;
+
+  const System& system;
+  const std::vector<Goal>& goals;
+  const Reductions& reductions;
+  LimitWatch& limits;
+  ZoneGraph graph;
+  Explored result;
+
+  std::size_t open = 0; ///< goals that are not decided
+  std::vector<std::vector<std::size_t>> goalsOfEvent;
+  std::vector<std::size_t> stateGoals; ///< conditions on states
+  std::vector<std::size_t> stepGoals;  ///< those that watch steps, too
+
+  NodeIndex expanding = kNone;
+  StateId loadedState = kNone;
+  Current loaded;                   ///< the node that is expanded
+  Current work;                     ///< its successor
+  std::vector<Word> before;         ///< the state before the last step
+  std::vector<TransitionId> passed; ///< from the node that is expanded to `work`
+  StepLog log;
+};
+
+} // namespace proskill::verify

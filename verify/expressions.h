@@ -1,0 +1,77 @@
+#pragma once
+
+#include "verify/nodes.h"
+#include "verify/types.h"
+
+#include <map>
+#include <string>
+
+namespace proskill::verify {
+
+/// What an expression stands for: a node for each scalar of its type.
+struct Value {
+  const fiacre::Type* type = nullptr; ///< resolved
+  std::vector<NodeId> parts;
+};
+
+using Scope = std::map<std::string, Value, std::less<>>;
+
+/// Makes nodes of Fiacre's expressions. Functions are inlined; indices that are no constants become
+/// choices between the elements.
+class Expressions {
+public:
+  Expressions(const fiacre::Program& program, const Types& types, System& system);
+
+  /// \param expected the type that the context wants, null where it wants none: it tells apart
+  /// constructors that several unions share. \throw CompileError
+  [[nodiscard]] Value value(const fiacre::Expr& expr, const Scope& scope,
+                            const fiacre::Type* expected = nullptr);
+  /// \throw CompileError where the value has several parts
+  [[nodiscard]] NodeId scalar(const fiacre::Expr& expr, const Scope& scope,
+                              const fiacre::Type* expected = nullptr);
+  /// All assignments that write `source` to `target`. \throw CompileError
+  void assign(const fiacre::Expr& target, const Value& source, const Scope& scope,
+              std::vector<Assignment>& assignments);
+  /// The condition under which `tested` matches the pattern of a `case`.
+  [[nodiscard]] NodeId matches(const fiacre::Expr& pattern, const Value& tested,
+                               const Scope& scope);
+  /// The type of what can be assigned to. \throw CompileError
+  [[nodiscard]] const fiacre::Type& typeOf(const fiacre::Expr& lvalue, const Scope& scope);
+
+  [[nodiscard]] Nodes& nodes() { return maker; }
+  /// A value of this type with every part the lowest.
+  [[nodiscard]] Value lowest(const fiacre::Type& type);
+
+private:
+  using Statements = std::vector<const fiacre::Statement*>; // the last comes first
+
+  Value name(const std::string& name, const Scope& scope, const fiacre::Type* expected);
+  Value unary(const fiacre::Expr& expr, const Scope& scope);
+  Value binary(const fiacre::Expr& expr, const Scope& scope);
+  Value equality(const fiacre::Expr& expr, const Scope& scope);
+  Value conditional(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
+  Value index(const fiacre::Expr& expr, const Scope& scope);
+  Value field(const fiacre::Expr& expr, const Scope& scope);
+  Value literal(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
+  Value call(const fiacre::Expr& expr, const Scope& scope);
+  Value run(Statements rest, Scope scope, const fiacre::Type& result);
+  Value choose(NodeId condition, const Value& then, const Value& otherwise);
+  void assignInFunction(const fiacre::Statement& statement, Scope& scope);
+  bool isBareConstructor(const fiacre::Expr& expr, const Scope& scope) const;
+  NodeId indexNode(const fiacre::Expr& expr, const Scope& scope, std::int64_t size);
+  /// Where in the root variable's parts an lvalue may stand, and when it stands there.
+  struct Target {
+    const fiacre::Type* type = nullptr;
+    const Value* root = nullptr;
+    std::vector<std::pair<NodeId, std::size_t>> offsets;
+  };
+  Target target(const fiacre::Expr& lvalue, const Scope& scope);
+
+  const fiacre::Program& program;
+  const Types& types;
+  System& system;
+  Nodes maker;
+  int depth = 0; ///< of calls
+};
+
+} // namespace proskill::verify

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "verify/system.h"
+
+#include <map>
+#include <tuple>
+
+namespace proskill::verify {
+
+/// Makes expressions: equal ones are one node, constants are folded.
+class Nodes {
+public:
+  explicit Nodes(System& of);
+
+  NodeId number(std::int64_t value);
+  NodeId cell(CellId cell);
+  NodeId unary(NodeOp op, NodeId a);
+  NodeId binary(NodeOp op, NodeId a, NodeId b);
+  NodeId conditional(NodeId a, NodeId b, NodeId c);
+  NodeId negation(NodeId a) { return unary(NodeOp::Not, a); }
+  NodeId both(NodeId a, NodeId b) { return binary(NodeOp::And, a, b); }
+  NodeId equal(NodeId a, NodeId b) { return binary(NodeOp::Equal, a, b); }
+  NodeId happens(EventId event);
+
+  [[nodiscard]] std::optional<std::int64_t> constant(NodeId node) const;
+
+private:
+  NodeId make(Node node);
+  [[nodiscard]] std::optional<NodeId> folded(NodeOp op, NodeId a, NodeId b);
+
+  System& system;
+  std::map<std::tuple<NodeOp, std::uint32_t, std::uint32_t, std::uint32_t, std::int64_t>, NodeId>
+      known;
+};
+
+/// What a node's value lies between, whatever the cells hold within their ranges.
+struct ValueBounds {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+[[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
+/// Whether evaluation may fail: a division by zero.
+[[nodiscard]] bool mayFail(const System& system, NodeId node);
+/// Adds the cells that a node reads.
+void addReads(const System& system, NodeId node, Bits& cells);
+/// Adds the events that a node watches.
+void addEvents(const System& system, NodeId node, Bits& events);
+
+} // namespace proskill::verify

@@ -1,0 +1,164 @@
+#include "verify/observe.h"
+
+#include "verify/unsupported.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+using fiacre::Observable;
+using fiacre::ObservableKind;
+using fiacre::PatternKind;
+
+namespace {
+
+Goal later(std::string what) {
+  return {.kind = GoalKind::Unsupported, .reason = std::move(what) + " come in a later version"};
+}
+
+bool watchesSteps(const Observable& observable) {
+  switch (observable.kind) {
+  case ObservableKind::Tag:
+  case ObservableKind::Event:
+  case ObservableKind::Enter:
+  case ObservableKind::Leave: return true;
+  default: return std::ranges::any_of(observable.operands, watchesSteps);
+  }
+}
+
+} // namespace
+
+Observer::Observer(const Elaboration& of, Expressions& in, Events& known, System& to)
+    : model(of), expressions(in), events(known), system(to) {}
+
+Goal Observer::goal(const fiacre::Property& property) {
+  const auto& pattern = property.pattern;
+  if (pattern.after || pattern.before || pattern.within || pattern.forInterval || pattern.lasting)
+    return later("patterns with scopes and times");
+  switch (pattern.kind) {
+  case PatternKind::Absent: return reach(pattern.operands.at(0));
+  case PatternKind::Always:
+    return reach({.kind = ObservableKind::Not, .operands = {pattern.operands.at(0)}});
+  case PatternKind::DeadlockFree: {
+    Goal goal{.kind = GoalKind::Deadlock, .condition = expressions.nodes().number(0)};
+    for (const auto& allowed : pattern.operands)
+      goal.condition = expressions.nodes().binary(NodeOp::Or, goal.condition, node(allowed));
+    return goal;
+  }
+  case PatternKind::Progress: return {.kind = GoalKind::Stuck};
+  case PatternKind::Present: return later("properties of all runs, such as `present`,");
+  case PatternKind::Ltl: return later("properties in LTL");
+  default: return later("properties of this pattern");
+  }
+}
+
+Goal Observer::reach(const Observable& observable) {
+  Goal goal{.kind = GoalKind::Events};
+  if (simple(observable, goal)) return goal;
+  return {.kind = GoalKind::Condition,
+          .condition = node(observable),
+          .ofSteps = watchesSteps(observable)};
+}
+
+/// States, tags, events, and any of several of these: seen when they are entered or passed.
+bool Observer::simple(const Observable& observable, Goal& goal) {
+  switch (observable.kind) {
+  case ObservableKind::State: {
+    auto in = instance(observable);
+    auto number = location(observable);
+    goal.events.insert(events.entering(in, number));
+    if (system.cells[system.instances[in].location].initial == number) goal.initially = true;
+    return true;
+  }
+  case ObservableKind::Tag:
+    for (auto event : tagEvents(observable)) goal.events.insert(event);
+    return true;
+  case ObservableKind::Event: goal.events.insert(portEvent(observable)); return true;
+  case ObservableKind::Or:
+    return std::ranges::all_of(observable.operands,
+                               [&](const auto& part) { return simple(part, goal); });
+  default: return false;
+  }
+}
+
+NodeId Observer::node(const Observable& observable) {
+  auto& nodes = expressions.nodes();
+  switch (observable.kind) {
+  case ObservableKind::State: return stateNode(observable);
+  case ObservableKind::Value: return valueNode(observable);
+  case ObservableKind::Tag: return happens(tagEvents(observable));
+  case ObservableKind::Event: return happens({portEvent(observable)});
+  case ObservableKind::Enter: return nodes.unary(NodeOp::Entered, node(observable.operands.at(0)));
+  case ObservableKind::Leave: return nodes.unary(NodeOp::Left, node(observable.operands.at(0)));
+  case ObservableKind::Not: return nodes.negation(node(observable.operands.at(0)));
+  case ObservableKind::And: return joined(observable, NodeOp::And);
+  case ObservableKind::Or: return joined(observable, NodeOp::Or);
+  case ObservableKind::Implies:
+    return nodes.binary(NodeOp::Or, nodes.negation(node(observable.operands.at(0))),
+                        node(observable.operands.at(1)));
+  }
+  unsupported("an unknown kind of observable");
+}
+
+NodeId Observer::joined(const Observable& observable, NodeOp op) {
+  NodeId all = expressions.nodes().number(op == NodeOp::And);
+  for (const auto& part : observable.operands)
+    all = expressions.nodes().binary(op, all, node(part));
+  return all;
+}
+
+NodeId Observer::stateNode(const Observable& observable) {
+  auto& nodes = expressions.nodes();
+  auto in = instance(observable);
+  return nodes.equal(nodes.cell(system.instances[in].location), nodes.number(location(observable)));
+}
+
+NodeId Observer::valueNode(const Observable& observable) {
+  const Scope& scope =
+      observable.path.empty() ? model.componentScope : model.scopes[instance(observable)];
+  return expressions.scalar(observable.value, scope);
+}
+
+NodeId Observer::happens(const std::vector<EventId>& of) {
+  auto& nodes = expressions.nodes();
+  NodeId any = nodes.number(0);
+  for (auto event : of) any = nodes.binary(NodeOp::Or, any, nodes.happens(event));
+  return any;
+}
+
+InstanceId Observer::instance(const Observable& observable) const {
+  if (observable.path.size() != 1 || observable.path[0] == 0 ||
+      observable.path[0] > system.instances.size())
+    unsupported("a property names an instance that the model does not have");
+  return observable.path[0] - 1;
+}
+
+std::uint32_t Observer::location(const Observable& observable) const {
+  const auto& locations = system.instances[instance(observable)].locations;
+  auto found = std::ranges::find(locations, observable.name);
+  if (found == locations.end())
+    unsupported("a property names the state `" + observable.name +
+                "`, which its process does not have");
+  return static_cast<std::uint32_t>(found - locations.begin());
+}
+
+std::vector<EventId> Observer::tagEvents(const Observable& observable) {
+  std::vector<EventId> all;
+  if (!observable.path.empty()) {
+    all.push_back(events.tag(instance(observable), observable.name));
+  } else {
+    for (InstanceId i = 0; i < system.instances.size(); ++i)
+      all.push_back(events.tag(i, observable.name));
+  }
+  return all;
+}
+
+EventId Observer::portEvent(const Observable& observable) {
+  auto port = std::ranges::find(system.ports, observable.name);
+  if (port == system.ports.end() || !observable.path.empty())
+    unsupported("a property names the port `" + observable.name +
+                "`, which the model does not have");
+  return events.port(static_cast<std::uint32_t>(port - system.ports.begin()));
+}
+
+} // namespace proskill::verify

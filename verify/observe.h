@@ -1,0 +1,36 @@
+#pragma once
+
+#include "verify/elaborate.h"
+#include "verify/goals.h"
+
+namespace proskill::verify {
+
+/// Turns properties into goals. What is only entered or passed becomes events; what has to be seen
+/// together becomes a condition on states and steps.
+class Observer {
+public:
+  Observer(const Elaboration& model, Expressions& expressions, Events& events, System& system);
+
+  /// \throw CompileError where the property names what the model does not have
+  [[nodiscard]] Goal goal(const fiacre::Property& property);
+
+private:
+  Goal reach(const fiacre::Observable& observable);
+  bool simple(const fiacre::Observable& observable, Goal& goal);
+  NodeId node(const fiacre::Observable& observable);
+  NodeId joined(const fiacre::Observable& observable, NodeOp op);
+  NodeId stateNode(const fiacre::Observable& observable);
+  NodeId valueNode(const fiacre::Observable& observable);
+  NodeId happens(const std::vector<EventId>& of);
+  [[nodiscard]] InstanceId instance(const fiacre::Observable& observable) const;
+  [[nodiscard]] std::uint32_t location(const fiacre::Observable& observable) const;
+  std::vector<EventId> tagEvents(const fiacre::Observable& observable);
+  EventId portEvent(const fiacre::Observable& observable);
+
+  const Elaboration& model;
+  Expressions& expressions;
+  Events& events;
+  System& system;
+};
+
+} // namespace proskill::verify

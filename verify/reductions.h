@@ -1,0 +1,19 @@
+#pragma once
+
+#include "verify/enabled.h"
+#include "verify/system.h"
+
+namespace proskill::verify {
+
+class SafeSteps;
+class LiveVariables;
+
+/// The measures that an exploration takes; what is null or empty is not taken.
+struct Reductions {
+  bool inclusion = false;
+  const SafeSteps* safeSteps = nullptr;
+  const LiveVariables* liveVariables = nullptr;
+  Bits dropped; ///< transitions of processes that only watch
+};
+
+} // namespace proskill::verify

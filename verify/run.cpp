@@ -1,0 +1,114 @@
+#include "verify/run.h"
+
+#include "verify/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace proskill::verify {
+
+namespace {
+
+bool fits(const Cell& cell, std::int64_t value) { return cell.low <= value && value <= cell.high; }
+
+void explain(const Cell& cell, std::int64_t value, StepLog& log) {
+  log.failure = "`" + cell.name + "` would get the value " + std::to_string(value) +
+                ", outside of " + std::to_string(cell.low) + ".." + std::to_string(cell.high);
+}
+
+/// Several assignments at once: all values first.
+Outcome assignAll(const System& system, std::span<const Assignment> assignments, Word* state,
+                  StepLog& log) {
+  constexpr std::size_t kFew = 64;
+  std::array<std::int64_t, kFew> few{};
+  std::vector<std::int64_t> many(assignments.size() > kFew ? assignments.size() : 0);
+  std::int64_t* values = many.empty() ? few.data() : many.data();
+  bool failed = false;
+  for (std::size_t i = 0; i < assignments.size(); ++i) {
+    values[i] = evaluate(system, assignments[i].value, state, failed);
+    if (assignments[i].checked && !fits(system.cells[assignments[i].target], values[i])) {
+      explain(system.cells[assignments[i].target], values[i], log);
+      return Outcome::Failed;
+    }
+  }
+  if (failed) log.failure = "a division by zero";
+  if (failed) return Outcome::Failed;
+  for (std::size_t i = 0; i < assignments.size(); ++i)
+    writeCell(system, assignments[i].target, values[i], state);
+  return Outcome::Done;
+}
+
+Outcome firePath(const System& system, const Path& path, Word* state, StepLog& log) {
+  std::size_t at = 0;
+  bool failed = false;
+  while (true) {
+    const Instruction& instruction = path.code[at++];
+    switch (instruction.kind) {
+    case InstructionKind::Assign: {
+      std::span all(path.assignments);
+      auto outcome = assignAll(
+          system, all.subspan(instruction.first, instruction.last - instruction.first), state, log);
+      if (outcome != Outcome::Done) return outcome;
+      break;
+    }
+    case InstructionKind::On:
+      if (evaluate(system, instruction.node, state, failed) == 0) return Outcome::GaveUp;
+      break;
+    case InstructionKind::JumpUnless:
+      if (evaluate(system, instruction.node, state, failed) == 0) at = instruction.last;
+      break;
+    case InstructionKind::Jump: at = instruction.last; break;
+    case InstructionKind::Tag:
+      if (instruction.event != kNone) log.events.push_back(instruction.event);
+      break;
+    case InstructionKind::Origin: log.origins.push_back(instruction.first); break;
+    case InstructionKind::To:
+      writeCell(system, system.instances[path.instance].location, instruction.last, state);
+      if (instruction.event != kNone) log.events.push_back(instruction.event);
+      log.leaves.push_back(instruction.leaf);
+      return failed ? Outcome::Failed : Outcome::Done;
+    case InstructionKind::Loop:
+      log.leaves.push_back(instruction.leaf);
+      return failed ? Outcome::Failed : Outcome::Done;
+    }
+  }
+}
+
+/// Each part reads the state before the step; their writes are disjoint and are joined.
+Outcome fireApart(const System& system, const Transition& transition, Word* state, StepLog& log) {
+  const std::vector<Word> before(state, state + system.words);
+  for (auto id : transition.parts) {
+    const Path& path = system.paths[id];
+    std::vector<Word> own = before;
+    auto outcome = firePath(system, path, own.data(), log);
+    if (outcome != Outcome::Done) return outcome;
+    path.writes.each(
+        [&](CellId cell) { writeCell(system, cell, readCell(system, cell, own.data()), state); });
+  }
+  return Outcome::Done;
+}
+
+} // namespace
+
+Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
+  const Transition& transition = system.transitions[id];
+  if (transition.event != kNone) log.events.push_back(transition.event);
+  if (transition.apart) return fireApart(system, transition, state, log);
+  for (auto part : transition.parts) {
+    auto outcome = firePath(system, system.paths[part], state, log);
+    if (outcome != Outcome::Done) return outcome;
+  }
+  return Outcome::Done;
+}
+
+bool isEnabled(const System& system, TransitionId id, const Word* state) {
+  const Transition& transition = system.transitions[id];
+  if (!holds(system, transition.guard, state)) return false;
+  if (!transition.tentative) return true;
+  std::vector<Word> trial(state, state + system.words);
+  StepLog log;
+  return fire(system, id, trial.data(), log) != Outcome::GaveUp;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,85 @@
+#include "verify/types.h"
+
+#include "verify/unsupported.h"
+
+namespace proskill::verify {
+
+using fiacre::Type;
+using fiacre::TypeKind;
+
+Types::Types(const fiacre::Program& program) {
+  for (const auto& type : program.types) declared.emplace(type.name, &type.type);
+}
+
+const Type& Types::resolve(const Type& type) const {
+  const Type* current = &type;
+  for (std::size_t hops = 0; current->kind == TypeKind::Named; ++hops) {
+    auto found = declared.find(current->name);
+    if (found == declared.end()) unsupported("the type `" + current->name + "` is not declared");
+    if (hops > declared.size()) unsupported("the type `" + current->name + "` is itself");
+    current = found->second;
+  }
+  return *current;
+}
+
+std::size_t Types::scalars(const Type& type) const {
+  std::vector<const Type*> all;
+  flatten(type, all);
+  return all.size();
+}
+
+void Types::flatten(const Type& named, std::vector<const Type*>& all) const {
+  const Type& type = resolve(named);
+  switch (type.kind) {
+  case TypeKind::Record:
+    for (const auto& member : type.members) flatten(member.type.at(0), all);
+    return;
+  case TypeKind::Array:
+    for (std::int64_t i = 0; i < type.size; ++i) flatten(type.element.at(0), all);
+    return;
+  case TypeKind::Queue: unsupported("queues are not verified yet");
+  case TypeKind::Union:
+    for (const auto& member : type.members)
+      if (!member.type.empty())
+        unsupported("the constructor `" + member.name +
+                    "` has a value; such unions are not verified yet");
+    break;
+  default: break;
+  }
+  all.push_back(&type);
+}
+
+std::optional<std::int64_t> Types::constructor(const Type& named, std::string_view name) const {
+  const Type& type = resolve(named);
+  if (type.kind != TypeKind::Union) return std::nullopt;
+  for (std::size_t i = 0; i < type.members.size(); ++i)
+    if (type.members[i].name == name) return static_cast<std::int64_t>(i);
+  return std::nullopt;
+}
+
+const Type* Types::unionWith(std::string_view name) const {
+  const Type* found = nullptr;
+  for (const auto& [_, type] : declared) {
+    auto number = constructor(*type, name);
+    if (!number) continue;
+    if (found && constructor(*found, name) != number)
+      unsupported("`" + std::string(name) + "` may be of several types");
+    found = &resolve(*type);
+  }
+  return found;
+}
+
+Types::Bounds Types::bounds(const Type& scalar) const {
+  constexpr std::int64_t kMost = (std::int64_t{1} << 30) - 1;
+  const Type& type = resolve(scalar);
+  switch (type.kind) {
+  case TypeKind::Bool: return {0, 1};
+  case TypeKind::Nat: return {0, kMost};
+  case TypeKind::Int: return {-kMost - 1, kMost};
+  case TypeKind::Range: return {type.low, type.high};
+  case TypeKind::Union: return {0, static_cast<std::int64_t>(type.members.size()) - 1};
+  default: unsupported("a value of several parts stands where one number is needed");
+  }
+}
+
+} // namespace proskill::verify
