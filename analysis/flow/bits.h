@@ -21,6 +21,9 @@ public:
       if ((words[i] & other.words[i]) != 0) return true;
     return false;
   }
+  void eraseAll(const Bits& other) {
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] &= ~other.words[i];
+  }
   /// \return something is new
   bool insertAll(const Bits& other) {
     std::uint64_t added = 0;

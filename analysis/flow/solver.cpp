@@ -24,10 +24,24 @@ Solver::Closing Solver::closingOf(ProcessId process, const Bits& processes) {
   return closing;
 }
 
+/// While a skill runs, those that it excludes can only be refused.
+Solver::Closing Solver::closingInside(ProcessId process) {
+  Bits beside = model.concurrent(process);
+  beside.eraseAll(model.exclusive(process));
+  Closing closing;
+  for (VariableId variable : model[process].slots.variables()) {
+    VariableKind kind = model.variables()[variable].kind;
+    bool refusable = kind == VariableKind::Status || kind == VariableKind::Result;
+    closing.push_back(&moves.of(refusable ? model.concurrent(process) : beside, variable));
+  }
+  return closing;
+}
+
 void Solver::prepare() {
   std::size_t count = model.size();
   states.resize(count);
   rely.resize(count);
+  relyInside.resize(count);
   whileCalling.resize(count);
   pending.resize(count);
   interrupted.resize(count);
@@ -41,6 +55,7 @@ void Solver::prepare() {
     pending[id].resize(nodes);
     whileCalling[id].resize(nodes);
     rely[id] = closingOf(id, model.concurrent(id));
+    relyInside[id] = closingInside(id);
     for (VariableId variable : process.slots.variables()) readers[variable].push_back(id);
     for (NodeId node = 0; node < nodes; ++node) {
       const Action& action = process.actions[node];
@@ -85,10 +100,20 @@ void Solver::close(State& state, const Closing& closing) const {
     state.values[slot] = closing[slot]->closure(state.values[slot]);
 }
 
-/// A failed guard of a basic skill is tested and answered in one step: nobody comes in between.
+/// What a basic skill does when it ends, and a refusal, is one step with what comes before: nobody
+/// comes in between.
 bool Solver::isPoint(ProcessId process, NodeId node) const {
-  return (*model[process].graph)[node].kind != NodeKind::InvariantFailure ||
-         model.skill(model[process]).isComposite();
+  const Process& self = model[process];
+  NodeKind kind = (*self.graph)[node].kind;
+  if (kind == NodeKind::Refused) return false;
+  bool basic = self.kind == ProcessKind::Skill && !model.skill(self).isComposite();
+  return !basic || kind == NodeKind::Start || kind == NodeKind::Run || kind == NodeKind::End;
+}
+
+const Solver::Closing& Solver::relyAt(ProcessId process, NodeId node) const {
+  NodeKind kind = (*model[process].graph)[node].kind;
+  bool inside = kind != NodeKind::Start && kind != NodeKind::Refused && kind != NodeKind::End;
+  return (inside ? relyInside : rely)[process];
 }
 
 void Solver::run(ProcessId process) {
@@ -96,7 +121,7 @@ void Solver::run(ProcessId process) {
   std::vector<bool>& todo = pending[process];
   State exit = states[process][model[process].graph->end];
   for (NodeId node = 0; node < todo.size(); ++node) {
-    if (isPoint(process, node)) close(states[process][node], rely[process]);
+    if (isPoint(process, node)) close(states[process][node], relyAt(process, node));
     todo[node] = states[process][node].reachable;
   }
   if (exit.join(states[process][model[process].graph->end])) announceEnd(process);
@@ -322,7 +347,7 @@ void Solver::scheduleReaders(ProcessId writer, VariableId variable) {
 
 void Solver::arrive(ProcessId process, NodeId node, State state) {
   if (!state.reachable || node == kNoNode) return;
-  if (isPoint(process, node)) close(state, rely[process]);
+  if (isPoint(process, node)) close(state, relyAt(process, node));
   if (!states[process][node].join(state)) return;
   if (process == running) {
     pending[process][node] = true;

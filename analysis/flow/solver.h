@@ -49,6 +49,7 @@ private:
   void prepare();
   void prepareEvents();
   [[nodiscard]] Closing closingOf(ProcessId process, const Bits& processes);
+  [[nodiscard]] Closing closingInside(ProcessId process);
   void close(State& state, const Closing& closing) const;
 
   void run(ProcessId process);
@@ -65,6 +66,7 @@ private:
   [[nodiscard]] State refused(ProcessId process, NodeId node) const;
   [[nodiscard]] bool mayStop(ProcessId process) const;
   [[nodiscard]] bool isPoint(ProcessId process, NodeId node) const;
+  [[nodiscard]] const Closing& relyAt(ProcessId process, NodeId node) const;
   void record(const State& before, ProcessId process, const Assignment& assignment);
   void record(const State& before, ProcessId process, NodeId node);
   void arrive(ProcessId process, NodeId node, State state);
@@ -80,6 +82,7 @@ private:
   Interference moves;
   std::vector<std::vector<State>> states;
   std::vector<Closing> rely;                      ///< of each process
+  std::vector<Closing> relyInside;                ///< of each skill while it is running
   std::vector<std::vector<Closing>> whileCalling; ///< of each node that calls or forks
   std::vector<std::vector<ProcessId>> readers;    ///< of each variable
   std::vector<std::vector<bool>> pending;         ///< nodes to step

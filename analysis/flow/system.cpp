@@ -1,6 +1,7 @@
 #include "analysis/flow/system.h"
 
 #include "analysis/flow/compile.h"
+#include "analysis/flow/locks.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -15,6 +16,7 @@ System::System(const Program& program) : source(program), shared(program), names
   findConcurrency();
   chooseSlots();
   compile();
+  excluded = exclusiveSkills(*this);
 }
 
 Location System::at(const Process& process, syntax::Range range) const {

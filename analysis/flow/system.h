@@ -64,6 +64,8 @@ public:
   [[nodiscard]] const Bits& activity(ProcessId id) const { return activities[id]; }
   /// Those that may act between two steps of a process and are not called by it.
   [[nodiscard]] const Bits& concurrent(ProcessId id) const { return others[id]; }
+  /// Skills that cannot be running while this one is.
+  [[nodiscard]] const Bits& exclusive(ProcessId id) const { return excluded[id]; }
   /// Events happen at any time: no environment restricts them.
   [[nodiscard]] bool hasFreeEvents() const { return source.environments.all.empty(); }
 
@@ -96,6 +98,7 @@ private:
   std::vector<std::vector<Site>> sites;
   std::vector<Bits> activities;
   std::vector<Bits> others;
+  std::vector<Bits> excluded;
 };
 
 } // namespace proskill::analysis::flow
