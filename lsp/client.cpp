@@ -1,0 +1,70 @@
+#include "lsp/client.h"
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::lsp {
+
+namespace {
+
+/// The value at a path of members, or null where a part of it is absent or no object.
+const Json& at(const Json& json, std::initializer_list<const char*> path) {
+  static const Json nothing;
+  const Json* value = &json;
+  for (const auto* name : path) {
+    if (!value->is_object()) return nothing;
+    auto found = value->find(name);
+    if (found == value->end()) return nothing;
+    value = &*found;
+  }
+  return *value;
+}
+
+bool isTrue(const Json& json, std::initializer_list<const char*> path) {
+  return at(json, path) == true;
+}
+
+constexpr std::array kEncodings{std::pair{"utf-8", Encoding::Utf8},
+                                std::pair{"utf-16", Encoding::Utf16},
+                                std::pair{"utf-32", Encoding::Utf32}};
+
+bool lists(const Json& names, std::string_view name) {
+  return names.is_array() && std::ranges::find(names, Json(name)) != names.end();
+}
+
+/// Bytes are what the server counts in; where the client takes them, nothing has to be converted.
+Encoding chooseEncoding(const Json& capabilities) {
+  for (const auto* offered :
+       {&at(capabilities, {"general", "positionEncodings"}), &at(capabilities, {"offsetEncoding"})})
+    for (const auto& [name, encoding] : kEncodings)
+      if (lists(*offered, name)) return encoding;
+  return Encoding::Utf16;
+}
+
+} // namespace
+
+ClientFeatures readClientFeatures(const Json& capabilities) {
+  ClientFeatures client;
+  client.encoding = chooseEncoding(capabilities);
+  client.pullDiagnostics = at(capabilities, {"textDocument", "diagnostic"}).is_object();
+  client.relatedInformation =
+      isTrue(capabilities, {"textDocument", "publishDiagnostics", "relatedInformation"});
+  client.watchedFiles =
+      isTrue(capabilities, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
+  client.workDoneProgress = isTrue(capabilities, {"window", "workDoneProgress"});
+  client.snippets =
+      isTrue(capabilities, {"textDocument", "completion", "completionItem", "snippetSupport"});
+  client.hierarchicalSymbols =
+      isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
+  client.markdownHover =
+      lists(at(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
+  client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
+  return client;
+}
+
+std::string_view nameOf(Encoding encoding) {
+  return std::ranges::find(kEncodings, encoding, [](const auto& pair) { return pair.second; })
+      ->first;
+}
+
+} // namespace proskill::lsp

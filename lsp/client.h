@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lsp/position.h"
+#include "lsp/rpc.h"
+
+namespace proskill::lsp {
+
+/// What the client said that it can do, as far as the server asks.
+struct ClientFeatures {
+  Encoding encoding = Encoding::Utf16;
+  bool pullDiagnostics = false;
+  bool relatedInformation = false;
+  bool watchedFiles = false; ///< may be registered dynamically
+  bool workDoneProgress = false;
+  bool snippets = false;
+  bool hierarchicalSymbols = false;
+  bool markdownHover = false;
+  bool documentChanges = false; ///< workspace edits with versions
+};
+
+/// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension
+/// included.
+[[nodiscard]] ClientFeatures readClientFeatures(const Json& capabilities);
+
+/// The encoding's name in the protocol.
+[[nodiscard]] std::string_view nameOf(Encoding encoding);
+
+} // namespace proskill::lsp

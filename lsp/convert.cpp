@@ -1,0 +1,82 @@
+#include "lsp/convert.h"
+
+#include "lsp/uri.h"
+
+namespace proskill::lsp {
+
+namespace {
+
+RpcError invalid(std::string message) { return {ErrorCode::InvalidParams, std::move(message)}; }
+
+/// A number that fits a position; what is beyond it is beyond every text as well.
+std::optional<std::uint32_t> coordinate(const Json& position, const char* name) {
+  if (!position.is_object()) return std::nullopt;
+  auto found = position.find(name);
+  if (found == position.end() || !found->is_number_unsigned()) return std::nullopt;
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(found->get<std::uint64_t>(), UINT32_MAX));
+}
+
+} // namespace
+
+Json Converter::position(analysis::FileId file, syntax::Offset at) const {
+  const auto& document = program.files[file].document;
+  auto position = toEditor(document.text(), document.lines(), at, encoding);
+  return {{"line", position.line}, {"character", position.character}};
+}
+
+Json Converter::range(analysis::FileId file, syntax::Range range) const {
+  return {{"start", position(file, range.begin)}, {"end", position(file, range.end)}};
+}
+
+Json Converter::location(analysis::Location location) const {
+  return {{"uri", uri(location.file)}, {"range", range(location)}};
+}
+
+std::string Converter::uri(analysis::FileId file) const {
+  const auto& path = program.files[file].path;
+  auto open = texts.find(path);
+  return open == texts.end() ? toUri(path) : open->second.uri;
+}
+
+std::filesystem::path pathOf(std::string_view uri) {
+  auto path = toPath(uri);
+  return path ? *path : std::filesystem::path(uri);
+}
+
+std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) {
+  if (!params.is_object() || !params.contains("textDocument"))
+    return std::unexpected(invalid("`textDocument` is missing"));
+  const auto& document = params["textDocument"];
+  if (!document.is_object() || !document.contains("uri") || !document["uri"].is_string())
+    return std::unexpected(invalid("`textDocument.uri` is missing"));
+  return pathOf(document["uri"].get<std::string>());
+}
+
+std::expected<ide::View, RpcError> documentView(const Request& request) {
+  auto path = documentPath(request.params);
+  if (!path) return std::unexpected(path.error());
+  if (!request.snapshot.open().contains(*path))
+    return std::unexpected(invalid("the document is not open"));
+  return request.snapshot.view(*path);
+}
+
+std::expected<syntax::Offset, RpcError> offsetOf(const ide::View& view, const Json& position,
+                                                 Encoding encoding) {
+  auto line = coordinate(position, "line");
+  auto character = coordinate(position, "character");
+  if (!line || !character) return std::unexpected(invalid("a position has a line and a character"));
+  return fromEditor(view.text(), view.document().lines(), {*line, *character}, encoding);
+}
+
+std::expected<Cursor, RpcError> cursor(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  if (!request.params.contains("position"))
+    return std::unexpected(invalid("`position` is missing"));
+  auto at = offsetOf(*view, request.params["position"], request.client.encoding);
+  if (!at) return std::unexpected(at.error());
+  return Cursor{std::move(*view), *at};
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ide/snapshot.h"
+#include "lsp/registry.h"
+
+#include <expected>
+
+/// Between bytes in files and the protocol's positions in URIs.
+namespace proskill::lsp {
+
+/// The protocol's shapes for places in one program.
+class Converter {
+public:
+  Converter(const ide::View& view, const Request& request)
+      : program(view.program()),
+        texts(request.snapshot.open()),
+        encoding(request.client.encoding) {}
+  Converter(const analysis::Program& program, const ide::OpenTexts& texts, Encoding encoding)
+      : program(program), texts(texts), encoding(encoding) {}
+
+  [[nodiscard]] Json position(analysis::FileId file, syntax::Offset at) const;
+  [[nodiscard]] Json range(analysis::FileId file, syntax::Range range) const;
+  [[nodiscard]] Json range(analysis::Location location) const {
+    return range(location.file, location.range);
+  }
+  [[nodiscard]] Json location(analysis::Location location) const;
+  /// As the client spells it, where it holds the text.
+  [[nodiscard]] std::string uri(analysis::FileId file) const;
+
+private:
+  const analysis::Program& program;
+  const ide::OpenTexts& texts;
+  Encoding encoding;
+};
+
+/// A request's text, by its `textDocument`. A URI that is no file gets a path that no file has.
+[[nodiscard]] std::expected<std::filesystem::path, RpcError> documentPath(const Json& params);
+[[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
+
+/// A place that a request asks about.
+struct Cursor {
+  ide::View view;
+  syntax::Offset at = 0;
+};
+
+[[nodiscard]] std::expected<ide::View, RpcError> documentView(const Request& request);
+[[nodiscard]] std::expected<Cursor, RpcError> cursor(const Request& request);
+[[nodiscard]] std::expected<syntax::Offset, RpcError>
+offsetOf(const ide::View& view, const Json& position, Encoding encoding);
+
+} // namespace proskill::lsp

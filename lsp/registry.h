@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ide/snapshot.h"
+#include "lsp/client.h"
+#include "lsp/rpc.h"
+#include "lsp/scheduler.h"
+
+#include <expected>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace proskill::lsp {
+
+/// A request on its way through a handler. The handler runs on any thread, on a snapshot that
+/// nobody changes.
+struct Request {
+  const Json& params;
+  const ide::Snapshot& snapshot;
+  const ClientFeatures& client;
+  Cancellation cancellation;
+};
+
+using Answer = std::expected<Json, RpcError>;
+using Handler = std::function<Answer(const Request&)>;
+
+struct Method {
+  Handler handler;
+  Priority priority = Priority::Interactive;
+};
+
+/// The requests that the server answers, and what it tells the client of them. Each group of
+/// features has a file `lsp/feature_GROUP.cpp` with one function that adds its methods and its
+/// capabilities.
+struct Registry {
+  std::map<std::string, Method, std::less<>> methods;
+  Json capabilities = Json::object();
+
+  void add(std::string method, Handler handler, Priority priority = Priority::Interactive) {
+    methods[std::move(method)] = {std::move(handler), priority};
+  }
+};
+
+void addDiagnostics(Registry& registry);
+void addNavigation(Registry& registry);
+void addSymbols(Registry& registry);
+
+[[nodiscard]] Registry allFeatures();
+
+} // namespace proskill::lsp
