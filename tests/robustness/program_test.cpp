@@ -1,0 +1,132 @@
+#include "tests/robustness/broken_text.h"
+#include "tests/support/run.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include <unistd.h>
+
+using namespace proskill;
+using test::Finished;
+
+namespace {
+
+Finished proskillOn(const std::string& command, const std::string& path) {
+  return test::run({PROSKILL_PROGRAM, command, path});
+}
+
+/// Finished by its own will: clean, with findings, or with a complaint; never 70, which says that
+/// it is to blame.
+bool isOrderly(const Finished& finished) {
+  return finished.exitCode >= 0 && finished.exitCode <= 3;
+}
+
+const std::vector<std::string> kCommands{"check", "emit", "verify", "graph"};
+
+Finished runOn(const std::string& command, const std::string& path) {
+  if (command == "emit") return test::run({PROSKILL_PROGRAM, "emit", "fiacre", path});
+  return proskillOn(command, path);
+}
+
+} // namespace
+
+TEST_CASE("every command answers a broken text with a diagnostic or an error, and ends") {
+  test::TemporaryDirectory directory;
+  for (const auto& [name, text] : test::brokenTexts()) {
+    std::string path = directory.write("broken.proskill", text);
+    for (const auto& command : kCommands) {
+      INFO(name << ", " << command);
+      Finished finished = runOn(command, path);
+      CHECK(isOrderly(finished));
+      if (finished.exitCode != 0) CHECK_FALSE((finished.out + finished.err).empty());
+    }
+  }
+}
+
+TEST_CASE("every command survives random bytes and random words") {
+  test::TemporaryDirectory directory;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    std::string path =
+        directory.write("random.proskill", seed % 2 ? test::randomBytes(seed, 20'000)
+                                                    : test::randomWords(seed, 5'000));
+    for (const auto& command : kCommands) {
+      INFO("seed " << seed << ", " << command);
+      CHECK(isOrderly(runOn(command, path)));
+    }
+  }
+}
+
+TEST_CASE("a hundred megabytes in one line take memory in proportion") {
+  test::TemporaryDirectory directory;
+  constexpr std::size_t kMegabyte = 1'000'000;
+  for (const auto& [name, part] : std::vector<std::pair<std::string, std::string>>{
+           {"a comment", ";xxxxxxx"}, {"one name", "abcdefgh"}}) {
+    INFO(name);
+    Finished small =
+        proskillOn("check", directory.write("small.proskill", test::repeated(part, kMegabyte / 8)));
+    Finished large = proskillOn(
+        "check", directory.write("large.proskill", test::repeated(part, 100 * kMegabyte / 8)));
+    CHECK(isOrderly(small));
+    CHECK(isOrderly(large));
+    CHECK(large.peakKiB < 12 * 100 * 1024); // a dozen bytes for each of the text's
+  }
+}
+
+TEST_CASE("memory grows as the program does") {
+  test::TemporaryDirectory directory;
+  auto program = [](std::size_t events) {
+    std::string text = "(defsv v :states (A B) :init A)\n";
+    for (std::size_t i = 0; i < events; ++i)
+      text += "(defevent e" + std::to_string(i) + " :effects (v A))\n";
+    return text;
+  };
+  Finished few = proskillOn("check", directory.write("few.proskill", program(5'000)));
+  Finished many = proskillOn("check", directory.write("many.proskill", program(50'000)));
+  CHECK(isOrderly(few));
+  CHECK(isOrderly(many));
+  CHECK(many.peakKiB < 15 * few.peakKiB);
+}
+
+TEST_CASE("a file that is not there, a directory, and a file that may not be read are told apart "
+          "from findings") {
+  test::TemporaryDirectory directory;
+  std::vector<std::string> paths{directory.path("absent.proskill"), directory.path()};
+  std::string secret = directory.write("secret.proskill", "(defevent e)");
+  std::filesystem::permissions(secret, std::filesystem::perms::none);
+  if (access(secret.c_str(), R_OK) != 0) paths.push_back(secret); // root may read everything
+  for (const auto& path : paths)
+    for (const auto& command : kCommands) {
+      INFO(path << ", " << command);
+      Finished finished = runOn(command, path);
+      CHECK(finished.exitCode == 2);
+      CHECK(finished.err.find(std::filesystem::path(path).filename().string()) !=
+            std::string::npos);
+    }
+}
+
+TEST_CASE(
+    "an include that is absent, a directory, or binary is a finding of the file that includes it") {
+  test::TemporaryDirectory directory;
+  directory.write("binary.proskill", test::randomBytes(1, 5'000));
+  for (const char* included : {"absent.proskill", ".", "binary.proskill", "main.proskill", ""}) {
+    INFO("include " << included);
+    std::string path =
+        directory.write("main.proskill", "(include \"" + std::string(included) + "\")\n");
+    Finished finished = proskillOn("check", path);
+    CHECK(isOrderly(finished));
+    CHECK(finished.exitCode == 1);
+  }
+}
+
+TEST_CASE("a chain of a thousand includes is followed to its end") {
+  test::TemporaryDirectory directory;
+  for (int i = 0; i < 1000; ++i)
+    directory.write("f" + std::to_string(i) + ".proskill",
+                    "(include \"f" + std::to_string(i + 1) + ".proskill\")\n");
+  directory.write("f1000.proskill",
+                  "(defsv v :states (A B) :init A)\n(defsv v :states (A B) :init A)\n");
+  Finished finished = proskillOn("check", directory.path("f0.proskill"));
+  CHECK(finished.exitCode == 1);
+  CHECK((finished.out + finished.err).find("f1000.proskill") != std::string::npos);
+}
