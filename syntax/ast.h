@@ -287,7 +287,7 @@ struct UnknownForm {
 struct Form {
   Range range;         ///< from its parenthesis to its parenthesis
   Name keyword;        ///< `defskill`, …
-  bool mended = false; ///< parentheses were put in or left out: what it means is a guess
+  bool mended = false; ///< a parenthesis or quote was put in or left out: a guess
   Range comment;       ///< the lines of comment directly above, empty where there are none
   std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property, Environment>
       node;

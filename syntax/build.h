@@ -18,6 +18,8 @@ struct Builder {
     return text.substr(range.begin, range.length());
   }
   [[nodiscard]] std::string_view textOf(const Node& node) const { return textOf(node.range); }
+  /// The text as a message quotes it: the first line, and not all of a long one.
+  [[nodiscard]] std::string quoted(const Node& node) const;
   [[nodiscard]] Name nameOf(const Node& node) const { return {textOf(node), node.range}; }
 
   template <class... Arguments>

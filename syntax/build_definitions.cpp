@@ -175,7 +175,7 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
     return {};
   }
   if (!isDamaged(*head))
-    builder.report(Code::UnknownDefinition, head->range, builder.textOf(*head));
+    builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head));
   return isWord(*head) ? UnknownForm{builder.nameOf(*head)} : UnknownForm{};
 }
 

@@ -28,7 +28,7 @@ void readOne(Builder& builder, const Node& node, Effects& effects) {
     builder.report(Code::EmptyForm, node.range);
   else if (!isDamaged(node))
     builder.report(Code::MalformedEffects, node.range,
-                   fmt::format("`{}` is none", builder.textOf(node)));
+                   fmt::format("`{}` is none", builder.quoted(node)));
 }
 
 /// `(a X) (b Y)`, where a list of the two was meant.

@@ -140,7 +140,7 @@ void reportNoCondition(Builder& builder, const Node& node) {
   if (isDamaged(node)) return;
   if (node.kind != NodeKind::List) {
     builder.report(Code::MalformedCondition, node.range,
-                   fmt::format("`{}` cannot stand here", builder.textOf(node)));
+                   fmt::format("`{}` cannot stand here", builder.quoted(node)));
     return;
   }
   Parts parts(node);

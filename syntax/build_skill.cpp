@@ -151,7 +151,7 @@ void reportNoOutcome(Builder& builder, const Node& node) {
     builder.report(Code::MalformedOutcome, node.range, "the tag before the parenthesis is missing");
   else
     builder.report(Code::MalformedOutcome, node.range,
-                   fmt::format("`{}` is none", builder.textOf(node)));
+                   fmt::format("`{}` is none", builder.quoted(node)));
 }
 
 std::vector<Outcome> outcomesOf(Builder& builder, Field& field) {

@@ -80,7 +80,7 @@ void readArguments(Builder& builder, Parts& parts, Statement& statement) {
     if (part->kind != NodeKind::Argument) {
       argument.name.range = {part->range.begin, part->range.begin};
       argument.value = expressionOf(builder, *part);
-      reportOnce(part->range, fmt::format("`{}` has no name before it", builder.textOf(*part)));
+      reportOnce(part->range, fmt::format("`{}` has no name before it", builder.quoted(*part)));
     } else {
       Parts pair(*part);
       argument.name = builder.nameOf(*pair.take());

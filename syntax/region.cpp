@@ -67,7 +67,8 @@ Region readRegion(Parser& parser, std::string_view text) {
   parsed->text = text;
   cleanBytes(parsed->text, region.diagnostics);
   Scan scanned = scan(parsed->text);
-  if (mendStrings(parsed->text, scanned, region.diagnostics)) scanned = scan(parsed->text);
+  bool mended = mendStrings(parsed->text, scanned, region.diagnostics);
+  if (mended) scanned = scan(parsed->text);
   region.comments = scanned.comments;
   if (const Parenthesis* place = tooDeep(scanned)) {
     builder.report(Code::NestedTooDeep, {place->at, place->at + 1}, kDeepest);
@@ -75,7 +76,7 @@ Region readRegion(Parser& parser, std::string_view text) {
     return region;
   }
   auto judge = [&](std::string_view attempt) { return problemsOf(parser, attempt); };
-  bool mended = mendParentheses(parsed->text, scanned, judge, region.diagnostics);
+  mended |= mendParentheses(parsed->text, scanned, judge, region.diagnostics);
   parsed->tree = parser.parse(parsed->text);
   checkWords(parsed->text, parsed->tree, region.diagnostics);
   // What else seems to be wrong with mended forms may come from the same mistake.

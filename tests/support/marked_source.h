@@ -1,0 +1,48 @@
+#pragma once
+
+#include "syntax/source.h"
+
+#include <cassert>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proskill::test {
+
+/// A program with places marked in it: `^` is a point, `[[` and `]]` are around a range. The `^` of
+/// a wait, which follows its parenthesis directly, is no mark.
+struct MarkedSource {
+  std::string text; ///< without the marks
+  std::vector<syntax::Offset> points;
+  std::vector<syntax::Range> ranges;
+
+  explicit MarkedSource(std::string_view marked) {
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+      auto two = marked.substr(i, 2);
+      auto here = static_cast<syntax::Offset>(text.size());
+      if (two == "[[" || two == "]]") {
+        if (two == "[[")
+          ranges.push_back({here, here});
+        else
+          ranges.back().end = here;
+        ++i;
+      } else if (marked[i] == '^' && !text.ends_with('(')) {
+        points.push_back(here);
+      } else {
+        text += marked[i];
+      }
+    }
+  }
+
+  /// Of a source with one mark.
+  [[nodiscard]] syntax::Offset point() const {
+    assert(points.size() == 1);
+    return points.front();
+  }
+  [[nodiscard]] syntax::Range range() const {
+    assert(ranges.size() == 1);
+    return ranges.front();
+  }
+};
+
+} // namespace proskill::test

@@ -1,0 +1,108 @@
+#include "tests/support/random_source.h"
+#include "tests/syntax/programs.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+
+using namespace proskill;
+using syntax::Document;
+using syntax::Range;
+
+namespace {
+
+/// Everything that a document says, so that two can be compared.
+std::string everything(const Document& document) {
+  std::string all = document.dump();
+  auto add = [&](Range range) { all += fmt::format(" {}-{}", range.begin, range.end); };
+  for (const auto& form : document.forms()) {
+    all += fmt::format("\nform {} {}", form.node.index(), form.keyword.text);
+    add(form.range);
+    add(form.keyword.range);
+    add(form.comment);
+    if (const auto* skill = std::get_if<syntax::Skill>(&form.node)) {
+      for (const auto& field : skill->fields) add(field.range);
+      if (skill->body)
+        for (const auto& statement : skill->body->statements) add(statement.range);
+    }
+  }
+  for (Range comment : document.comments()) add(comment);
+  for (const auto& diagnostic : document.diagnostics()) {
+    all += "\n" + diagnostic.message;
+    add(diagnostic.location.range);
+    for (const auto& related : diagnostic.related) add(related.location.range);
+    for (const auto& fix : diagnostic.fixes) {
+      all += fix.text;
+      add(fix.location.range);
+    }
+  }
+  return all;
+}
+
+struct Edit {
+  Range range;
+  std::string text;
+};
+
+class Editor {
+public:
+  explicit Editor(unsigned seed) : random(seed) {}
+
+  /// Small slips, and pieces of the text itself moved about.
+  Edit next(const std::string& text) {
+    static constexpr std::array<std::string_view, 22> kSlips = {
+        "(",    ")", "\"", ";", "\n",   "\n(defskill x",           "\n(defsv", "$", ":", ".",
+        "[",    "]", "^",  "é", "\xff", std::string_view("\0", 1), "\r\n",     " ", "x", "1",
+        "))))", "//"};
+    auto begin = pick(text.size() + 1);
+    auto end = std::min(text.size(), begin + (pick(3) == 0 ? pick(40) : pick(3)));
+    std::string put;
+    if (pick(4) == 0) {
+      put = text.substr(pick(text.size() + 1), pick(60));
+    } else if (pick(3) != 0) {
+      put = kSlips[pick(kSlips.size())];
+    }
+    return {{static_cast<syntax::Offset>(begin), static_cast<syntax::Offset>(end)}, put};
+  }
+
+  std::size_t pick(std::size_t bound) { return random.below(bound); }
+
+private:
+  test::RandomSource random;
+};
+
+} // namespace
+
+TEST_CASE("after any edit the document equals a fresh parse, and undo restores it") {
+  unsigned seed = 1;
+  for (const auto& program : test::allPrograms()) {
+    Editor editor(seed++);
+    Document document = Document::parse(program);
+    for (int i = 0; i < 300; ++i) {
+      Edit edit = editor.next(document.text());
+      Document edited = document.edit(edit.range, edit.text);
+      INFO("edit " << i << " at " << edit.range.begin << "-" << edit.range.end << ": "
+                   << edit.text);
+      REQUIRE(everything(edited) == everything(Document::parse(edited.text())));
+
+      auto replaced = document.text().substr(edit.range.begin, edit.range.length());
+      Range back{edit.range.begin,
+                 static_cast<syntax::Offset>(edit.range.begin + edit.text.size())};
+      Document undone = edited.edit(back, replaced);
+      REQUIRE(undone.text() == document.text());
+      REQUIRE(everything(undone) == everything(document));
+      // Mistakes pile up for a while, then the text is sound again.
+      document = editor.pick(12) == 0 ? Document::parse(program) : edited;
+    }
+  }
+}
+
+TEST_CASE("the names of an edited document live as long as it does") {
+  std::optional<Document> first = Document::parse("(defsv a :init 1 :min 0 :max 2)\n"
+                                                  "(defevent gust :effects (a 2))\n");
+  Document second = first->edit({0, 0}, "; more\n");
+  first.reset();
+  const auto& gust = std::get<syntax::Event>(second.forms().at(1).node);
+  CHECK(gust.name.text == "gust");
+  CHECK(second.text().substr(gust.name.range.begin, gust.name.range.length()) == "gust");
+}

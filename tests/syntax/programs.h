@@ -1,0 +1,35 @@
+#pragma once
+
+#include "syntax/document.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proskill::test {
+
+/// The listings of the paper, as they are printed there.
+extern const std::string_view kPaperStateVariables;
+extern const std::string_view kPaperEvent;
+extern const std::string_view kPaperBasicSkill;
+extern const std::string_view kPaperCompositeSkill;
+extern const std::string_view kPaperMonitor;
+
+/// All five of them in one text.
+[[nodiscard]] std::string paperProgram();
+
+/// The text of each program in examples/, the paper's listings before them.
+[[nodiscard]] std::vector<std::string> allPrograms();
+
+/// The only form of a text, which has nothing wrong with it.
+template <class Node> struct Only {
+  syntax::Document document;
+  const Node* node;
+  const Node* operator->() const { return node; }
+};
+
+/// The codes of what is wrong with a text, in its order: `PS0101 PS0105`.
+[[nodiscard]] std::string codesOf(const syntax::Document& document);
+
+} // namespace proskill::test

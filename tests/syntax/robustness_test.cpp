@@ -1,0 +1,199 @@
+#include "tests/support/random_source.h"
+#include "tests/syntax/programs.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+
+using namespace proskill;
+using syntax::Document;
+using namespace std::string_literals;
+
+namespace {
+
+std::string repeated(std::string_view piece, std::size_t times) {
+  std::string text;
+  text.reserve(piece.size() * times);
+  for (std::size_t i = 0; i < times; ++i) text += piece;
+  return text;
+}
+
+bool inside(const Document& document, syntax::Range range) {
+  return range.begin <= range.end && range.end <= document.text().size();
+}
+
+/// What holds of every document, whatever its text.
+void checkSound(const Document& document) {
+  for (const auto& form : document.forms()) CHECK(inside(document, form.range));
+  for (auto comment : document.comments()) CHECK(document.text().at(comment.begin) == ';');
+  for (const auto& diagnostic : document.diagnostics())
+    CHECK(inside(document, diagnostic.location.range));
+  // The grammar takes every text; an ERROR would be a hole in it.
+  CHECK(document.dump().find("ERROR") == std::string::npos);
+}
+
+} // namespace
+
+TEST_CASE("every prefix of every program gives a tree") {
+  for (const auto& program : test::allPrograms())
+    for (std::size_t length = 0; length <= program.size(); ++length)
+      checkSound(Document::parse(program.substr(0, length)));
+}
+
+TEST_CASE("every program without one of its lines gives a tree") {
+  for (const auto& program : test::allPrograms()) {
+    syntax::LineIndex lines(program);
+    for (std::uint32_t line = 0; line + 1 < lines.lineCount(); ++line) {
+      auto text = program;
+      auto begin = lines.offset({line, 0});
+      text.erase(begin, lines.offset({line + 1, 0}) - begin);
+      checkSound(Document::parse(text));
+    }
+  }
+}
+
+TEST_CASE("random bytes give a tree and diagnostics") {
+  test::RandomSource random(7);
+  for (int i = 0; i < 300; ++i) {
+    std::string text;
+    for (std::size_t n = random.below(400); n > 0; --n)
+      text += static_cast<char>(random.below(256));
+    checkSound(Document::parse(text));
+  }
+}
+
+TEST_CASE("random words give a tree and diagnostics") {
+  test::RandomSource random(11);
+  constexpr std::array<std::string_view, 48> kWords = {"(",
+                                                       ")",
+                                                       "(defskill a",
+                                                       "(defsv",
+                                                       ":init",
+                                                       ":body ((",
+                                                       ":success",
+                                                       ":effects",
+                                                       "(^",
+                                                       "(//",
+                                                       "(if",
+                                                       "else",
+                                                       "elseif",
+                                                       "until",
+                                                       "(do",
+                                                       "(while",
+                                                       "[1,3]",
+                                                       "[",
+                                                       "]",
+                                                       "...",
+                                                       ",",
+                                                       "$x",
+                                                       "a",
+                                                       "b.c",
+                                                       "a.",
+                                                       "1",
+                                                       "-2.5",
+                                                       "\"s\"",
+                                                       "\"",
+                                                       ";c\n",
+                                                       "\n",
+                                                       "\n(defsv",
+                                                       "=",
+                                                       "(=",
+                                                       "(and",
+                                                       "~",
+                                                       "(defproperty p (ltl ([]",
+                                                       "(()",
+                                                       "(<>",
+                                                       "=>",
+                                                       "(label",
+                                                       "(success",
+                                                       "(set",
+                                                       "break",
+                                                       ":invariant",
+                                                       ":guard",
+                                                       "true",
+                                                       "é"};
+  for (int i = 0; i < 3000; ++i) {
+    std::string text;
+    for (std::size_t n = random.below(60); n > 0; --n) {
+      text += kWords[random.below(kWords.size())];
+      if (random.chance(75)) text += ' ';
+    }
+    INFO(text);
+    checkSound(Document::parse(text));
+  }
+}
+
+TEST_CASE("a hundred thousand nested parentheses are one diagnostic") {
+  for (auto text : {repeated("(", 100'000), repeated("(", 100'000) + repeated(")", 100'000),
+                    "(defskill a :body " + repeated("((if (a b) ", 50'000)}) {
+    auto document = Document::parse(text);
+    checkSound(document);
+    CHECK(test::codesOf(document) == "PS0005");
+    REQUIRE(document.forms().size() == 1);
+  }
+}
+
+TEST_CASE("a hundred thousand closing parentheses are few diagnostics") {
+  auto document = Document::parse(repeated(")", 100'000));
+  checkSound(document);
+  CHECK(document.diagnostics().size() <= 16);
+}
+
+TEST_CASE("what is nested too deep does not hide its neighbours") {
+  auto document = Document::parse("(defsv a :init 1 :min 0 :max 2)\n" + repeated("(", 300) +
+                                  "\n(defevent gust :effects (a 2))\n");
+  // Both stand in one stretch of text, up to the next definition.
+  CHECK(test::codesOf(document) == "PS0005");
+  CHECK(std::holds_alternative<syntax::Event>(document.forms().back().node));
+}
+
+TEST_CASE("a hundred megabytes in one line are one diagnostic") {
+  auto document = Document::parse(repeated("a b (c) ", 100'000'000 / 8));
+  CHECK(test::codesOf(document) == "PS0004");
+  CHECK(document.forms().size() == 1);
+}
+
+TEST_CASE("a definition of half a megabyte is read") {
+  auto document = Document::parse("(defskill a\n  :body (" +
+                                  repeated("(takeoff height 3.0)\n", 25'000) + "))\n");
+  CHECK(test::codesOf(document) == "");
+  CHECK(std::get<syntax::Skill>(document.forms().at(0).node).body->statements.size() == 25'000);
+}
+
+TEST_CASE("bytes that are no UTF-8 are named with their place, and the rest is read") {
+  auto document = Document::parse("; \xc3\xa9 is fine, \xe9\xe8 is not\n"
+                                  "(defsv a :init 1 :min 0 :max 2)\n");
+  REQUIRE(test::codesOf(document) == "PS0001");
+  CHECK(document.diagnostics()[0].location.range == syntax::Range{14, 16});
+  CHECK(document.forms().size() == 1);
+}
+
+TEST_CASE("overlong and surrogate sequences are no UTF-8") {
+  for (std::string bytes : {"\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82", "\x80"})
+    CHECK(test::codesOf(Document::parse("; " + bytes + "\n")) == "PS0001");
+  for (std::string bytes : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x9a\x81"})
+    CHECK(test::codesOf(Document::parse("; " + bytes + "\n")) == "");
+}
+
+TEST_CASE("control characters are named") {
+  auto document = Document::parse("(defsv a :init 1\0 :min 0 :max 2)"s);
+  REQUIRE(test::codesOf(document) == "PS0002");
+  CHECK(document.diagnostics()[0].message ==
+        "a control character (U+0000) has no place in a program");
+}
+
+TEST_CASE("a byte order mark and the line ends of other systems are tolerated") {
+  auto document =
+      Document::parse("\xef\xbb\xbf(defsv a :init 1\r\n  :min 0 ; low\r\n  :max 2)\r\n");
+  CHECK(test::codesOf(document) == "");
+  REQUIRE(document.forms().size() == 1);
+  auto comment = document.comments().at(0);
+  CHECK(document.text().substr(comment.begin, comment.length()) == "; low");
+}
+
+TEST_CASE("an empty text is a document without forms") {
+  auto document = Document::parse("");
+  CHECK(document.forms().empty());
+  CHECK(document.diagnostics().empty());
+  CHECK(document.edit({0, 0}, "(defsv a :init 1 :min 0 :max 2)").forms().size() == 1);
+}
