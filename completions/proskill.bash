@@ -17,9 +17,9 @@ _proskill_values() {
 
 _proskill_options() {
   case "$1" in
-    check) echo '--format --color --help' ;;
-    explain) echo '--help' ;;
-    emit) echo '--expanded --sv-automata --main --color --help' ;;
+    check) echo '--format --fragment --color --help' ;;
+    explain) echo '--list --markdown --color --help' ;;
+    emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
             --class-limit --reduce --graph --strict --expanded --sv-automata --color --help' ;;

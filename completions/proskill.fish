@@ -26,7 +26,13 @@ complete -c proskill -n '__fish_seen_subcommand_from check emit verify graph' -k
 complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre hfiacre'
 
 __proskill_option check format 'how to print' -x -a 'text short json sarif'
-__proskill_option 'check emit verify graph' color 'when to use colours' -x -a 'auto always never'
+__proskill_option check fragment 'the files are parts of programs'
+__proskill_option explain list 'all codes, a line each'
+__proskill_option explain markdown 'all of them as a page'
+__proskill_option emit output 'write there' -r
+__proskill_option emit rate 'ticks per second' -x
+__proskill_option emit prove 'prove instead of assert'
+__proskill_option 'check explain emit verify graph' color 'when to use colours' -x -a 'auto always never'
 __proskill_option 'emit verify graph' main 'the skill that is the mission' -x
 __proskill_option 'emit verify' expanded 'name every state'
 __proskill_option 'emit verify' sv-automata 'form of the automata' -x -a 'exact paper'
