@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace proskill::viz {
 namespace {
@@ -52,10 +53,10 @@ private:
     case StatementKind::Interrupt:
       return step(s, in, NodeRole::Interrupt, "interrupt " + name(s.name), {});
     case StatementKind::WaitCondition:
-      return step(s, in, NodeRole::Wait, builder.text(s.condition.range),
+      return step(s, in, NodeRole::Wait, "until " + builder.text(s.condition.range),
                   builder.effects(s.effects));
     case StatementKind::WaitTime:
-      return step(s, in, NodeRole::Wait, builder.seconds(s.duration), {});
+      return step(s, in, NodeRole::Wait, "wait " + builder.seconds(s.duration), {});
     case StatementKind::If: return drawIf(s, in);
     case StatementKind::While: return drawWhile(s, in);
     case StatementKind::DoUntil: return drawDoUntil(s, in);
@@ -119,28 +120,30 @@ private:
   Exits drawWhile(const Statement& s, const Exits& in) {
     const auto node = test(s.condition, s.condition.range);
     builder.connect(in, node);
-    auto out = loop(s, {yes(node)}, node);
-    out.push_back(no(node));
-    return out;
-  }
-
-  /// The body of a loop; its end goes back to a node. \return the ways of its breaks
-  Exits loop(const Statement& s, const Exits& in, std::size_t back) {
-    breaks.emplace_back();
-    if (!s.branches.empty()) builder.connect(drawBlock(s.branches[0], in), back);
-    auto out = std::move(breaks.back());
-    breaks.pop_back();
-    return out;
+    auto [end, out] = drawLoop(s, {yes(node)});
+    builder.connect(end, node);
+    if (s.condition.kind != syntax::ExprKind::True) out.push_back(no(node));
+    return std::move(out);
   }
 
   Exits drawDoUntil(const Statement& s, const Exits& in) {
     const auto head = builder.node(NodeRole::Junction, {}, s.head.range);
-    const auto node = test(s.condition, s.condition.range);
     builder.connect(in, head);
-    auto out = loop(s, {{.from = head}}, node);
+    auto [end, out] = drawLoop(s, {{.from = head}});
+    const auto node = test(s.condition, s.condition.range);
+    builder.connect(end, node);
     builder.connect({no(node)}, head);
     out.push_back(yes(node));
-    return out;
+    return std::move(out);
+  }
+
+  /// The body of a loop: the ways from its end, and those of its breaks.
+  std::pair<Exits, Exits> drawLoop(const Statement& s, const Exits& in) {
+    breaks.emplace_back();
+    auto end = s.branches.empty() ? in : drawBlock(s.branches[0], in);
+    auto out = std::move(breaks.back());
+    breaks.pop_back();
+    return {std::move(end), std::move(out)};
   }
 
   Exits drawBreak(const Exits& in) {
@@ -165,7 +168,7 @@ private:
     builder.connect(in, fork);
     Exits out;
     for (std::size_t i = 0; i < s.branches.size(); ++i) {
-      builder.enterCluster("branch " + std::to_string(i + 1), s.branches[i].range);
+      builder.enterCluster("branch " + std::to_string(i + 1), s.branches[i].range, i > 0);
       append(out, drawScope(s.branches[i], {{.from = fork}}));
       builder.leaveCluster();
     }
@@ -213,20 +216,21 @@ syntax::Range endOf(const syntax::Block& block) {
 
 /// The process that looks at the time that a composite skill takes.
 void drawWatchdog(Builder& builder, const syntax::Interval& interval) {
-  builder.enterCluster("watchdog " + builder.seconds(interval), interval.range);
   const auto range = interval.range;
+  builder.enterCluster("watchdog " + builder.seconds(interval), range);
   const auto start = builder.node(NodeRole::Start, {}, range);
   const auto early = builder.node(NodeRole::State, "early", range);
-  const auto undershoot = builder.node(NodeRole::Error, "undershoot", range);
-  builder.edge({start, early, EdgeRole::Next, "the skill starts", {}});
-  builder.edge({early, undershoot, EdgeRole::Forbidden, "it has ended", {}});
   const auto onTime = builder.node(NodeRole::State, "on time", range);
-  builder.edge({early, onTime, EdgeRole::Next, "the lower bound comes", {}});
-  const auto end = builder.node(NodeRole::End, "good", range);
-  builder.edge({onTime, end, EdgeRole::Next, "it has ended", {}});
+  const auto end = builder.node(NodeRole::End, "in time", range);
+  const auto undershoot = builder.node(NodeRole::Error, "undershoot", range);
+  builder.edge({start, early, EdgeRole::Next, "starts", {}});
+  builder.edge({early, onTime, EdgeRole::Next, toString(interval.lower) + " s", {}});
+  builder.edge({early, undershoot, EdgeRole::Forbidden, "ends", {}});
+  builder.edge({onTime, end, EdgeRole::Next, "ends", {}});
   if (interval.upper) {
     const auto overshoot = builder.node(NodeRole::Error, "overshoot", range);
-    builder.edge({onTime, overshoot, EdgeRole::Forbidden, "the upper bound has passed", {}});
+    builder.edge(
+        {onTime, overshoot, EdgeRole::Forbidden, "after " + toString(*interval.upper) + " s", {}});
   }
   builder.leaveCluster();
 }
@@ -237,7 +241,7 @@ void drawWatched(Builder& builder, const syntax::Skill& skill) {
   builder.enterCluster("at any time", skill.name.range);
   for (const auto& invariant : skill.invariants) {
     auto lines = builder.effects(invariant.effects);
-    lines.insert(lines.begin(), "not " + builder.text(invariant.guard.range));
+    lines.insert(lines.begin(), "fails: " + builder.text(invariant.guard.range));
     builder.node(NodeRole::Invariant, std::string(invariant.tag.text), invariant.range, lines);
   }
   if (skill.interrupt)
@@ -251,6 +255,7 @@ void drawWatched(Builder& builder, const syntax::Skill& skill) {
 Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
   Builder builder(program, skill.file);
   builder.graph.title = (skill->monitor ? "monitor " : "skill ") + std::string(skill.name());
+  if (skill->monitor) builder.graph.note = "started with the program";
   const auto& body = *skill->body;
   const auto out = BodyPicture(builder, skill.node).drawScope(body, drawBeginning(builder, skill));
   if (!out.empty())

@@ -19,8 +19,8 @@ Exits Builder::then(const Exits& exits, std::size_t to) {
   return {{.from = to}};
 }
 
-void Builder::enterCluster(std::string label, syntax::Range range) {
-  graph.clusters.push_back({std::move(label), cluster, source(range)});
+void Builder::enterCluster(std::string label, syntax::Range range, bool labelRight) {
+  graph.clusters.push_back({std::move(label), cluster, source(range), labelRight});
   cluster = graph.clusters.size() - 1;
 }
 

@@ -32,7 +32,7 @@ public:
   Exits then(const Exits& exits, std::size_t to);
 
   /// Nodes that are made until `leaveCluster` are in the cluster.
-  void enterCluster(std::string label, syntax::Range range);
+  void enterCluster(std::string label, syntax::Range range, bool labelRight = false);
   void leaveCluster();
 
   [[nodiscard]] Source source(syntax::Range range) const;

@@ -16,7 +16,7 @@ public:
       : program(shown), main(analysis::mainSkill(shown).skill) {}
 
   Graph draw() {
-    graph.title = "calls";
+    graph.title = "who calls whom";
     const auto& skills = program.skills.all;
     for (const auto& skill : skills) {
       const Builder builder(program, skill.file);

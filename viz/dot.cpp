@@ -126,6 +126,7 @@ private:
       attributes.set("fontcolor", std::string(page.faint));
       attributes.set("margin", "12");
       attributes.set("label", clean(cluster.label));
+      attributes.set("labeljust", cluster.labelRight ? "r" : "l");
       attributes.setSource(cluster.source);
     }
   }
@@ -144,6 +145,10 @@ private:
     attributes.set("fillcolor", std::string(style.fill));
     attributes.set("color", std::string(style.line));
     attributes.setSource(node.source);
+    // These shapes leave room around their text by themselves.
+    if (style.shape == "hexagon" || style.shape == "octagon" || style.shape == "ellipse" ||
+        style.shape == "parallelogram")
+      attributes.set("margin", "0.04,0.03");
     if (node.label.empty())
       drawSign(attributes, node.role);
     else
@@ -163,16 +168,37 @@ private:
   void drawEdge(std::size_t i) {
     const auto& edge = graph.edges[i];
     auto key = fmt::format("e{}", i);
-    auto* drawn = agedge(root.get(), nodes[edge.from], nodes[edge.to], text(key), 1);
+    auto* drawn = agedge(clusterOf(edge), nodes[edge.from], nodes[edge.to], text(key), 1);
     const auto style = edgeStyle(edge.role, scheme);
     Attributes attributes(root.get(), drawn);
     attributes.set("id", key);
     attributes.set("class", "role-" + std::string(style.id));
     attributes.set("style", std::string(style.style));
     attributes.set("color", std::string(style.colour));
+    if (isMainWay(edge)) attributes.set("weight", "4");
     if (edge.role == EdgeRole::Both) attributes.set("dir", "both");
-    if (!edge.label.empty()) attributes.set("label", " " + clean(edge.label) + " ");
+    if (!edge.label.empty()) attributes.set("label", edgeLabel(edge.label));
     if (edge.source) attributes.setSource(*edge.source);
+  }
+
+  /// With a little room on both sides of each line.
+  static std::string edgeLabel(std::string_view words) {
+    std::string out;
+    for (const auto& line : wrap(clean(words), 18)) out += (out.empty() ? " " : "\n ") + line + " ";
+    return out;
+  }
+
+  /// An edge within a cluster belongs to it, so that the frame goes around its label too.
+  [[nodiscard]] Agraph_t* clusterOf(const Edge& edge) const {
+    const auto from = graph.nodes[edge.from].cluster;
+    return from && from == graph.nodes[edge.to].cluster ? clusters[*from] : root.get();
+  }
+
+  /// What a reader follows first is drawn straight.
+  [[nodiscard]] bool isMainWay(const Edge& edge) const {
+    const auto to = graph.nodes[edge.to].role;
+    return (edge.role == EdgeRole::Next || edge.role == EdgeRole::Yes) && edge.from < edge.to &&
+           to != NodeRole::Join && to != NodeRole::End;
   }
 
   const Graph& graph;

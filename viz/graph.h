@@ -44,6 +44,7 @@ enum class EdgeRole : std::uint8_t {
   No,
   Both, // either way
   Forbidden,
+  Stops, // before the action has ended
   Calls,
   Interrupts,
 };
@@ -76,6 +77,7 @@ struct Cluster {
   std::string label;
   std::optional<std::size_t> parent;
   Source source;
+  bool labelRight = false; ///< out of the way of an edge that comes from the left
 };
 
 /// How the nodes are best placed.
@@ -83,6 +85,7 @@ enum class Layout : std::uint8_t { Layered, Circular };
 
 struct Graph {
   std::string title;
+  std::string note; ///< a line below the title
   Layout layout = Layout::Layered;
   std::vector<Node> nodes;
   std::vector<Edge> edges;

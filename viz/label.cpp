@@ -11,6 +11,7 @@
 namespace proskill::viz {
 namespace {
 
+constexpr std::size_t kPerRow = 4; ///< entries of the legend
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// The length in bytes of the character that a text begins with; 0 where it is no UTF-8.
@@ -36,6 +37,20 @@ std::size_t characterLength(std::string_view text) {
 std::size_t countCharacters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(
       text, [](char c) { return (static_cast<std::uint8_t>(c) & 0xC0) != 0x80; }));
+}
+
+/// What should stay on one line: a word, or all that is between parentheses where it is short
+/// enough.
+std::size_t unitLength(std::string_view text, std::size_t width) {
+  const auto word = std::min(text.find(' '), text.size());
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '(') ++depth;
+    if (text[at] == ')' && depth > 0) --depth;
+    if (text[at] == ' ' && depth == 0)
+      return countCharacters(text.substr(0, at)) <= width ? at : word;
+  }
+  return countCharacters(text) <= width ? text.size() : word;
 }
 
 /// Each meaning once, in the order of the roles.
@@ -67,6 +82,29 @@ std::vector<LegendEntry> legend(const Graph& graph, Scheme scheme) {
                                     style.colour, style.sign)});
   }
   return entries;
+}
+
+std::string headLine(std::string_view text, std::size_t columns, std::string_view font,
+                     std::string_view tag) {
+  return fmt::format(
+      R"(<tr><td colspan="{0}" align="left"><font {1}><{2}>{3}</{2}></font></td></tr>)", columns,
+      font, tag, escape(text));
+}
+
+/// What the title is wider than a short legend goes into a cell of its own: the table would spread
+/// it over all. Widths are guessed, in points, since the font is not known here.
+std::string filler(const Graph& graph, const std::vector<LegendEntry>& entries) {
+  constexpr std::size_t kTitleCharacter = 10;
+  constexpr std::size_t kLegendCharacter = 5;
+  constexpr std::size_t kSwatch = 24;
+  std::size_t width = countCharacters(graph.title) * kTitleCharacter;
+  for (std::size_t column = 0; column < std::min(kPerRow, entries.size()); ++column) {
+    std::size_t longest = 0;
+    for (std::size_t i = column; i < entries.size(); i += kPerRow)
+      longest = std::max(longest, countCharacters(entries[i].meaning));
+    width -= std::min(width, kSwatch + longest * kLegendCharacter);
+  }
+  return fmt::format(R"(<td width="{}"></td>)", width);
 }
 
 } // namespace
@@ -104,43 +142,48 @@ std::vector<std::string> wrap(std::string_view text, std::size_t width) {
   std::vector<std::string> lines;
   std::string line;
   while (!text.empty()) {
-    const auto space = std::min(text.find(' '), text.size());
-    const auto word = text.substr(0, space);
+    const auto word = text.substr(0, unitLength(text, width));
     if (!line.empty() && countCharacters(line) + 1 + countCharacters(word) > width)
       lines.push_back(std::exchange(line, {}));
     if (!line.empty()) line += ' ';
     line += word;
-    text.remove_prefix(std::min(space + 1, text.size()));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
   }
   if (!line.empty()) lines.push_back(line);
   return lines;
 }
 
 std::string nodeLabel(const Node& node, Scheme scheme) {
-  constexpr std::size_t kHeadWidth = 26;
-  constexpr std::size_t kDetailWidth = 34;
-  std::string out;
+  constexpr std::size_t kHeadWidth = 30;
+  constexpr std::size_t kDetailWidth = 44;
+  std::string head;
   for (const auto& line : wrap(node.label, kHeadWidth))
-    out += fmt::format("{}<b>{}</b>", out.empty() ? "" : "<br/>", escape(line));
+    head += fmt::format("{}<b>{}</b>", head.empty() ? "" : "<br/>", escape(line));
+  if (node.details.empty()) return head;
+  std::string rows = fmt::format("<tr><td>{}</td></tr>", head);
   for (const auto& detail : node.details)
     for (const auto& line : wrap(detail, kDetailWidth))
-      out += fmt::format(R"(<br/><font point-size="9" color="{}">{}</font>)",
-                         pageStyle(scheme).faint, escape(line));
-  return out;
+      rows += fmt::format(R"(<tr><td><font point-size="9" color="{}">{}</font></td></tr>)",
+                          pageStyle(scheme).faint, escape(line));
+  return fmt::format(
+      R"(<table border="0" cellborder="0" cellspacing="0" cellpadding="1">{}</table>)", rows);
 }
 
 std::string titleAndLegend(const Graph& graph, Scheme scheme) {
-  constexpr std::size_t kPerRow = 4;
   const auto page = pageStyle(scheme);
-  auto out = fmt::format(
-      R"(<table border="0" cellborder="0" cellspacing="3" cellpadding="1">)"
-      R"(<tr><td colspan="{}" align="left"><font point-size="15" color="{}"><b>{}</b></font></td></tr>)",
-      2 * kPerRow, page.text, escape(graph.title));
   const auto entries = legend(graph, scheme);
+  const auto columns = 2 * std::min(kPerRow, entries.size()) + 1;
+  std::string out = R"(<table border="0" cellborder="0" cellspacing="3" cellpadding="1">)";
+  out +=
+      headLine(graph.title, columns, fmt::format(R"(point-size="15" color="{}")", page.text), "b");
+  if (!graph.note.empty())
+    out += headLine(graph.note, columns, fmt::format(R"(point-size="10" color="{}")", page.faint),
+                    "i");
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (i % kPerRow == 0) out += "<tr>";
     out += fmt::format(R"({}<td align="left"><font point-size="9" color="{}">{}  </font></td>)",
                        entries[i].cell, page.faint, entries[i].meaning);
+    if (i == std::min(kPerRow, entries.size()) - 1) out += filler(graph, entries);
     if (i % kPerRow == kPerRow - 1 || i + 1 == entries.size()) out += "</tr>";
   }
   return out + "</table>";

@@ -61,7 +61,7 @@ std::expected<std::string, std::string> renderBytes(Agraph_t* graph, const char*
   return bytes;
 }
 
-/// Pictures of dots are for screens of today.
+/// Sharp on screens of today.
 void setResolution(Agraph_t* graph) {
   std::string name = "dpi";
   std::string value = "144";
@@ -74,8 +74,12 @@ std::expected<std::string, std::string> render(const Graph& graph, Format format
   static std::mutex graphviz;
   const std::lock_guard lock(graphviz);
   const Complaints complaints;
-  const auto drawn = toCGraph(graph, scheme);
-  if (format == Format::Dot) return writeDot(drawn.get());
+  const auto text = writeDot(toCGraph(graph, scheme).get());
+  if (format == Format::Dot) return text;
+  // The text is read back, so that `dot` makes the same picture of it: places depend on the order
+  // in which a graph is built.
+  const CGraph drawn(agmemread(text.c_str()));
+  if (!drawn) return failed("the graph cannot be read back");
   if (format == Format::Png) setResolution(drawn.get());
   const auto* engine = graph.layout == Layout::Layered ? "dot" : "circo";
   return renderBytes(drawn.get(), engine, format == Format::Svg ? "svg" : "png");

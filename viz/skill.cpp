@@ -43,16 +43,16 @@ void drawOutcomes(Builder& builder, NodeRole role, const std::vector<syntax::Out
 void drawStops(Builder& builder, const SkillDefinition& skill, std::size_t run, std::size_t end) {
   for (const auto& invariant : skill->invariants) {
     auto lines = builder.effects(invariant.effects);
-    lines.insert(lines.begin(), "not " + builder.text(invariant.guard.range));
+    lines.insert(lines.begin(), "fails: " + builder.text(invariant.guard.range));
     const auto node =
         builder.node(NodeRole::Invariant, std::string(invariant.tag.text), invariant.range, lines);
-    builder.edge({run, node, EdgeRole::No, {}, {}});
+    builder.edge({run, node, EdgeRole::Stops, {}, {}});
     builder.edge({node, end});
   }
   if (!skill->interrupt) return;
   const auto node = builder.node(NodeRole::Interrupt, "interrupted", skill->interrupt->range,
                                  builder.effects(skill->interrupt->effects));
-  builder.edge({run, node, EdgeRole::Interrupts, {}, {}});
+  builder.edge({run, node, EdgeRole::Stops, {}, {}});
   builder.edge({node, end});
 }
 

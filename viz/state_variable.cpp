@@ -60,10 +60,12 @@ private:
       builder.node(NodeRole::State, std::string(state.text), state.range);
     const auto initial = std::ranges::find(states, variable->init.name.text, &syntax::Name::text);
     if (initial != states.end()) begin(static_cast<std::size_t>(initial - states.begin()));
+    if (variable->transitionsKind != syntax::Transitions::Listed)
+      builder.graph.note = "every move is allowed";
     for (std::size_t from = 0; from < states.size(); ++from)
       for (std::size_t to = from + 1; to < states.size(); ++to) drawMoves(from, to, forbidden);
     // A circle shows best who goes where, unless there is a line to be followed.
-    if (states.size() > 3 && builder.graph.edges.size() > 2 * states.size())
+    if (states.size() > 2 && builder.graph.edges.size() > states.size())
       builder.graph.layout = Layout::Circular;
   }
 
