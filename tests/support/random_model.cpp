@@ -40,14 +40,15 @@ const std::vector<std::string> kColours{"Red", "Green", "Blue"};
 /// Builds one program, from the shared variables inwards.
 class Builder {
 public:
-  explicit Builder(std::uint64_t seed) : random(seed) {}
+  explicit Builder(std::uint64_t seed)
+      : random(seed), haste(random.chance(50) ? 10 : 40), caution(random.chance(50) ? 20 : 50) {}
 
   Program build() {
     declareTypes();
     declareShared();
     std::size_t ports = random.below(3);
     for (std::size_t i = 0; i < ports; ++i) addPort("p" + std::to_string(i));
-    std::size_t count = 2 + random.below(2);
+    std::size_t count = 2 + random.below(3);
     for (std::size_t i = 0; i < count; ++i) addProcess(i);
     program.components.push_back(component);
     program.main = component.name;
@@ -105,7 +106,7 @@ private:
 
   Interval interval() {
     Interval result;
-    if (random.chance(40)) return Interval{0, 0, false, false};
+    if (random.chance(haste)) return Interval{0, 0, false, false};
     result.lower = random.between(0, 3);
     result.lowerOpen = random.chance(25);
     if (random.chance(25)) return result;
@@ -166,7 +167,7 @@ private:
     std::size_t states = 2 + random.below(3);
     for (std::size_t i = 0; i < states; ++i) made.states.push_back({"s" + std::to_string(i), 0});
     for (std::size_t i = 0; i < states; ++i)
-      if (i == 0 || random.chance(85)) made.transitions.push_back(stateBody(made, index, i));
+      if (i == 0 || random.chance(95)) made.transitions.push_back(stateBody(made, index, i));
     program.processes.push_back(std::move(made));
     component.instances.push_back(std::move(instance));
   }
@@ -184,7 +185,7 @@ private:
   Statement path(const Process& process, std::size_t index) {
     std::vector<Statement> steps;
     bool onPort = !process.ports.empty() && random.chance(30);
-    if (random.chance(50)) steps.push_back(on(test(local)));
+    if (random.chance(caution)) steps.push_back(on(test(local)));
     if (onPort) {
       steps.push_back(port(random.pick(process.ports).name));
     } else if (random.chance(90)) {
@@ -216,11 +217,6 @@ private:
   Statement change(bool onPort, std::size_t index) {
     if (onPort && index >= scalars.size()) return null();
     const Scalar& scalar = onPort ? scalars[index] : random.pick(local);
-    if (!onPort && scalar.sort == Sort::Colour && random.chance(20)) {
-      Statement any{.kind = StatementKind::Any, .targets = {scalar.lvalue}};
-      if (random.chance(50)) any.values = {test({scalar})};
-      return any;
-    }
     return assign(scalar.lvalue, valueOf(scalar));
   }
 
@@ -257,6 +253,8 @@ private:
   Observable value() { return {.kind = ObservableKind::Value, .value = test(scalars)}; }
 
   RandomSource random;
+  unsigned haste;   ///< per cent of intervals that are [0,0]
+  unsigned caution; ///< per cent of paths with a guard
   Program program;
   Component component;
   std::vector<Scalar> scalars;                          ///< of the shared variables
