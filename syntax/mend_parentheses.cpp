@@ -17,6 +17,8 @@ constexpr std::size_t kMistakesJudged = 4;
 constexpr std::size_t kPlacesJudged = 6;
 constexpr std::size_t kLongestJudged = 1 << 14;
 constexpr unsigned kWeightOfProblem = 3;
+// A place that contradicts the layout so much more than the best one is not asked about.
+constexpr unsigned kHopeless = 12;
 
 /// A copy of the text with its parentheses changed, as long as it was.
 std::string mended(std::string text, const Scan& scan, const Mending& mending) {
@@ -85,6 +87,8 @@ private:
   /// The best of the candidates, the first of equals; `apply` makes and `revert` undoes a change.
   std::size_t best(std::vector<Candidate> candidates, auto apply, auto revert) {
     std::ranges::stable_sort(candidates, {}, &Candidate::penalty);
+    unsigned hopeless = candidates.front().penalty + kHopeless;
+    std::erase_if(candidates, [&](const Candidate& it) { return it.penalty > hopeless; });
     bool judged = mistakes < kMistakesJudged && text.size() <= kLongestJudged;
     if (judged && candidates.size() > 1) {
       candidates.resize(std::min(candidates.size(), kPlacesJudged));
@@ -99,23 +103,30 @@ private:
     return candidates.front().place;
   }
 
+  [[nodiscard]] bool startsLine(Offset at) const {
+    auto landmark = std::ranges::lower_bound(scan.landmarks, at, {}, &Landmark::at);
+    return landmark != scan.landmarks.end() && landmark->at == at;
+  }
+
   void removeOne(Nesting& nesting) {
     std::vector<Candidate> candidates;
     auto apply = [&](std::size_t parenthesis) { mending.removed[parenthesis] = true; };
     auto revert = [&](std::size_t parenthesis) { mending.removed[parenthesis] = false; };
-    auto consider = [&](std::size_t parenthesis) {
+    auto consider = [&](std::size_t parenthesis, unsigned handicap) {
       if (!candidates.empty() && candidates.back().place == parenthesis) return;
       apply(parenthesis);
-      candidates.push_back({parenthesis, nestingOf(text, scan, mending).penalty});
+      candidates.push_back({parenthesis, nestingOf(text, scan, mending).penalty + handicap});
       revert(parenthesis);
     };
+    // A `)` that begins a line is the likeliest to be left over.
+    bool standsAlone = startsLine(scan.parentheses[*nesting.surplus].at);
     for (std::size_t landmark : suspects(nesting)) {
       std::size_t before = scan.landmarks[landmark].parentheses;
       while (before > 0 && mending.removed[before - 1]) --before;
       bool closes = before > 0 && !scan.parentheses[before - 1].opens;
-      if (closes && before - 1 <= *nesting.surplus) consider(before - 1);
+      if (closes && before - 1 <= *nesting.surplus) consider(before - 1, standsAlone);
     }
-    consider(*nesting.surplus);
+    consider(*nesting.surplus, 0);
     std::size_t chosen = best(std::move(candidates), apply, revert);
     apply(chosen);
     reportSurplus(scan.parentheses[chosen].at);

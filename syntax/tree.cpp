@@ -26,21 +26,27 @@ NodeKind kindNamed(std::string_view type) {
   return NodeKind::Error;
 }
 
-std::vector<NodeKind> kindsOf(const TSLanguage* language) {
-  std::vector<NodeKind> kinds;
-  for (std::uint32_t i = 0; i < ts_language_symbol_count(language); ++i) {
-    auto symbol = static_cast<TSSymbol>(i);
-    bool named = ts_language_symbol_type(language, symbol) == TSSymbolTypeRegular;
-    kinds.push_back(named ? kindNamed(ts_language_symbol_name(language, symbol)) : NodeKind::Token);
-  }
-  return kinds;
+/// By symbol of the grammar.
+const std::vector<NodeKind>& kindsOfSymbols() {
+  static const auto kKinds = [] {
+    const TSLanguage* language = tree_sitter_proskill();
+    std::vector<NodeKind> kinds;
+    for (std::uint32_t i = 0; i < ts_language_symbol_count(language); ++i) {
+      auto symbol = static_cast<TSSymbol>(i);
+      bool named = ts_language_symbol_type(language, symbol) == TSSymbolTypeRegular;
+      kinds.push_back(named ? kindNamed(ts_language_symbol_name(language, symbol))
+                            : NodeKind::Token);
+    }
+    return kinds;
+  }();
+  return kKinds;
 }
 
 /// Copies a tree-sitter tree into preorder, without recursion.
 class Flattening {
 public:
-  Flattening(const std::vector<NodeKind>& kindOfSymbol, std::string_view source, TSNode root)
-      : kinds(kindOfSymbol), text(source), cursor(ts_tree_cursor_new(root)) {}
+  Flattening(std::string_view source, TSNode root)
+      : text(source), cursor(ts_tree_cursor_new(root)) {}
   Flattening(const Flattening&) = delete;
   Flattening& operator=(const Flattening&) = delete;
   ~Flattening() { ts_tree_cursor_delete(&cursor); }
@@ -90,7 +96,7 @@ private:
     return range.length() == 1 && (c == '(' || c == ')' || c == '"');
   }
 
-  const std::vector<NodeKind>& kinds;
+  const std::vector<NodeKind>& kinds = kindsOfSymbols();
   std::string_view text;
   TSTreeCursor cursor;
   Tree tree;
@@ -130,7 +136,7 @@ std::string toString(const Tree& tree, Offset shift) {
 
 void Parser::Delete::operator()(TSParser* parser) const { ts_parser_delete(parser); }
 
-Parser::Parser() : parser(ts_parser_new()), kinds(kindsOf(tree_sitter_proskill())) {
+Parser::Parser() : parser(ts_parser_new()) {
   [[maybe_unused]] bool fits = ts_parser_set_language(parser.get(), tree_sitter_proskill());
   assert(fits && "the runtime is older than the generated parser");
 }
@@ -140,7 +146,7 @@ Tree Parser::parse(std::string_view text) {
       parser.get(), nullptr, text.data(), static_cast<std::uint32_t>(text.size())));
   TSNode root = ts_tree_root_node(tree.get());
   if (ts_node_has_error(root)) return unreadable(text);
-  return Flattening(kinds, text, root).run();
+  return Flattening(text, root).run();
 }
 
 } // namespace proskill::syntax

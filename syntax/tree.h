@@ -78,7 +78,6 @@ private:
     void operator()(TSParser* parser) const;
   };
   std::unique_ptr<TSParser, Delete> parser;
-  std::vector<NodeKind> kinds; ///< by symbol of the grammar
 };
 
 } // namespace proskill::syntax
