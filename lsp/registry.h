@@ -43,7 +43,6 @@ struct Registry {
 
 void addDiagnostics(Registry& registry);
 void addNavigation(Registry& registry);
-void addSymbols(Registry& registry);
 
 [[nodiscard]] Registry allFeatures();
 

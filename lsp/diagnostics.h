@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ide/snapshot.h"
+#include "lsp/client.h"
+
+namespace proskill::lsp {
+
+/// The diagnostics of an open text in the protocol's form, from all programs that it belongs to,
+/// each once.
+[[nodiscard]] Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
+                                 const ClientFeatures& client);
+
+} // namespace proskill::lsp

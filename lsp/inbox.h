@@ -1,0 +1,50 @@
+#pragma once
+
+#include "lsp/rpc.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <variant>
+
+namespace proskill::lsp {
+
+/// The client has gone.
+struct EndOfStream {};
+/// Bytes that are no message; `id` as in MalformedMessage.
+using Incident = std::variant<Message, MalformedMessage, EndOfStream>;
+
+/// What waits for the main thread: from the reading thread, in order.
+class Inbox {
+public:
+  void put(Incident incident) {
+    {
+      std::lock_guard lock(mutex);
+      queue.push_back(std::move(incident));
+    }
+    wake.notify_one();
+  }
+
+  /// The next one; nothing where the deadline comes first.
+  std::optional<Incident> take(std::optional<std::chrono::steady_clock::time_point> deadline) {
+    std::unique_lock lock(mutex);
+    auto ready = [&] { return !queue.empty(); };
+    if (!deadline)
+      wake.wait(lock, ready);
+    else if (!wake.wait_until(lock, *deadline, ready))
+      return std::nullopt;
+    auto incident = std::move(queue.front());
+    queue.pop_front();
+    return incident;
+  }
+
+private:
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::deque<Incident> queue;
+};
+
+} // namespace proskill::lsp

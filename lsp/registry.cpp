@@ -1,0 +1,11 @@
+#include "lsp/registry.h"
+
+namespace proskill::lsp {
+
+Registry allFeatures() {
+  Registry registry;
+  for (auto add : {addDiagnostics, addNavigation}) add(registry);
+  return registry;
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,270 @@
+#include "lsp/server.h"
+
+#include "lsp/diagnostics.h"
+#include "lsp/uri.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <thread>
+
+namespace proskill::lsp {
+
+namespace {
+
+constexpr std::string_view kPattern = "**/*.proskill";
+
+Json idOf(const Json& params) {
+  return params.is_object() && params.contains("id") ? params["id"] : Json();
+}
+
+/// The folders of `initialize`, whichever of its three ways of saying them the client uses.
+std::vector<std::filesystem::path> foldersOf(const Json& params) {
+  std::vector<std::filesystem::path> result;
+  auto add = [&](const Json& uri) {
+    if (!uri.is_string()) return;
+    if (auto path = toPath(uri.get_ref<const std::string&>())) result.push_back(*path);
+  };
+  if (auto folders = params.find("workspaceFolders");
+      folders != params.end() && folders->is_array())
+    for (const auto& folder : *folders)
+      if (folder.is_object()) add(folder.value("uri", Json()));
+  if (result.empty()) add(params.value("rootUri", Json()));
+  return result;
+}
+
+} // namespace
+
+Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
+               ServerOptions serverOptions)
+    : connection(connection),
+      options(std::move(serverOptions)),
+      outbox(connection),
+      workspace(std::move(disk)),
+      scheduler(options.threads) {
+  registry.add("proskill/status", [this](const Request&) -> Answer { return status(); });
+}
+
+int Server::run() {
+  std::jthread reader([this] { readStream(); });
+  while (true) {
+    auto incident = inbox.take(diagnosticsDue);
+    if (!incident)
+      pushDiagnostics();
+    else if (!handle(*incident))
+      break;
+  }
+  connection.close();
+  return phase == Phase::ShutDown ? 0 : 1;
+}
+
+/// Cancels on the spot: a cancellation must not wait behind what it cancels.
+void Server::readStream() {
+  FrameReader frames;
+  for (auto bytes = connection.read(); !bytes.empty(); bytes = connection.read()) {
+    frames.feed(bytes);
+    while (auto next = frames.next()) {
+      if (const auto* error = std::get_if<FramingError>(&*next)) {
+        inbox.put(MalformedMessage{{ErrorCode::ParseError, error->message}, {}});
+        continue;
+      }
+      auto message = parseMessage(std::get<std::string>(*next));
+      if (!message) {
+        inbox.put(message.error());
+      } else if (message->method == "$/cancelRequest") {
+        auto id = idOf(message->params);
+        if (pending.cancel(id))
+          outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
+      } else {
+        if (message->kind == MessageKind::Request) pending.begin(message->id);
+        inbox.put(std::move(*message));
+      }
+    }
+  }
+  inbox.put(EndOfStream{});
+}
+
+/// False where the server's life ends here.
+bool Server::handle(Incident& incident) {
+  if (std::holds_alternative<EndOfStream>(incident)) return false;
+  if (auto* message = std::get_if<Message>(&incident)) return handleMessage(*message);
+  const auto& malformed = std::get<MalformedMessage>(incident);
+  log("malformed message: " + malformed.error.message);
+  outbox.send(replyError(malformed.id, malformed.error));
+  return true;
+}
+
+bool Server::handleMessage(Message& message) {
+  switch (message.kind) {
+  case MessageKind::Request: handleRequest(message); return true;
+  case MessageKind::Notification: return handleNotification(message);
+  case MessageKind::Response: return true; // to our registrations; nothing depends on them
+  }
+  assert(false);
+  return true;
+}
+
+void Server::handleRequest(Message& message) {
+  auto refuse = [&](ErrorCode code, std::string why) {
+    if (pending.finish(message.id)) outbox.send(replyError(message.id, {code, std::move(why)}));
+  };
+  auto give = [&](const Json& result) {
+    if (pending.finish(message.id)) outbox.send(reply(message.id, result));
+  };
+  if (phase == Phase::ShutDown)
+    return refuse(ErrorCode::InvalidRequest, "the server has been shut down");
+  if (message.method == "initialize") {
+    if (phase != Phase::Fresh)
+      return refuse(ErrorCode::InvalidRequest, "the server is initialised already");
+    return give(initialize(message.params));
+  }
+  if (phase == Phase::Fresh)
+    return refuse(ErrorCode::ServerNotInitialized, "`initialize` comes first");
+  if (message.method == "shutdown") {
+    phase = Phase::ShutDown;
+    return give(nullptr);
+  }
+  auto method = registry.methods.find(message.method);
+  if (method == registry.methods.end())
+    return refuse(ErrorCode::MethodNotFound, "there is no method " + message.method);
+  dispatch(message, method->second);
+}
+
+bool Server::handleNotification(const Message& message) {
+  if (message.method == "exit") return false;
+  if (phase != Phase::Running) return true;
+  if (message.method == "initialized")
+    initialized();
+  else if (message.method.starts_with("textDocument/did"))
+    handleText(message);
+  else if (message.method == "workspace/didChangeWatchedFiles")
+    handleWatchedFiles(message.params);
+  else if (!message.method.starts_with("$/"))
+    log("a notification that is not served: " + message.method);
+  return true;
+}
+
+void Server::handleText(const Message& message) {
+  Workspace::Outcome outcome;
+  if (message.method == "textDocument/didOpen")
+    outcome = workspace.open(message.params);
+  else if (message.method == "textDocument/didChange")
+    outcome = workspace.change(message.params);
+  else if (message.method == "textDocument/didClose")
+    outcome = workspace.close(message.params);
+  else
+    return;
+  if (!outcome) showError(outcome.error());
+  scheduleDiagnostics();
+}
+
+void Server::handleWatchedFiles(const Json& params) {
+  if (!params.is_object() || !params.contains("changes") || !params["changes"].is_array()) return;
+  std::vector<std::filesystem::path> paths;
+  for (const auto& change : params["changes"])
+    if (change.is_object() && change.contains("uri") && change["uri"].is_string())
+      if (auto path = toPath(change["uri"].get_ref<const std::string&>())) paths.push_back(*path);
+  workspace.readFiles(paths);
+  scheduleDiagnostics();
+}
+
+Json Server::initialize(const Json& params) {
+  phase = Phase::Running;
+  client = readClientFeatures(params.is_object() ? params.value("capabilities", Json()) : Json());
+  workspace.setEncoding(client.encoding);
+  if (params.is_object()) folders = foldersOf(params);
+  Json capabilities = registry.capabilities;
+  capabilities["positionEncoding"] = nameOf(client.encoding);
+  capabilities["textDocumentSync"] = {{"openClose", true}, {"change", 2}, {"save", true}};
+  capabilities["workspace"] = {{"workspaceFolders", {{"supported", true}}}};
+  return {{"capabilities", capabilities},
+          {"serverInfo", {{"name", "proskill"}, {"version", options.version}}},
+          {"offsetEncoding", nameOf(client.encoding)}};
+}
+
+void Server::initialized() {
+  for (const auto& folder : folders) workspace.readFiles(programFiles(folder));
+  if (client.watchedFiles)
+    outbox.send(
+        request("watch", "client/registerCapability",
+                {{"registrations",
+                  Json::array({{{"id", "watch"},
+                                {"method", "workspace/didChangeWatchedFiles"},
+                                {"registerOptions",
+                                 {{"watchers", Json::array({{{"globPattern", kPattern}}})}}}}})}}));
+  scheduleDiagnostics();
+}
+
+void Server::dispatch(Message& message, const Method& method) {
+  auto cancellation = pending.begin(message.id);
+  scheduler.post(method.priority,
+                 [this, message = std::move(message), &method, snapshot = workspace.snapshot(),
+                  cancellation] { answer(message, method, *snapshot, cancellation); });
+}
+
+/// A bug in a handler is that request's error, and no other's.
+void Server::answer(const Message& message, const Method& method, const ide::Snapshot& snapshot,
+                    const Cancellation& cancellation) {
+  if (cancellation.isCancelled()) return;
+  auto start = std::chrono::steady_clock::now();
+  Answer result;
+  try {
+    result = method.handler({message.params, snapshot, client, cancellation});
+  } catch (const std::exception& error) {
+    log(fmt::format("{} failed: {}; its parameters: {}", message.method, error.what(),
+                    message.params.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    result = std::unexpected(RpcError{ErrorCode::InternalError, error.what()});
+  }
+  auto latency = std::chrono::steady_clock::now() - start;
+  statistics.add(message.method, latency);
+  log(fmt::format("{} {:.3f} ms", message.method,
+                  std::chrono::duration<double, std::milli>(latency).count()));
+  if (!pending.finish(message.id)) return;
+  outbox.send(result ? reply(message.id, *result) : replyError(message.id, result.error()));
+}
+
+void Server::scheduleDiagnostics() {
+  ++revision;
+  if (!client.pullDiagnostics) diagnosticsDue = std::chrono::steady_clock::now() + options.debounce;
+}
+
+/// Publishes for every open text, and an empty list for those that have been closed. What a later
+/// edit has made useless is not sent.
+void Server::pushDiagnostics() {
+  diagnosticsDue.reset();
+  auto snapshot = workspace.snapshot();
+  std::map<std::filesystem::path, std::string> now;
+  for (const auto& [path, text] : snapshot->open()) now[path] = text.uri;
+  for (const auto& [path, uri] : std::exchange(published, now))
+    if (!now.contains(path))
+      outbox.send(notification("textDocument/publishDiagnostics",
+                               {{"uri", uri}, {"diagnostics", Json::array()}}));
+  for (const auto& [path, uri] : now)
+    scheduler.post(Priority::Background, [this, snapshot, path, asked = revision.load()] {
+      if (asked != revision) return;
+      const auto& text = snapshot->open().at(path);
+      auto list = diagnosticsOf(*snapshot, path, client);
+      if (asked != revision) return;
+      outbox.send(notification(
+          "textDocument/publishDiagnostics",
+          {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}}));
+    });
+}
+
+Json Server::status() const {
+  return {{"version", options.version},
+          {"pending", pending.size()},
+          {"memoryBytes", residentBytes()},
+          {"requests", statistics.latencies()}};
+}
+
+void Server::log(std::string_view line) const {
+  if (options.log) options.log(line);
+}
+
+void Server::showError(std::string_view message) {
+  log(message);
+  outbox.send(notification("window/logMessage", {{"type", 1}, {"message", message}}));
+}
+
+} // namespace proskill::lsp
