@@ -72,17 +72,18 @@ void readStates(Builder& builder, Field& field, StateVariable& variable) {
     reportMalformed(builder, field, *value, kNeeds);
 }
 
-void readTransition(Builder& builder, const Node& node, StateVariable& variable) {
-  Transition transition;
-  transition.range = node.range;
-  auto names = node.kind == NodeKind::Transition ? namesOf(builder, node) : std::vector<Name>{};
-  if (names.size() == 2) {
-    transition.from = names[0];
-    transition.to = names[1];
-    variable.transitions.push_back(transition);
-  } else if (!isDamaged(node)) {
-    builder.report(Code::MalformedValue, node.range, ":transitions",
-                   "pairs of values here, such as `(Good Low)`");
+void readPairs(Builder& builder, const Node& list, StateVariable& variable) {
+  bool reported = false;
+  Parts parts(list);
+  while (const Node* part = parts.take()) {
+    auto names = part->kind == NodeKind::Transition ? namesOf(builder, *part) : std::vector<Name>{};
+    if (names.size() == 2) {
+      variable.transitions.push_back({names[0], names[1], part->range});
+    } else if (!reported && !isDamaged(*part)) {
+      builder.report(Code::MalformedValue, part->range, ":transitions",
+                     "pairs of values here, such as `(Good Low)`");
+      reported = true;
+    }
   }
 }
 
@@ -94,8 +95,7 @@ void readTransitions(Builder& builder, Field& field, StateVariable& variable) {
     variable.transitionsKind = Transitions::All;
   } else if (value->kind == NodeKind::TransitionList) {
     variable.transitionsKind = Transitions::Listed;
-    Parts parts(*value);
-    while (const Node* part = parts.take()) readTransition(builder, *part, variable);
+    readPairs(builder, *value, variable);
   } else {
     reportMalformed(builder, field, *value, kNeeds);
   }

@@ -24,8 +24,6 @@ Effect effectOf(Builder& builder, const Node& node) {
 void readOne(Builder& builder, const Node& node, Effects& effects) {
   if (node.kind == NodeKind::Effect)
     effects.items.push_back(effectOf(builder, node));
-  else if (node.kind == NodeKind::EffectList && node.size == 1)
-    builder.report(Code::EmptyForm, node.range);
   else if (!isDamaged(node))
     builder.report(Code::MalformedEffects, node.range,
                    fmt::format("`{}` is none", builder.quoted(node)));
@@ -39,6 +37,24 @@ void reportUnlisted(Builder& builder, Range range) {
       {"put them in parentheses", {0, range}, fmt::format("({})", builder.textOf(range))});
 }
 
+void readList(Builder& builder, const Node& list, Effects& effects) {
+  Parts items(list);
+  if (!items.peek()) builder.report(Code::EmptyForm, list.range);
+  while (const Node* item = items.take()) readOne(builder, *item, effects);
+}
+
+/// An effect that stands without a list, with those that follow it by mistake.
+void readUnlisted(Builder& builder, const Node& first, Parts& parts, Effects& effects) {
+  readOne(builder, first, effects);
+  bool alone = !parts.peek() || parts.peek()->kind != NodeKind::Effect;
+  if (alone) return builder.reportSurplus(parts, "the effects");
+  while (const Node* next = parts.take()) {
+    readOne(builder, *next, effects);
+    effects.range.end = next->range.end;
+  }
+  reportUnlisted(builder, effects.range);
+}
+
 } // namespace
 
 Effects takeEffects(Builder& builder, Parts& parts, const Name& head) {
@@ -50,21 +66,14 @@ Effects takeEffects(Builder& builder, Parts& parts, const Name& head) {
     return effects;
   }
   effects.range = first->range;
-  if (first->kind == NodeKind::EffectList && first->size > 1) {
-    Parts items(*first);
-    while (const Node* item = items.take()) readOne(builder, *item, effects);
-  } else {
-    readOne(builder, *first, effects);
-  }
-  if (first->kind != NodeKind::Effect || !parts.peek() || parts.peek()->kind != NodeKind::Effect) {
+  if (first->kind == NodeKind::Effect) {
+    readUnlisted(builder, *first, parts, effects);
+  } else if (first->kind == NodeKind::EffectList) {
+    readList(builder, *first, effects);
     builder.reportSurplus(parts, "the effects");
-    return effects;
+  } else {
+    readOne(builder, *first, effects); // a word: whatever follows is the same mistake
   }
-  while (const Node* next = parts.take()) {
-    readOne(builder, *next, effects);
-    effects.range.end = next->range.end;
-  }
-  reportUnlisted(builder, effects.range);
   return effects;
 }
 

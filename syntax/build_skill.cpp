@@ -5,12 +5,14 @@ namespace {
 
 std::vector<Input> inputsOf(Builder& builder, const Node& list) {
   std::vector<Input> inputs;
+  bool reported = false;
   Parts parts(list);
   while (const Node* part = parts.take()) {
     if (part->kind != NodeKind::Input) {
-      if (!isDamaged(*part))
+      if (!reported && !isDamaged(*part))
         builder.report(Code::MalformedValue, part->range, ":input",
                        "parameters and their types, such as `($height float)`");
+      reported = true;
       continue;
     }
     Parts pair(*part);
@@ -55,16 +57,17 @@ std::vector<Precondition> preconditionsOf(Builder& builder, const Node& list) {
   return preconditions;
 }
 
-/// What stands in a clause before its first keyword belongs nowhere.
-void reportLoose(Builder& builder, Parts& parts, std::string_view owner) {
+/// What stands in a clause before its first keyword belongs nowhere. Returns whether there is such.
+bool reportLoose(Builder& builder, Parts& parts, std::string_view owner) {
   bool reported = false;
   while (const Node* next = parts.peek()) {
-    if (isField(*next)) return;
+    if (isField(*next)) break;
     if (!reported && !isDamaged(*next))
       builder.report(Code::MalformedValue, next->range, owner, "a keyword and its value here");
     reported = true;
     parts.take();
   }
+  return reported;
 }
 
 Expr conditionField(Builder& builder, Field& field) {
@@ -81,12 +84,14 @@ std::string_view fieldsOfClause(std::string_view owner) {
   return owner == ":interrupt" ? "`:effects`" : "`:effects` and `:postcondition`";
 }
 
-/// Reads the fields of a clause: `condition` is what `:guard` or `:postcondition` says.
-void readClause(Builder& builder, const Node& clause, std::string_view owner, Effects& effects,
+/// Reads the fields of a clause: `condition` is what `:guard` or `:postcondition` says. Returns
+/// whether there is nothing else in it.
+bool readClause(Builder& builder, const Node& clause, std::string_view owner, Effects& effects,
                 std::optional<Expr>& condition) {
   Parts parts(clause);
-  if (!parts.peek()) builder.report(Code::EmptyForm, clause.range);
-  reportLoose(builder, parts, owner);
+  bool empty = !parts.peek();
+  if (empty) builder.report(Code::EmptyForm, clause.range);
+  bool loose = reportLoose(builder, parts, owner);
   while (const Node* part = parts.take()) {
     Field field = fieldOf(builder, *part);
     if (field.kind == NodeKind::EffectsField)
@@ -96,6 +101,7 @@ void readClause(Builder& builder, const Node& clause, std::string_view owner, Ef
     else
       condition = conditionField(builder, field);
   }
+  return !empty && !loose;
 }
 
 Invariant invariantOf(Builder& builder, const Node& node) {
@@ -111,10 +117,10 @@ Invariant invariantOf(Builder& builder, const Node& node) {
     return invariant;
   }
   std::optional<Expr> guard;
-  readClause(builder, *clause, ":invariant", invariant.effects, guard);
+  bool plain = readClause(builder, *clause, ":invariant", invariant.effects, guard);
   if (guard)
     invariant.guard = std::move(*guard);
-  else if (clause->size > 1)
+  else if (plain)
     builder.report(Code::MissingValue, clause->range, ":invariant", "a `:guard`");
   return invariant;
 }

@@ -14,17 +14,21 @@ namespace proskill::test {
 struct MarkedSource {
   std::string text; ///< without the marks
   std::vector<syntax::Offset> points;
-  std::vector<syntax::Range> ranges;
+  std::vector<syntax::Range> ranges; ///< in the order of their begins
 
   explicit MarkedSource(std::string_view marked) {
+    std::vector<std::size_t> open;
     for (std::size_t i = 0; i < marked.size(); ++i) {
       auto two = marked.substr(i, 2);
       auto here = static_cast<syntax::Offset>(text.size());
       if (two == "[[" || two == "]]") {
-        if (two == "[[")
+        if (two == "[[") {
+          open.push_back(ranges.size());
           ranges.push_back({here, here});
-        else
-          ranges.back().end = here;
+        } else {
+          ranges[open.back()].end = here;
+          open.pop_back();
+        }
         ++i;
       } else if (marked[i] == '^' && !text.ends_with('(')) {
         points.push_back(here);

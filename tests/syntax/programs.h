@@ -22,11 +22,12 @@ extern const std::string_view kPaperMonitor;
 /// The text of each program in examples/, the paper's listings before them.
 [[nodiscard]] std::vector<std::string> allPrograms();
 
-/// The only form of a text, which has nothing wrong with it.
-template <class Node> struct Only {
+/// The first form of a text, with the document that keeps it alive.
+template <class Node> struct Parsed {
   syntax::Document document;
-  const Node* node;
-  const Node* operator->() const { return node; }
+
+  explicit Parsed(std::string text) : document(syntax::Document::parse(std::move(text))) {}
+  const Node* operator->() const { return &std::get<Node>(document.forms().at(0).node); }
 };
 
 /// The codes of what is wrong with a text, in its order: `PS0101 PS0105`.
