@@ -84,7 +84,7 @@ private:
 
   void call(const Statement& statement) {
     const SymbolId callee = names.use(SymbolKind::Skill, statement.head, Role::Call);
-    if (callee == kNoSymbol) return;
+    if (callee == kNoSymbol) return context.findings.forgetArguments({body.file, statement.range});
     const auto& skill = context.program.skills.all[context.symbols[callee].definition];
     if (skill->monitor)
       context.findings

@@ -25,11 +25,32 @@ Finding& Finding::severity(syntax::Severity value) {
   return *this;
 }
 
-std::vector<syntax::Diagnostic> Findings::inOrder() && {
-  auto place = [](const syntax::Diagnostic& it) {
-    return std::tuple(it.location.file, it.location.range.begin);
+namespace {
+
+auto place(const syntax::Location& it) { return std::tuple(it.file, it.range.begin); }
+
+bool isAboutArguments(syntax::Code code) {
+  return code == syntax::Code::MalformedArgument || code == syntax::Code::WrongOperandCount;
+}
+
+} // namespace
+
+void Findings::dropForgotten() {
+  std::ranges::sort(notCalls, {}, place);
+  auto forgotten = [&](const syntax::Diagnostic& it) {
+    if (!isAboutArguments(it.code)) return false;
+    auto after = std::ranges::upper_bound(notCalls, place(it.location), {}, place);
+    if (after == notCalls.begin()) return false;
+    const syntax::Location& call = *std::prev(after);
+    return call.file == it.location.file && it.location.range.begin < call.range.end;
   };
-  std::ranges::stable_sort(diagnostics, {}, place);
+  if (!notCalls.empty()) std::erase_if(diagnostics, forgotten);
+}
+
+std::vector<syntax::Diagnostic> Findings::inOrder() && {
+  dropForgotten();
+  std::ranges::stable_sort(diagnostics, {},
+                           [](const syntax::Diagnostic& it) { return place(it.location); });
   return std::move(diagnostics);
 }
 

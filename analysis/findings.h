@@ -38,11 +38,17 @@ public:
     return Finding(diagnostics.back());
   }
 
+  /// What is said about the form of this call's arguments is taken back: it is no call.
+  void forgetArguments(syntax::Location call) { notCalls.push_back(call); }
+
   /// All of them in the order of the files and of their texts.
   [[nodiscard]] std::vector<syntax::Diagnostic> inOrder() &&;
 
 private:
+  void dropForgotten();
+
   std::vector<syntax::Diagnostic> diagnostics;
+  std::vector<syntax::Location> notCalls;
 };
 
 } // namespace proskill::analysis

@@ -1,0 +1,116 @@
+#include "tests/analysis/findings.h"
+
+#include <catch2/catch.hpp>
+
+using proskill::analysis::Extent;
+using proskill::test::diagnose;
+using proskill::test::findings;
+using proskill::test::kWorld;
+using proskill::test::mission;
+
+TEST_CASE("what is defined nowhere is told at its name") {
+  CHECK(findings(mission("(landing)")) == "PS0201 landing");
+  CHECK(findings(mission("(landing.interrupt)")) == "PS0201 landing");
+  CHECK(findings(mission("(^ (= landing.status success))")) == "PS0201 landing");
+  CHECK(findings(mission("(^ (wind Strong))")) == "PS0202 wind");
+  CHECK(findings(mission("(^ (> wind 3))")) == "PS0202 wind");
+  CHECK(findings(mission("(set (wind Strong))")) == "PS0202 wind");
+  CHECK(findings(mission("(^ (battery Empty))")) == "PS0203 Empty");
+  CHECK(findings(mission("(^ (= battery Empty))")) == "PS0203 Empty");
+  CHECK(findings(mission("(^ (= Empty battery))")) == "PS0203 Empty");
+  CHECK(findings(mission("(goto again)")) == "PS0207 again");
+  CHECK(findings(mission("(success finished)")) == "PS0205 finished");
+  CHECK(findings(mission("(failure done)")) == "PS0205 done");
+  CHECK(findings(mission("(^ (= takeoff.status landed))")) == "PS0211 landed");
+  CHECK(findings(mission("(^ (= takeoff.result grounded))")) == "PS0210 result");
+  CHECK(findings(mission("(printf \"%d\" $height)")) == "PS0208 height");
+  CHECK(findings(kWorld + "(defskill grasp :resources (arm hand) :action (grasp))") ==
+        "PS0206 hand");
+  CHECK(findings(kWorld + "(defenvironment e :body ((emit full)))") == "PS0204 full");
+  CHECK(findings("(defskill s :input ($x real) :action (s $x))") == "PS0209 real");
+}
+
+TEST_CASE("a result is compared with the tags of the skill that it is of") {
+  CHECK(findings(mission("(^ (= takeoff.res grounded))")) == "");
+  CHECK(findings(mission("(^ (= takeoff.res at_altitude))")) == "");
+  CHECK(findings(mission("(^ (= takeoff.res no_result))")) == "");
+  CHECK(findings(mission("(^ (= survey.res powered))")) == "");
+  CHECK(findings(mission("(^ (= survey.res grounded))")) == "PS0205 grounded");
+  CHECK(findings(mission("(^ (= survey.res takeoff.res))")) == "");
+}
+
+TEST_CASE("a word beside an enumeration is its value first, then a state variable") {
+  CHECK(findings(mission("(^ (= battery Low))")) == "");
+  CHECK(findings(mission("(^ (= battery battery))")) == "");
+  CHECK(findings("(defsv Low :states (Good Low) :init Low)"
+                 "(defsv battery :states (Good Low) :init Low)"
+                 "(defevent e :effects (battery Low))") == "");
+}
+
+TEST_CASE("a misspelt name comes with what was probably meant") {
+  auto suggested = [](const std::string& text) {
+    const auto found = diagnose(text);
+    return found.size() == 1 && found[0].fixes.size() == 1 ? found[0].fixes[0].text : "";
+  };
+  CHECK(suggested(mission("(takeof height 1 duration 1)")) == "takeoff");
+  CHECK(suggested(mission("(whlie (battery Good) (survey))")) == "while");
+  CHECK(suggested(mission("(^ (batery Good))")) == "battery");
+  CHECK(suggested(mission("(^ (battery good))")) == "Good");
+  CHECK(suggested(mission("(^ (= takeoff.res gronded))")) == "grounded");
+  CHECK(suggested(mission("(^ (= takeoff.status sucess))")) == "success");
+  CHECK(suggested(mission("(takeoff heigth 1 duration 1)")) == "height");
+  CHECK(suggested(mission("(label again) (goto agian)")) == "again");
+  CHECK(suggested(mission("(^ (wind Good))")) == "");
+}
+
+TEST_CASE("a second definition is told with the first beside it") {
+  CHECK(findings(kWorld + "(defsv battery :init 0 :min 0 :max 1)") == "PS0220 battery");
+  CHECK(findings(kWorld + "(defevent drained :effects (battery Low))") == "PS0220 drained");
+  CHECK(findings(kWorld + "(defresource arm)") == "PS0220 arm");
+  CHECK(findings(kWorld + "(defskill survey :action (survey))") == "PS0220 survey");
+  CHECK(findings(kWorld + "(defproperty p (deadlockfree)) (defproperty p (deadlockfree))") ==
+        "PS0220 p");
+  const auto found = diagnose("(defresource arm) (defresource arm)");
+  REQUIRE(found.size() == 1);
+  REQUIRE(found[0].related.size() == 1);
+  CHECK(found[0].related[0].location.range.begin == 13);
+}
+
+TEST_CASE("namespaces are separate") {
+  CHECK(findings(kWorld + "(defevent battery :effects (battery Low)) (defresource battery)"
+                          "(defskill battery :resources (battery) :action (battery))") == "");
+}
+
+TEST_CASE("names inside of a definition are told when they come twice") {
+  CHECK(findings("(defsv s :states (A B A) :init A)") == "PS0221 A");
+  CHECK(findings("(defskill s :input ($x nat $x int) :action (s $x))") == "PS0221 x");
+  CHECK(findings(kWorld + "(defskill s :action (s) :precondition (a (level 1) a (level 2)))") ==
+        "PS0221 a");
+  CHECK(findings(kWorld + "(defskill s :action (s) :invariant (a (:guard (level 1)) "
+                          "a (:guard (level 2))))") == "PS0221 a");
+  CHECK(findings("(defskill s :action (s) :failure (a b a))") == "PS0221 a");
+  CHECK(findings("(defskill s :action (s) :success a :failure a)") == "");
+  CHECK(findings(mission("(label a) (// ((label a)) ((^ 1)))")) == "PS0221 a");
+}
+
+TEST_CASE("an unknown name is not reported again by what depends on it") {
+  CHECK(findings(mission("(^ (= wind Strong))")) == "PS0202 wind");
+  CHECK(findings(mission("(^ (and (wind Strong) (> (+ wind 1) level)))")) ==
+        "PS0202 wind, PS0202 wind");
+  CHECK(findings(mission("(set (wind (+ level 1)))")) == "PS0202 wind");
+  CHECK(findings(mission("(landing speed 3 mode Fast)")) == "PS0201 landing");
+  CHECK(findings(mission("(landing 3)")) == "PS0201 landing");
+  CHECK(findings(mission("(printf \"%d\" wind)")) == "PS0202 wind");
+  CHECK(findings("(defskill s :input ($x real) :action (s $x))"
+                 "(defskill m :body ((s x 1)))") == "PS0209 real");
+  CHECK(findings(mission("(takeoff hight 1 duration 2)")) == "PS0208 hight");
+}
+
+TEST_CASE("a fragment may use what only its root defines") {
+  const std::string fragment = "(defskill land :action (land) :start (motion Controlled))"
+                               "(defskill down :body ((land) (hover) (^ (= motion Free))))";
+  CHECK(findings(fragment) == "PS0202 motion, PS0201 hover, PS0202 motion");
+  CHECK(findings(fragment, Extent::Fragment) == "PS0202H motion, PS0201H hover, PS0202H motion");
+  CHECK(findings(kWorld + "(defevent e :effects (battery Empty))", Extent::Fragment) ==
+        "PS0203 Empty");
+}

@@ -1,0 +1,146 @@
+#include "tests/analysis/findings.h"
+
+#include <catch2/catch.hpp>
+
+using proskill::test::diagnose;
+using proskill::test::findings;
+using proskill::test::kWorld;
+using proskill::test::mission;
+
+TEST_CASE("a state variable is an enumeration or a natural") {
+  CHECK(findings("(defsv s :init A)") == "PS0404 s");
+  CHECK(findings("(defsv s)") == "PS0404 s");
+  CHECK(findings("(defsv s :states (A B))") == "PS0401 s");
+  CHECK(findings("(defsv s :init 1 :min 1)") == "PS0401 s");
+  CHECK(findings("(defsv s :max 1)") == "PS0401 s");
+  CHECK(findings("(defsv s :states (A B) :init A :min 0)") == "PS0403 :min");
+  CHECK(findings("(defsv s :init 0 :min 0 :max 1 :transitions :all)") == "PS0403 :transitions");
+  CHECK(diagnose("(defsv s :max 1)")[0].message == "state variable `s` lacks `:init` and `:min`");
+}
+
+TEST_CASE("a skill is basic or composite") {
+  CHECK(findings("(defskill s :action (s))") == "");
+  CHECK(findings("(defskill s :body ())") == "");
+  CHECK(findings("(defskill s)") == "PS0406 s");
+  CHECK(findings("(defskill s :action (s) :body ((^ 1)))") == "PS0405 :body");
+  CHECK(findings("(defskill s :body ((^ 1)) :action (s))") == "PS0405 :action");
+  CHECK(findings("(defskill s :monitor t :action (s))") == "PS0403 :monitor");
+  CHECK(findings("(defskill s :monitor t :body ((^ 1)))") == "");
+}
+
+TEST_CASE("fields are there once") {
+  CHECK(findings("(defskill s :action (s) :action (t))") == "PS0402 :action");
+  CHECK(findings("(defsv s :states (A) :init A :init A)") == "PS0402 :init");
+  CHECK(findings("(defresource r :capacity 1 :capacity 2)") == "PS0402 :capacity");
+  CHECK(findings("(defevent e)") == "PS0401 e");
+  CHECK(findings("(defenvironment e)") == "PS0401 e");
+}
+
+TEST_CASE("a misspelt keyword or a lost parenthesis is no missing field too") {
+  CHECK(findings(kWorld + "(defevent e :efects (battery Low))") == "PS0113 :efects");
+  CHECK(findings("(defsv s\n  :states (A B\n  :init A)\n(defresource r)") == "PS0101 (");
+  CHECK(findings("(defsv s :states (A B))\n  :init A)\n") == "PS0102 )");
+}
+
+TEST_CASE("an interval holds some duration") {
+  auto interval = [](const std::string& text) {
+    return findings("(defskill s :time_interval " + text + " :action (s))");
+  };
+  CHECK(interval("[1,3]") == "");
+  CHECK(interval("[2,2]") == "");
+  CHECK(interval("]0,...[") == "");
+  CHECK(interval("[3,1]") == "PS0410 [3,1]");
+  CHECK(interval("[2,2[") == "PS0411 [2,2[");
+  CHECK(interval("]2,2]") == "PS0411 ]2,2]");
+  CHECK(interval("[-1,2]") == "PS0116 [-1,2]");
+  CHECK(findings(mission("(^ [3,1])")) == "PS0410 [3,1]");
+  CHECK(findings(kWorld + "(defproperty p (leadsto (level 1) (level 2) :within [3,1]))") ==
+        "PS0410 [3,1]");
+  const auto found = diagnose("(defskill s :time_interval ]3,1.5] :action (s))");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].fixes.at(0).text == "[1.5,3[");
+}
+
+TEST_CASE("a resource can be held, and is taken once") {
+  CHECK(findings("(defresource r :capacity 2)") == "");
+  CHECK(findings("(defresource r :capacity 0)") == "PS0412 0");
+  CHECK(findings("(defresource r :capacity 1.5)") == "PS0412 1.5");
+  CHECK(findings("(defresource r :capacity many)") == "PS0412 many");
+  CHECK(findings(kWorld + "(defskill s :resources (arm arm) :action (s))") == "PS0413 arm");
+}
+
+TEST_CASE("a jump stays in its body or branch") {
+  CHECK(findings(mission("(label a) (while true (if (level 1) (goto a)))")) == "");
+  CHECK(findings(mission("(goto b) (while true (label b))")) == "");
+  CHECK(findings(mission("(// ((label a) (goto a)) ((^ 1)))")) == "");
+  CHECK(findings(mission("(label a) (// ((goto a)) ((^ 1)))")) == "PS0431 a");
+  CHECK(findings(mission("(goto a) (// ((label a)) ((^ 1)))")) == "PS0431 a");
+  CHECK(findings(mission("(// ((label a)) ((goto a)))")) == "PS0431 a");
+  CHECK(findings(mission("(goto a)") + "(defskill other :body ((label a)))") == "PS0207 a");
+}
+
+TEST_CASE("break leaves a loop") {
+  CHECK(findings(mission("(while true break)")) == "");
+  CHECK(findings(mission("(do (if (level 1) (break)) until true)")) == "");
+  CHECK(findings(mission("break")) == "PS0430 break");
+  CHECK(findings(mission("(while true (// (break) ((^ 1))))")) != "");
+  CHECK(findings(mission("(while true (// ((^ 1) break) ((^ 1))))")) == "PS0430 break");
+}
+
+TEST_CASE("an environment makes events and interrupts happen, and does nothing itself") {
+  auto environment = [](const std::string& body) {
+    return findings(kWorld + "(defenvironment e :body (" + body + "))");
+  };
+  CHECK(environment("(label a) (^ [1,3]) (emit drained) (^ (battery Low)) (survey.interrupt)"
+                    "(choose ((emit charged)) ((^ 1) (goto a)))"
+                    "(while (level 1) (if (level 2) break)) (do (^ 1) until true)"
+                    "(printf \"%s\" battery)") == "");
+  CHECK(environment("(survey)") == "PS0433 survey");
+  CHECK(environment("(set (battery Low))") == "PS0433 set");
+  CHECK(environment("(success done)") == "PS0433 success");
+  CHECK(environment("(failure done)") == "PS0433 failure");
+  CHECK(environment("(// ((emit drained)) ((emit charged)))") == "PS0433 //");
+  CHECK(environment("(^ (level 1) :effects (battery Low))") == "PS0433 (battery Low)");
+  CHECK(findings(mission("(emit drained)")) == "PS0432 emit");
+  CHECK(findings(mission("(choose ((^ 1)) ((^ 2)))")) == "PS0432 choose");
+}
+
+TEST_CASE("a program has one environment") {
+  CHECK(findings(kWorld + "(defenvironment e :body ((^ 1))) (defenvironment f :body ((^ 1)))") ==
+        "PS0440 f");
+  CHECK(findings(kWorld + "(defenvironment e :body ((^ 1))) (defenvironment e :body ((^ 1)))") ==
+        "PS0440 e");
+}
+
+TEST_CASE("a format takes its arguments") {
+  CHECK(findings(mission("(printf \"level %d of %d, 100%%, %s %f\" level 3 battery 1.5)")) == "");
+  CHECK(findings(mission("(printf \"%s %s %s\" takeoff.status takeoff.res \"x\")")) == "");
+  CHECK(findings(mission("(printf \"%d\" (+ level 1))")) == "");
+  CHECK(findings(mission("(printf \"%f\" -2)")) == "");
+  CHECK(findings(mission("(printf \"%d\")")) == "PS0330 %d");
+  CHECK(findings(mission("(printf \"on\" level)")) == "PS0330 on");
+  CHECK(findings(mission("(printf \"%d\" battery)")) == "PS0331 battery");
+  CHECK(findings(mission("(printf \"%d\" 1.5)")) == "PS0331 1.5");
+  CHECK(findings(mission("(printf \"%s\" level)")) == "PS0331 level");
+  CHECK(findings(mission("(printf \"%x\" level)")) == "PS0332 %x");
+  CHECK(findings(mission("(printf \"50%\")")) == "PS0332 %");
+  CHECK(findings(mission("(printf \"%é\" level)")) == "PS0332 %é");
+}
+
+TEST_CASE("properties observe, programs do not") {
+  auto property = [](const std::string& text) {
+    return findings(mission("(label up) (survey)") + "(defproperty p " + text + ")");
+  };
+  CHECK(property("(always (or (running survey) (called takeoff) (ended takeoff success)))") == "");
+  CHECK(property("(reachable (and (at up) (value battery Low) (occurs drained)))") == "");
+  CHECK(property("(ltl ([] (=> (running survey) (<> (ended survey)))))") == "");
+  CHECK(property("(never (running landing))") == "PS0201 landing");
+  CHECK(property("(never (ended takeoff landed))") == "PS0211 landed");
+  CHECK(property("(never (ended takeoff no_status))") == "PS0211 no_status");
+  CHECK(property("(never (occurs full))") == "PS0204 full");
+  CHECK(property("(never (at down))") == "PS0207 down");
+  CHECK(property("(never (value battery Empty))") == "PS0203 Empty");
+  CHECK(property("(present (battery Low) :after (running landing))") == "PS0201 landing");
+  CHECK(findings(mission("(^ (running survey))")) == "PS0310 running");
+  CHECK(findings(mission("(^ (at up))")) == "PS0310 at");
+}

@@ -1,0 +1,89 @@
+#include "tests/analysis/findings.h"
+
+#include <catch2/catch.hpp>
+
+using proskill::test::findings;
+using proskill::test::kWorld;
+using proskill::test::mission;
+
+TEST_CASE("a condition is true or false") {
+  CHECK(findings(mission("(^ true) (while false (survey))")) == "");
+  CHECK(findings(mission("(^ battery)")) == "PS0301 battery");
+  CHECK(findings(mission("(^ ready)")) == "PS0301 ready");
+  CHECK(findings(mission("(if takeoff.status (survey))")) == "PS0301 takeoff.status");
+  CHECK(findings(mission("(while (+ level 1) (survey))")) == "PS0301 (+ level 1)");
+  CHECK(findings(mission("(^ (and (level 1) level))")) == "PS0301 level");
+  CHECK(findings(mission("(^ (not battery))")) == "PS0301 battery");
+}
+
+TEST_CASE("both sides of a comparison have the same type") {
+  CHECK(findings(mission("(^ (= battery 3))")) == "PS0303 (= battery 3)");
+  CHECK(findings(mission("(^ (= battery camera))")) == "PS0303 (= battery camera)");
+  CHECK(findings(mission("(^ (= level battery))")) == "PS0303 (= level battery)");
+  CHECK(findings(mission("(^ (/= takeoff.status battery))")) == "PS0211 battery");
+  CHECK(findings(mission("(^ (= takeoff.status takeoff.res))")) ==
+        "PS0303 (= takeoff.status takeoff.res)");
+  CHECK(findings(mission("(^ (= takeoff.status 1))")) == "PS0303 (= takeoff.status 1)");
+  CHECK(findings(mission("(^ (= takeoff.status survey.status))")) == "");
+  CHECK(findings(mission("(^ (= (level 1) (level 2)))")) == "PS0303 (= (level 1) (level 2))");
+  CHECK(findings(mission("(^ (= battery \"Good\"))")) == "PS0303 (= battery \"Good\")");
+  CHECK(findings(mission("(^ (battery 3))")) == "PS0302 3");
+}
+
+TEST_CASE("only naturals are ordered and added") {
+  CHECK(findings(mission("(^ (< level 2)) (^ (>= (+ level 1) (- 3 level)))")) == "");
+  CHECK(findings(mission("(^ (< battery 2))")) == "PS0304 battery");
+  CHECK(findings(mission("(^ (> (+ battery 1) 2))")) == "PS0304 battery");
+  CHECK(findings(mission("(^ (< level 1.5))")) == "PS0304 1.5");
+  CHECK(findings(mission("(^ (= level -1))")) == "PS0304 -1");
+  CHECK(findings(mission("(^ (> takeoff.status 1))")) == "PS0304 takeoff.status");
+}
+
+TEST_CASE("effects set what the variable can be") {
+  auto effects = [](const std::string& text) {
+    return findings(kWorld + "(defevent e :effects " + text + ")");
+  };
+  CHECK(effects("((battery Low) (level (+ level 1)))") == "");
+  CHECK(effects("(battery 1)") == "PS0302 1");
+  CHECK(effects("(battery camera)") == "PS0302 camera");
+  CHECK(effects("(level battery)") == "PS0302 battery");
+  CHECK(effects("(level 4)") == "PS0305 4");
+  CHECK(effects("((level 1) (battery Low) (level 2))") == "PS0414 level");
+}
+
+TEST_CASE("a natural has the numbers of its domain") {
+  CHECK(findings("(defsv n :init 3 :min 3 :max 3)") == "");
+  CHECK(findings("(defsv n :init 0 :min 1 :max 3)") == "PS0305 0");
+  CHECK(findings("(defsv n :init 4 :min 1 :max 3)") == "PS0305 4");
+  CHECK(findings("(defsv n :init 2 :min 3 :max 1)") == "PS0307 1");
+  CHECK(findings("(defsv n :init 0 :min 0 :max 65535)") == "");
+  CHECK(findings("(defsv n :init 0 :min 0 :max 65536)") == "PS0308 65536");
+  CHECK(findings("(defsv n :init 0 :min 0 :max 9223372036854775807)") ==
+        "PS0308 9223372036854775807");
+  CHECK(findings("(defsv n :init 1.5 :min 0 :max 3)") == "PS0304 1.5");
+  CHECK(findings("(defsv n :init 1 :min -1 :max 3)") == "PS0304 -1");
+  CHECK(findings("(defsv n :init Low :min 0 :max 3)") == "PS0304 Low");
+  CHECK(findings(mission("(^ (level 0))")) == "PS0305 0");
+  CHECK(findings(mission("(^ (= level 4))")) == "PS0305 4");
+  CHECK(findings(mission("(^ (< level 4))")) == "");
+}
+
+TEST_CASE("an enumeration has its values") {
+  CHECK(findings("(defsv s :states (A B) :init C)") == "PS0203 C");
+  CHECK(findings("(defsv s :states (A B) :init 1)") == "PS0306 1");
+  CHECK(findings("(defsv s :states (A B) :init A :transitions :all)") == "");
+  CHECK(findings("(defsv s :states (A B) :init A :transitions ((A B) (B C) (D A)))") ==
+        "PS0203 C, PS0203 D");
+}
+
+TEST_CASE("parameters are passed on, not tested") {
+  auto body = [](const std::string& text) {
+    return findings(kWorld + "(defskill s :input ($p nat) :body (" + text +
+                    ")) (defskill m :body ((s p 1)))");
+  };
+  CHECK(body("(takeoff height $p duration 0) (printf \"%d\" $p)") == "");
+  CHECK(body("(^ (> $p 1))") == "PS0309 $p");
+  CHECK(body("(^ $p)") == "PS0309 $p");
+  CHECK(body("(set (level $p))") == "PS0309 $p");
+  CHECK(body("(takeoff height $q duration 0)") == "PS0208 q");
+}
