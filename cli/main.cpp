@@ -4,7 +4,9 @@
 // include and the list in main().
 
 #include "cli/check.h"
+#include "cli/emit.h"
 #include "cli/explain.h"
+#include "cli/graph.h"
 #include "cli/verify.h"
 
 #include <CLI/CLI.hpp>
@@ -28,7 +30,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
-  for (auto add : {addCheck, addExplain, addVerify}) add(app, exitCode);
+  for (auto add : {addCheck, addEmit, addExplain, addGraph, addVerify}) add(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -176,7 +176,7 @@ private:
     attributes.set("style", std::string(style.style));
     attributes.set("color", std::string(style.colour));
     if (isMainWay(edge)) attributes.set("weight", "4");
-    if (edge.role == EdgeRole::Both) attributes.set("dir", "both");
+    if (edge.twoWay) attributes.set("dir", "both");
     if (!edge.label.empty()) attributes.set("label", edgeLabel(edge.label));
     if (edge.source) attributes.setSource(*edge.source);
   }

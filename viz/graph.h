@@ -42,7 +42,6 @@ enum class EdgeRole : std::uint8_t {
   Next,
   Yes,
   No,
-  Both, // either way
   Forbidden,
   Stops, // before the action has ended
   Calls,
@@ -70,6 +69,7 @@ struct Edge {
   EdgeRole role = EdgeRole::Next;
   std::string label;
   std::optional<Source> source;
+  bool twoWay = false; ///< the same back again
 };
 
 /// A frame around nodes, perhaps within another.

@@ -79,14 +79,17 @@ private:
   void drawMoves(std::size_t a, std::size_t b, bool forbidden) {
     const bool there = isAllowed(a, b);
     const bool back = isAllowed(b, a);
-    if (there && back) return builder.edge({a, b, EdgeRole::Both, {}, moveSource(a, b)});
-    if (there || forbidden) drawMove(a, b, there);
-    if (back || forbidden) drawMove(b, a, back);
+    if (there == back) {
+      if (there || forbidden) drawMove(a, b, there, true);
+      return;
+    }
+    if (there || forbidden) drawMove(a, b, there, false);
+    if (back || forbidden) drawMove(b, a, back, false);
   }
 
-  void drawMove(std::size_t from, std::size_t to, bool allows) {
+  void drawMove(std::size_t from, std::size_t to, bool allows, bool twoWay) {
     const auto role = allows ? EdgeRole::Next : EdgeRole::Forbidden;
-    builder.edge({from, to, role, {}, moveSource(from, to)});
+    builder.edge({from, to, role, {}, moveSource(from, to), twoWay});
   }
 
   /// Where a listed move stands.

@@ -76,7 +76,6 @@ constexpr auto kEdges = std::to_array<EdgeEntry>({
     {EdgeRole::Next, "next", "", "solid", kLine, "→"},
     {EdgeRole::Yes, "yes", "", "solid", kGreen, "→"},
     {EdgeRole::No, "no", "", "solid", kRed, "→"},
-    {EdgeRole::Both, "both", "both ways", "solid", kLine, "↔"},
     {EdgeRole::Forbidden, "forbidden", "must not happen", "dashed", kRed, "⇢"},
     {EdgeRole::Stops, "stops", "ends it early", "dashed", kRed, "⇢"},
     {EdgeRole::Calls, "calls", "calls", "solid", kLine, "→"},

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace proskill::cli {
+
+/// Writes all bytes to the file, or to standard output where the path is empty or `-`.
+/// What went wrong, in words with the system's reason, or nothing.
+[[nodiscard]] std::optional<std::string> writeOutput(const std::filesystem::path& path,
+                                                     std::string_view bytes);
+
+} // namespace proskill::cli
