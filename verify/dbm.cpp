@@ -48,6 +48,27 @@ void Dbm::extrapolate(std::span<const std::int32_t> lower, std::span<const std::
   if (changed) close();
 }
 
+void Dbm::startAt(std::uint32_t i) {
+  for (std::uint32_t k = 0; k < size; ++k) std::swap(entry(0, k), entry(i, k));
+  for (std::uint32_t k = 0; k < size; ++k) std::swap(entry(k, 0), entry(k, i));
+}
+
+void Dbm::startBefore() {
+  for (std::uint32_t j = 1; j < size; ++j) {
+    Bound least = kZero;
+    for (std::uint32_t i = 1; i < size; ++i) least = std::min(least, at(i, j));
+    entry(0, j) = least;
+  }
+}
+
+void Dbm::replace(std::uint32_t i, Bound lower, Bound upper) {
+  for (std::uint32_t j = 0; j < size; ++j) {
+    if (j == i) continue;
+    entry(i, j) = plus(upper, at(0, j));
+    entry(j, i) = plus(at(j, 0), lower);
+  }
+}
+
 bool Dbm::close() {
   for (std::uint32_t k = 0; k < size; ++k) {
     for (std::uint32_t i = 0; i < size; ++i) {

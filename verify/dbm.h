@@ -50,6 +50,13 @@ public:
   /// `lower[i]`, `upper[i]`: the greatest constants to which clock i is compared from below and
   /// from above, negative where there is none; index 0 unused.
   void extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper);
+  /// Takes clock `i` as the new 0, and drops nothing: clock i becomes 0 - what was 0.
+  void startAt(std::uint32_t i);
+  /// Takes as the new 0 any moment from the old 0 to the first of the clocks.
+  void startBefore();
+  /// Gives clock `i` new bounds, unrelated to the other clocks: `lower` limits 0 - xi, `upper` xi -
+  /// 0.
+  void replace(std::uint32_t i, Bound lower, Bound upper);
   /// Floyd and Warshall. False where nothing is left.
   bool close();
 

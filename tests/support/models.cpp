@@ -1,4 +1,4 @@
-#include "support/models.h"
+#include "tests/support/models.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fiacre/build.h"
+#include "tests/fiacre/build.h"
 #include "verify/verify.h"
 
 #include <string>
