@@ -1,0 +1,34 @@
+#include "codegen/checks.h"
+#include "codegen/component.h"
+#include "codegen/model.h"
+#include "codegen/watched.h"
+
+namespace proskill::codegen {
+
+std::expected<Model, GenerationError> generate(const analysis::Program& program,
+                                               const Options& options) {
+  auto plan = makePlan(program, options);
+  if (!plan) return std::unexpected(std::move(plan.error()));
+  const auto times = Times::of(program, options);
+  if (!times) return std::unexpected(times.error());
+  Names names(program, *plan);
+  Context context{.program = program,
+                  .options = options,
+                  .plan = std::move(*plan),
+                  .times = *times,
+                  .names = std::move(names),
+                  .origins = Origins(program),
+                  .results = {},
+                  .alarmed = {},
+                  .invariantActive = {},
+                  .argumentIndex = {}};
+  Model model;
+  model.fiacre = buildProgram(context);
+  model.unit = times->unit();
+  if (!context.isRuntime()) addChecks(context, model);
+  context.origins.provenance.watched = watchedVariables(context);
+  model.provenance = std::move(context.origins.provenance);
+  return model;
+}
+
+} // namespace proskill::codegen

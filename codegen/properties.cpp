@@ -1,0 +1,80 @@
+#include "codegen/properties.h"
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::LtlKind;
+using fiacre::PatternKind;
+using syntax::ExprKind;
+using syntax::PropertyKind;
+
+PatternKind kindOf(PropertyKind kind) {
+  switch (kind) {
+  case PropertyKind::Always: return PatternKind::Always;
+  case PropertyKind::DeadlockFree: return PatternKind::DeadlockFree;
+  case PropertyKind::InfinitelyOften: return PatternKind::InfinitelyOften;
+  case PropertyKind::LeadsTo: return PatternKind::LeadsTo;
+  case PropertyKind::Precedes: return PatternKind::Precedes;
+  case PropertyKind::Present: return PatternKind::Present;
+  case PropertyKind::Ltl: return PatternKind::Ltl;
+  default: return PatternKind::Absent;
+  }
+}
+
+LtlKind kindOf(ExprKind kind) {
+  switch (kind) {
+  case ExprKind::Globally: return LtlKind::Globally;
+  case ExprKind::Finally: return LtlKind::Finally;
+  case ExprKind::Next: return LtlKind::Next;
+  case ExprKind::Until: return LtlKind::Until;
+  case ExprKind::Not: return LtlKind::Not;
+  case ExprKind::And: return LtlKind::And;
+  case ExprKind::Or: return LtlKind::Or;
+  case ExprKind::Implies: return LtlKind::Implies;
+  default: return LtlKind::Atom;
+  }
+}
+
+bool isTemporal(const syntax::Expr& expr) {
+  switch (expr.kind) {
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until: return true;
+  default:
+    for (const auto& operand : expr.operands)
+      if (isTemporal(operand)) return true;
+    return false;
+  }
+}
+
+fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
+  fiacre::Ltl ltl;
+  if (!isTemporal(expr)) {
+    ltl.atom = observer.condition(expr);
+    return ltl;
+  }
+  ltl.kind = kindOf(expr.kind);
+  for (const auto& operand : expr.operands) ltl.operands.push_back(formula(observer, operand));
+  return ltl;
+}
+
+} // namespace
+
+fiacre::Pattern patternOf(Context& context, Observer& observer, const syntax::Property& property) {
+  fiacre::Pattern pattern;
+  pattern.kind = kindOf(property.kind);
+  if (pattern.kind == PatternKind::Ltl)
+    pattern.ltl = formula(observer, property.operands[0]);
+  else
+    for (const auto& operand : property.operands)
+      pattern.operands.push_back(observer.condition(operand));
+  if (property.after) pattern.after = observer.condition(*property.after);
+  if (property.before) pattern.before = observer.condition(*property.before);
+  if (property.within) pattern.within = context.times.interval(*property.within);
+  if (property.forDuration) pattern.forInterval = context.times.interval(*property.forDuration);
+  if (property.lasting) pattern.lasting = context.times.units(*property.lasting);
+  return pattern;
+}
+
+} // namespace proskill::codegen
