@@ -1,16 +1,17 @@
 #include "verify/verify.h"
 
 #include "verify/compile.h"
-#include "verify/explorer.h"
 #include "verify/place.h"
+#include "verify/search.h"
 
 namespace proskill::verify {
 
 namespace {
 
-Answer answerOf(const Goal& goal, const Found& found, const Exploration& exploration) {
+Answer answerOf(const Goal& goal, const std::optional<Evidence>& evidence,
+                const Exploration& exploration) {
   if (goal.kind == GoalKind::Unsupported) return {Truth::Unknown, std::nullopt, goal.reason};
-  if (found.decided) return {Truth::False, std::nullopt, {}};
+  if (evidence) return {Truth::False, std::nullopt, {}};
   if (!exploration.complete) return {Truth::Unknown, std::nullopt, exploration.stopped};
   return {Truth::True, std::nullopt, {}};
 }
@@ -29,14 +30,12 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   reductions.inclusion = options.reductions.contains(Reduction::Inclusion);
   auto forgetting = options.reductions.contains(Reduction::Extrapolation) ? Forgetting::LowerUpper
                                                                           : Forgetting::Least;
-  Explorer explorer(system, compiled->goals, reductions, forgetting, limits);
-  auto explored = explorer.run();
-  if (!explored.failure.empty())
-    return std::unexpected(Unsupported{explored.failure, explored.failureOrigin});
+  auto found = search(system, compiled->goals, reductions, forgetting, limits);
+  if (found.failure) return std::unexpected(*found.failure);
   Result result;
   for (std::size_t i = 0; i < questions.size(); ++i)
-    result.answers.push_back(answerOf(compiled->goals[i], explored.goals[i], explored.statistics));
-  result.exploration = explored.statistics;
+    result.answers.push_back(answerOf(compiled->goals[i], found.goals[i], found.statistics));
+  result.exploration = found.statistics;
   return result;
 }
 
