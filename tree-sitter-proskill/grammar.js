@@ -2,9 +2,9 @@
  * ProSkill: robot skills in a Lisp-like notation.
  *
  * Every rule is lenient. What stands in a pair of parentheses is read by the context that it stands
- * in (a condition, a statement, effects, …), each context takes any word anywhere, and a form that it
- * does not know is a plain `list`. So a half-typed program gives a clean tree; what is missing
- * or too much is for those who read the tree to say.
+ * in (a condition, a statement, effects, …); each context takes any word anywhere, and a form that
+ * it does not know is a plain `list`. So a half-typed program gives a clean tree; what is missing,
+ * or too much, is for those who read the tree to say.
  */
 
 /// <reference types="tree-sitter-cli/dsl" />
@@ -12,37 +12,58 @@
 
 const NAME = /[A-Za-z_][A-Za-z0-9_]*/;
 
-/** A parenthesised form. It also ends where the next definition starts a line: see src/scanner.c. */
+/** A form in parentheses. It also ends where the next definition starts a line: src/scanner.c. */
 const form = ($, ...contents) => seq('(', ...contents, $._close);
 
-/** Words that have their own field each, in this order, then anything. */
-const leading = ($, [name, ...others], rest) =>
+/** Words that have their own field each, in this order, then anything of `words` and `rest`. */
+const leading = ($, [name, ...others], rest, words = $._word, otherWords = $._word_but_symbol) =>
   name === undefined
-    ? repeat(choice($._word, rest))
+    ? repeat(choice(words, rest))
     : optional(
         choice(
-          seq(field(name, $.symbol), leading($, others, rest)),
-          seq(choice($._word_but_symbol, rest), repeat(choice($._word, rest))),
+          seq(field(name, $.symbol), leading($, others, rest, words, otherWords)),
+          seq(choice(otherWords, rest), repeat(choice(words, rest))),
         ),
       );
 
 /** A keyword and all that follows it up to the next one. */
 const keyed = ($, keyword, value) =>
-  seq(field('keyword', keyword), repeat(choice(field('value', value), $._loose)));
+  seq(field('keyword', keyword), repeat(field('value', choice(value, $._loose))));
 
 const keyedFields = ($, ...known) => repeat(choice(...known, $.unknown_field));
 
 /** A definition: its name (and whatever else was typed there), then its fields. */
 const definition = ($, head, ...fields) =>
-  form($, field('head', head), definedName($), keyedFields($, ...fields));
-
-const definedName = ($, ...others) =>
-  optional(
-    choice(
-      seq(field('name', $.symbol), repeat(choice($._loose, $.list, ...others))),
-      seq(choice($._loose_but_symbol, $.list, ...others), repeat(choice($._loose, $.list, ...others))),
-    ),
+  form(
+    $,
+    field('head', head),
+    leading($, ['name'], $.list, $._loose, $._loose_but_symbol),
+    keyedFields($, ...fields),
   );
+
+/** A part of a definition that has keywords of its own. */
+const clause = ($, ...fields) =>
+  form($, repeat(choice($._loose, $.list)), keyedFields($, ...fields));
+
+/** A tag with what it names. */
+const tagged = ($, name, value) =>
+  prec.right(seq(field('tag', $.symbol), optional(field(name, value))));
+
+const outcomes = ($, keyword) =>
+  seq(
+    field('keyword', keyword),
+    repeat(field('value', choice($.outcome, $.outcome_list, $._loose_but_symbol))),
+  );
+
+/** A condition, then statements. */
+const guarded = $ =>
+  optional(seq(field('condition', choice($._condition, $.keyword)), repeat($._statement)));
+
+/** A statement about one name. */
+const named = ($, head) => form($, field('head', head), leading($, ['name'], $.list));
+
+const branches = ($, head) =>
+  form($, field('head', head), repeat(choice(field('branch', $.block), $._word)));
 
 /** The forms of a condition, whose operands are `operand`; `prefix` tells the contexts apart. */
 const connectives = (prefix, operand) => ({
@@ -66,14 +87,7 @@ const pattern = ($, head) =>
     $,
     field('head', head),
     repeat($._proposition),
-    keyedFields(
-      $,
-      $.after_field,
-      $.before_field,
-      $.within_field,
-      $.for_field,
-      $.lasting_field,
-    ),
+    keyedFields($, $.after_field, $.before_field, $.within_field, $.for_field, $.lasting_field),
   );
 
 const PATTERNS = [
@@ -259,22 +273,15 @@ module.exports = grammar({
     precondition_field: $ => keyed($, ':precondition', $.precondition_list),
     precondition_list: $ =>
       form($, repeat(choice($.precondition, $._word_but_symbol, $._condition_form))),
-    precondition: $ =>
-      prec.right(
-        seq(
-          field('tag', $.symbol),
-          optional(field('condition', choice($._condition_form, $.boolean))),
-        ),
-      ),
+    precondition: $ => tagged($, 'condition', choice($._condition_form, $.boolean)),
 
     start_field: $ => keyed($, ':start', $._effects),
 
     invariant_field: $ => keyed($, ':invariant', $.invariant_list),
     invariant_list: $ =>
       form($, repeat(choice($.invariant, $._word_but_symbol, $.invariant_clause))),
-    invariant: $ => prec.right(seq(field('tag', $.symbol), optional($.invariant_clause))),
-    invariant_clause: $ =>
-      form($, repeat(choice($._loose, $.list)), keyedFields($, $.guard_field, $.effects_field)),
+    invariant: $ => tagged($, 'clause', $.invariant_clause),
+    invariant_clause: $ => clause($, $.guard_field, $.effects_field),
     guard_field: $ => keyed($, ':guard', choice($._condition_form, $.boolean)),
 
     time_interval_field: $ => keyed($, ':time_interval', $.list),
@@ -283,19 +290,13 @@ module.exports = grammar({
     command: $ => form($, leading($, ['name'], $.list)),
 
     interrupt_field: $ => keyed($, ':interrupt', $.interrupt_clause),
-    interrupt_clause: $ =>
-      form($, repeat(choice($._loose, $.list)), keyedFields($, $.effects_field)),
+    interrupt_clause: $ => clause($, $.effects_field),
 
     success_field: $ => outcomes($, ':success'),
     failure_field: $ => outcomes($, ':failure'),
     outcome_list: $ => form($, repeat(choice($.outcome, $._word_but_symbol, $.outcome_list))),
-    outcome: $ => prec.right(seq(field('tag', $.symbol), optional($.outcome_clause))),
-    outcome_clause: $ =>
-      form(
-        $,
-        repeat(choice($._loose, $.list)),
-        keyedFields($, $.effects_field, $.postcondition_field),
-      ),
+    outcome: $ => tagged($, 'clause', $.outcome_clause),
+    outcome_clause: $ => clause($, $.effects_field, $.postcondition_field),
     postcondition_field: $ => keyed($, ':postcondition', choice($._condition_form, $.boolean)),
 
     resources_field: $ => keyed($, ':resources', $.name_list),
@@ -330,7 +331,9 @@ module.exports = grammar({
     _condition_list: $ =>
       form(
         $,
-        optional(seq(choice($._word_but_symbol, $.boolean, $.list), repeat(choice($._word, $.list)))),
+        optional(
+          seq(choice($._word_but_symbol, $.boolean, $.list), repeat(choice($._word, $.list))),
+        ),
       ),
     boolean: _ => choice('true', 'false'),
     ...connectives('', '_operand'),
@@ -361,10 +364,17 @@ module.exports = grammar({
         $._word,
       ),
     _statement_list: $ =>
-      form($, optional(seq(choice($._literal, $.keyword, $.list), repeat(choice($._word, $.list))))),
+      form(
+        $,
+        optional(seq(choice($._literal, $.keyword, $.list), repeat(choice($._word, $.list)))),
+      ),
 
     call: $ =>
-      form($, field('skill', $.symbol), repeat(choice($.argument, $._word_but_symbol, $._condition_form))),
+      form(
+        $,
+        field('skill', $.symbol),
+        repeat(choice($.argument, $._word_but_symbol, $._condition_form)),
+      ),
     argument: $ =>
       prec.right(
         seq(
@@ -374,7 +384,13 @@ module.exports = grammar({
       ),
     interrupt: $ => form($, field('target', $.access), repeat(choice($._word, $.list))),
 
-    wait: $ => form($, field('head', '^'), repeat($._condition), keyedFields($, $.effects_field)),
+    wait: $ =>
+      form(
+        $,
+        field('head', '^'),
+        repeat(field('condition', $._condition)),
+        keyedFields($, $.effects_field),
+      ),
 
     if: $ =>
       form($, field('head', 'if'), guarded($), repeat(choice($.elseif_clause, $.else_clause))),
@@ -401,16 +417,7 @@ module.exports = grammar({
     // Properties.
 
     property: $ =>
-      form(
-        $,
-        field('head', 'defproperty'),
-        optional(
-          choice(
-            seq(field('name', $.symbol), repeat(choice($._word, $._pattern))),
-            seq(choice($._word_but_symbol, $._pattern), repeat(choice($._word, $._pattern))),
-          ),
-        ),
-      ),
+      form($, field('head', 'defproperty'), leading($, ['name'], field('body', $._pattern))),
     _pattern: $ => choice(...PATTERNS.map(name => $[name]), $.list),
     ...Object.fromEntries(PATTERNS.map(name => [name, $ => pattern($, name)])),
     after_field: $ => keyed($, ':after', choice($._proposition_form, $.boolean)),
@@ -456,22 +463,3 @@ module.exports = grammar({
     implication: $ => temporal($, '=>'),
   },
 });
-
-function guarded($) {
-  return optional(seq(field('condition', choice($._condition, $.keyword)), repeat($._statement)));
-}
-
-function named($, head) {
-  return form($, field('head', head), leading($, ['name'], $.list));
-}
-
-function branches($, head) {
-  return form($, field('head', head), repeat(choice(field('branch', $.block), $._word)));
-}
-
-function outcomes($, keyword) {
-  return seq(
-    field('keyword', keyword),
-    repeat(choice(field('value', choice($.outcome, $.outcome_list)), $._loose_but_symbol)),
-  );
-}

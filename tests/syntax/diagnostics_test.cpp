@@ -9,7 +9,8 @@ using syntax::Document;
 
 TEST_CASE("each diagnostic of form is raised by its example, and nothing else is") {
   for (const auto& entry : syntax::allCodes()) {
-    bool ofForm = entry.code <= syntax::Code::MissingPath;
+    // From PS0006 on, PS00xx are about files, which a text alone cannot show.
+    bool ofForm = entry.id < "PS0006" || entry.id.starts_with("PS01");
     if (!ofForm || entry.example.empty()) continue;
     INFO(entry.example);
     CHECK(test::codesOf(Document::parse(std::string(entry.example))) == entry.id);
