@@ -1,14 +1,12 @@
 #include "cli/check.h"
 
 #include "cli/check_report.h"
+#include "cli/choice.h"
 #include "cli/disk.h"
 #include "cli/render.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -147,11 +145,12 @@ void addCheck(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("check", "Report what is wrong with programs");
   command->add_option("file", arguments->files, "The programs' root files")->required();
-  command->add_option("--format", arguments->format, "text, short, json or sarif")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"text", Format::Text},
-                                                                        {"short", Format::Short},
-                                                                        {"json", Format::Json},
-                                                                        {"sarif", Format::Sarif}}));
+  addChoice<Format>(*command, "--format", arguments->format,
+                    {{"text", Format::Text},
+                     {"short", Format::Short},
+                     {"json", Format::Json},
+                     {"sarif", Format::Sarif}},
+                    "How findings are printed");
   command->add_flag("--fragment", arguments->fragment,
                     "The files are parts of programs: names defined elsewhere are only hints");
   addColour(*command, arguments->colour);

@@ -3,6 +3,7 @@
 // leaves its result in `exitCode` when it has run. A new one is added in two places here: the
 // include and the list in main().
 
+#include "analysis/suggest.h"
 #include "cli/check.h"
 #include "cli/emit.h"
 #include "cli/explain.h"
@@ -11,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
@@ -19,6 +21,38 @@ namespace {
 /// What sysexits.h calls EX_SOFTWARE: our own mistake, not the user's.
 constexpr int kInternalError = 70;
 constexpr int kUsage = 2;
+
+std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
+  const auto* command = app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  const std::string name = command == app ? "" : " " + command->get_name();
+  return std::string("error: ") + error.what() + "\nrun `proskill" + name + " --help` for more\n";
+}
+
+std::vector<std::string> commandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+/// The first word, where it is meant as a command and there is none of that name.
+std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "-";
+  const auto names = commandNames(app);
+  const bool known = std::ranges::find(names, word) != names.end();
+  return word.starts_with('-') || known ? "" : word;
+}
+
+int failUnknown(const CLI::App& app, const std::string& word) {
+  const auto names = commandNames(app);
+  proskill::analysis::Suggestion suggestion(word);
+  for (const std::string& name : names) suggestion.offer(name);
+  std::cerr << "error: there is no command `" << word << "`";
+  if (!suggestion.best().empty()) std::cerr << "; did you mean `" << suggestion.best() << "`?";
+  std::cerr << "\nrun `proskill --help` for a list\n";
+  return kUsage;
+}
 
 } // namespace
 
@@ -29,8 +63,10 @@ int main(int argc, char** argv) {
                "proskill"};
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
+  app.failure_message(failureMessage);
   for (auto add : {addCheck, addEmit, addExplain, addGraph, addVerify}) add(app, exitCode);
+  if (const auto word = unknownCommand(app, argc, argv); !word.empty())
+    return failUnknown(app, word);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,9 +1,8 @@
 #include "cli/paint.h"
 
-#include <CLI/CLI.hpp>
+#include "cli/choice.h"
 
 #include <cstdlib>
-#include <map>
 #include <unistd.h>
 
 namespace proskill::cli {
@@ -37,11 +36,11 @@ bool wantsColour(ColourChoice choice, int fileDescriptor) {
 }
 
 void addColour(CLI::App& command, ColourChoice& choice) {
-  command.add_option("--color", choice, "auto, always or never")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ColourChoice>{{"auto", ColourChoice::Auto},
-                                              {"always", ColourChoice::Always},
-                                              {"never", ColourChoice::Never}}));
+  addChoice<ColourChoice>(command, "--color", choice,
+                          {{"auto", ColourChoice::Auto},
+                           {"always", ColourChoice::Always},
+                           {"never", ColourChoice::Never}},
+                          "Colours; auto: on a terminal, unless NO_COLOR is set");
 }
 
 } // namespace proskill::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace proskill::cli {
+
+template <class Value> using Choices = std::vector<std::pair<std::string, Value>>;
+
+template <class Value> std::string words(const Choices<Value>& choices, std::string_view between) {
+  std::string text;
+  for (const auto& [word, value] : choices)
+    text += (text.empty() ? "" : std::string(between)) + word;
+  return text;
+}
+
+/// An option that takes one of some words, each for a value. Its help names them.
+template <class Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen,
+                       const Choices<Value>& choices, const std::string& help) {
+  auto choose = [&chosen, choices, name](const std::string& word) {
+    for (const auto& [known, value] : choices)
+      if (known == word) return static_cast<void>(chosen = value);
+    throw CLI::ValidationError(name, "`" + word + "` is none of " + words(choices, ", "));
+  };
+  return command.add_option_function<std::string>(name, choose, help)
+      ->type_name(words(choices, "|"));
+}
+
+} // namespace proskill::cli
