@@ -45,7 +45,9 @@ private:
   void operands(const Pattern& pattern) const {
     std::size_t wanted = 1;
     switch (pattern.kind) {
-    case PatternKind::DeadlockFree:
+    case PatternKind::DeadlockFree: // where it may stop, if anywhere
+      wanted = pattern.operands.empty() ? 0 : 1;
+      break;
     case PatternKind::Progress:
     case PatternKind::Ltl: wanted = 0; break;
     case PatternKind::LeadsTo:
