@@ -1,9 +1,7 @@
-#include "tests/support/random_source.h"
 #include "tests/syntax/programs.h"
+#include "tests/syntax/random_words.h"
 
 #include <catch2/catch.hpp>
-
-#include <array>
 
 using namespace proskill;
 using syntax::Document;
@@ -70,60 +68,8 @@ TEST_CASE("random bytes give a tree and diagnostics") {
 
 TEST_CASE("random words give a tree and diagnostics") {
   test::RandomSource random(11);
-  constexpr std::array<std::string_view, 48> kWords = {"(",
-                                                       ")",
-                                                       "(defskill a",
-                                                       "(defsv",
-                                                       ":init",
-                                                       ":body ((",
-                                                       ":success",
-                                                       ":effects",
-                                                       "(^",
-                                                       "(//",
-                                                       "(if",
-                                                       "else",
-                                                       "elseif",
-                                                       "until",
-                                                       "(do",
-                                                       "(while",
-                                                       "[1,3]",
-                                                       "[",
-                                                       "]",
-                                                       "...",
-                                                       ",",
-                                                       "$x",
-                                                       "a",
-                                                       "b.c",
-                                                       "a.",
-                                                       "1",
-                                                       "-2.5",
-                                                       "\"s\"",
-                                                       "\"",
-                                                       ";c\n",
-                                                       "\n",
-                                                       "\n(defsv",
-                                                       "=",
-                                                       "(=",
-                                                       "(and",
-                                                       "~",
-                                                       "(defproperty p (ltl ([]",
-                                                       "(()",
-                                                       "(<>",
-                                                       "=>",
-                                                       "(label",
-                                                       "(success",
-                                                       "(set",
-                                                       "break",
-                                                       ":invariant",
-                                                       ":guard",
-                                                       "true",
-                                                       "é"};
   for (int i = 0; i < 3000; ++i) {
-    std::string text;
-    for (std::size_t n = random.below(60); n > 0; --n) {
-      text += kWords[random.below(kWords.size())];
-      if (random.chance(75)) text += ' ';
-    }
+    auto text = test::randomWords(random);
     INFO(text);
     CHECK(isSound(Document::parse(text)));
   }
