@@ -32,6 +32,7 @@ public:
 
   void start() {
     set(VariableKind::Status, static_cast<std::int64_t>(Status::None));
+    set(VariableKind::Result, 0);
     set(VariableKind::Running, 1);
     use(Term::Kind::Add);
   }
@@ -39,16 +40,13 @@ public:
     set(VariableKind::Status, static_cast<std::int64_t>(Status::None));
     set(VariableKind::Result, 0);
   }
-  void end(Status status) {
+  /// An end without a tag has no result.
+  void end(Status status, std::string_view tag) {
+    const Domain& tags = system.variables()[of(VariableKind::Result)].domain;
+    set(VariableKind::Result, tags.numberOf(tag).value_or(0));
     set(VariableKind::Status, static_cast<std::int64_t>(status));
     set(VariableKind::Running, 0);
     use(Term::Kind::Subtract);
-  }
-  /// An outcome without a tag has no result; one that was stopped may keep the last.
-  void result(std::string_view tag, bool mayKeep) {
-    const Domain& tags = system.variables()[of(VariableKind::Result)].domain;
-    set(VariableKind::Result, tags.numberOf(tag).value_or(0));
-    assignments.back().mayKeep = mayKeep;
   }
 
 private:
@@ -82,17 +80,13 @@ void addBookkeeping(const System& system, const Process& process, const Node& no
   case NodeKind::Start: keep.start(); return;
   case NodeKind::Refused: keep.refused(); return;
   case NodeKind::Outcome:
-    keep.end(node.success ? Status::Success : Status::Failure);
-    keep.result(node.outcome ? node.outcome->tag.text : kNoResult, !node.outcome);
+    keep.end(node.success ? Status::Success : Status::Failure,
+             node.outcome ? node.outcome->tag.text : kNoResult);
     return;
   case NodeKind::InvariantFailure:
-    keep.end(Status::FailedInvariant);
-    keep.result(node.invariant->tag.text, false);
+    keep.end(Status::FailedInvariant, node.invariant->tag.text);
     return;
-  case NodeKind::Interrupted:
-    keep.end(Status::Interrupted);
-    keep.result(kNoResult, true);
-    return;
+  case NodeKind::Interrupted: keep.end(Status::Interrupted, kNoResult); return;
   default: return;
   }
 }

@@ -40,8 +40,6 @@ std::vector<Move> moves(const Assignment& assignment, const Domain& domain, cons
       result.push_back(moveTo(index, domain, evaluate(assignment.value, one)));
     });
   }
-  if (assignment.mayKeep)
-    for (Move& move : result) move.to |= ValueSet::of(move.from);
   return result;
 }
 

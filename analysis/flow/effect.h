@@ -11,7 +11,6 @@ struct Assignment {
   VariableId variable = 0;
   std::optional<Slot> slot; ///< nothing where the process does not follow the variable
   Term value;
-  bool mayKeep = false;                   ///< the old value may stay
   const syntax::Effect* source = nullptr; ///< in the text
 };
 

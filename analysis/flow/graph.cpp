@@ -155,6 +155,7 @@ LooseEnds Builder::conditional(const Statement& s, LooseEnds ends) {
   for (const Arm& arm : s.arms) {
     if (arm.condition) {
       NodeId node = test(s, *arm.condition, ends);
+      graph().nodes[node].atomic = &arm != s.arms.data(); // all tests are made at one moment
       ends = block(arm.body, {edge(node, Guard::Holds)});
       after.insert(after.end(), ends.begin(), ends.end());
       ends = {edge(node, Guard::Fails)};
@@ -288,7 +289,7 @@ void Builder::skillThread() {
   NodeId first = add(std::move(start));
   graph().end = add({.kind = NodeKind::End, .range = skill->name.range});
   if (!skill->preconditions.empty()) {
-    NodeId refused = add({.kind = NodeKind::Refused, .range = skill->name.range});
+    NodeId refused = add({.kind = NodeKind::Refused, .range = skill->name.range, .atomic = true});
     connect({edge(first, Guard::Fails)}, refused);
     edge(refused, Guard::None, true);
   }

@@ -54,6 +54,7 @@ struct Node {
   const syntax::Outcome* outcome = nullptr; ///< Outcome; null where the body runs off its end
   const syntax::Invariant* invariant = nullptr;
   bool success = false;          ///< Outcome
+  bool atomic = false;           ///< what it does happens in the step that leads to it
   std::vector<GraphId> branches; ///< Fork: graphs of the same skill
   std::vector<Edge> edges;
 

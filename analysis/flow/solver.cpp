@@ -100,14 +100,13 @@ void Solver::close(State& state, const Closing& closing) const {
     state.values[slot] = closing[slot]->closure(state.values[slot]);
 }
 
-/// What a basic skill does when it ends, and a refusal, is one step with what comes before: nobody
-/// comes in between.
+/// Others may come in before it. A basic skill's action and its end are one step.
 bool Solver::isPoint(ProcessId process, NodeId node) const {
   const Process& self = model[process];
   NodeKind kind = (*self.graph)[node].kind;
-  if (kind == NodeKind::Refused) return false;
-  bool basic = self.kind == ProcessKind::Skill && !model.skill(self).isComposite();
-  return !basic || kind == NodeKind::Start || kind == NodeKind::Run || kind == NodeKind::End;
+  bool ends = kind == NodeKind::Outcome || kind == NodeKind::InvariantFailure ||
+              kind == NodeKind::Interrupted;
+  return !(*self.graph)[node].atomic && (!ends || model.skill(self).isComposite());
 }
 
 const Solver::Closing& Solver::relyAt(ProcessId process, NodeId node) const {
@@ -209,9 +208,12 @@ void Solver::stopCallees(ProcessId process, NodeId id) {
 void Solver::stopBeforeStart(ProcessId process) {
   const Process& self = model[process];
   if (self.kind != ProcessKind::Skill) return;
-  VariableId status = model.variables().of(VariableKind::Status, self.definition);
-  auto to = static_cast<std::int64_t>(Status::Interrupted);
-  record(states[process][0], process, model.resolver().constant(status, to, self.slots));
+  auto set = [&](VariableKind kind, std::int64_t to) {
+    VariableId variable = model.variables().of(kind, self.definition);
+    record(states[process][0], process, model.resolver().constant(variable, to, self.slots));
+  };
+  set(VariableKind::Status, static_cast<std::int64_t>(Status::Interrupted));
+  set(VariableKind::Result, 0);
 }
 
 void Solver::mark(std::vector<bool>& flags, ProcessId process) {
@@ -371,8 +373,10 @@ void Solver::announceEnd(ProcessId process) {
 void Solver::summarise() {
   Bits all(model.size());
   for (ProcessId id = 0; id < model.size(); ++id) all.insert(id);
-  for (VariableId id = 0; id < model.variables().size(); ++id)
-    everything.push_back(moves.of(all, id).closure(model.variables()[id].initial));
+  for (VariableId id = 0; id < model.variables().size(); ++id) {
+    byAnyone.push_back(&moves.of(all, id));
+    everything.push_back(byAnyone.back()->closure(model.variables()[id].initial));
+  }
 }
 
 } // namespace proskill::analysis::flow

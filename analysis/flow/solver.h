@@ -31,6 +31,14 @@ public:
   }
   /// All that a variable may ever be.
   [[nodiscard]] ValueSet ever(VariableId variable) const { return everything[variable]; }
+  /// The values that one step of anybody may change it to.
+  [[nodiscard]] ValueSet mayMove(VariableId variable, unsigned from) const {
+    return byAnyone[variable]->from(from);
+  }
+  /// It is called, or starts with the program.
+  [[nodiscard]] bool started(ProcessId process) const {
+    return !states[process].empty() && states[process].front().reachable;
+  }
   /// `(x.interrupt)` or the world outside may interrupt it while its caller goes on.
   [[nodiscard]] bool mayBeInterrupted(ProcessId process) const { return interrupted[process]; }
   /// Its caller may stop it because it is stopped itself.
@@ -92,6 +100,7 @@ private:
   ProcessId running = kNoProcess;
   NodeId cursor = 0; ///< of the running process: the next node to look at
   std::vector<ValueSet> everything;
+  std::vector<const Relation*> byAnyone; ///< of each variable
 };
 
 } // namespace proskill::analysis::flow

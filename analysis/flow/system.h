@@ -54,6 +54,7 @@ public:
   [[nodiscard]] const Resolver& resolver() const { return names; }
   [[nodiscard]] std::size_t size() const { return processes.size(); }
   [[nodiscard]] const Process& operator[](ProcessId id) const { return processes[id]; }
+  [[nodiscard]] const std::vector<Process>& all() const { return processes; }
   [[nodiscard]] ProcessId ofSkill(std::size_t skill) const { return skillProcess[skill]; }
   [[nodiscard]] ProcessId ofEvent(std::size_t event) const {
     return firstEvent + static_cast<ProcessId>(event);

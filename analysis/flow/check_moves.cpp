@@ -1,0 +1,150 @@
+#include "analysis/flow/checks.h"
+#include "analysis/flow/origins.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+/// Moves that a state variable is not allowed to make, and naturals that leave their range.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Code;
+
+/// All that an assignment of the text may do, over all the nodes that make it.
+struct Assigned {
+  VariableId variable = 0;
+  Location at;
+  const syntax::Effect* effect = nullptr;
+  bool byEvent = false;
+  ValueSet from;
+  ValueSet clean;                         ///< of `from`: no move from here is wrong
+  ValueSet broken;                        ///< of `from`: every move from here is wrong
+  std::map<unsigned, ValueSet> forbidden; ///< moves that are not allowed
+  bool fallsShort = false;
+  bool overshoots = false;
+};
+
+class Moves {
+public:
+  explicit Moves(Report& report) : report(report), origins(report) {}
+
+  void check() {
+    forEachReachedNode(report, [this](ProcessId id, const Process& process, NodeId node,
+                                      const Node& each) { visit(id, process, node, each); });
+    if (report.system().hasFreeEvents()) visitEvents();
+    for (const auto& [key, assigned] : found) {
+      if (!assigned.forbidden.empty()) reportForbidden(assigned);
+      if (assigned.fallsShort || assigned.overshoots) reportRange(assigned);
+    }
+  }
+
+private:
+  void visit(ProcessId id, const Process& process, NodeId nodeId, const Node& node) {
+    for (const Edge& edge : node.edges) {
+      if (!edge.sets) continue;
+      State state = report.solver.before(id, nodeId);
+      if (edge.guard != Guard::None)
+        refineAll(state, process.actions[nodeId].conditions, edge.guard == Guard::Holds);
+      if (state.reachable) add(process, node, process.actions[nodeId], state);
+    }
+  }
+
+  void add(const Process& process, const Node& node, const Action& action, const State& state) {
+    for (const Assignment& each : action.assignments) {
+      if (!each.source || !report.variables()[each.variable].restricted || !each.slot) continue;
+      bool emits = node.kind == NodeKind::Emit;
+      const void* key = emits ? static_cast<const void*>(node.statement) : each.source;
+      Location at = report.system().at(process, emits ? node.range : each.source->range);
+      note({key, each.variable}, each, state, at, false);
+    }
+  }
+
+  /// An event strikes whatever the state of affairs is.
+  void visitEvents() {
+    const System& system = report.system();
+    for (std::size_t event = 0; event < report.program.events.all.size(); ++event) {
+      const Process& process = system[system.ofEvent(event)];
+      State state{.reachable = true, .values = {}};
+      for (VariableId variable : process.slots.variables())
+        state.values.push_back(report.solver.ever(variable));
+      for (const Assignment& each : process.actions[0].assignments)
+        if (each.slot && report.variables()[each.variable].restricted)
+          note({each.source, each.variable}, each, state, system.at(process, each.source->range),
+               true);
+    }
+  }
+
+  void note(std::pair<const void*, VariableId> key, const Assignment& assignment,
+            const State& state, Location at, bool byEvent) {
+    const Variable& variable = report.variables()[assignment.variable];
+    Assigned& here = found[key];
+    here.variable = assignment.variable;
+    here.at = at;
+    here.effect = assignment.source;
+    here.byEvent = byEvent;
+    for (const Move& move : moves(assignment, variable.domain, state)) {
+      ValueSet wrong = variable.forbidden(move.from, move.to);
+      bool outside = move.mayFallShort || move.mayOvershoot;
+      ValueSet one = ValueSet::of(move.from);
+      here.from |= one;
+      here.fallsShort |= move.mayFallShort;
+      here.overshoots |= move.mayOvershoot;
+      if (!wrong.empty()) here.forbidden[move.from] |= wrong;
+      if (wrong.empty() && !outside) here.clean |= one;
+      if (wrong == move.to || move.alwaysOutside) here.broken |= one;
+    }
+    here.broken = here.broken - here.clean;
+  }
+
+  void reportForbidden(const Assigned& it) {
+    ValueSet from;
+    ValueSet to;
+    for (const auto& [index, targets] : it.forbidden) from |= ValueSet::of(index), to |= targets;
+    const Variables& variables = report.variables();
+    Code code = it.from == it.broken ? Code::ForbiddenMove
+                : it.byEvent         ? Code::EventMayBeForbidden
+                                     : Code::MayBeForbiddenMove;
+    Finding finding = report.findings.report(code, it.at, variables.name(it.variable),
+                                             variables.words(it.variable, from),
+                                             variables.words(it.variable, to));
+    for (const Origin& origin : origins.of(it.variable, from))
+      finding.related(origin.at, origin.words);
+    if (from.count() == 1 && to.count() == 1) offerTransition(finding, it.variable, from, to);
+  }
+
+  void offerTransition(Finding& finding, VariableId id, ValueSet from, ValueSet to) {
+    const auto& definition = report.program.stateVariables.all[report.variables()[id].definition];
+    if (definition->transitions.empty()) return;
+    std::string pair = fmt::format("({} {})", report.variables().words(id, from),
+                                   report.variables().words(id, to));
+    syntax::Offset end = definition->transitions.back().range.end;
+    finding.fix(fmt::format("allow the move {}", pair), definition.at({end, end}), " " + pair);
+  }
+
+  void reportRange(const Assigned& it) {
+    const Domain& domain = report.variables()[it.variable].domain;
+    Code code = it.from == it.broken ? Code::LeavesRange
+                : it.byEvent         ? Code::EventMayLeaveRange
+                                     : Code::MayLeaveRange;
+    std::string limit = it.overshoots ? fmt::format("above {}", domain.max())
+                                      : fmt::format("below {}", domain.min());
+    if (it.overshoots && it.fallsShort) limit += fmt::format(" or below {}", domain.min());
+    Finding finding =
+        report.findings.report(code, it.at, report.variables().name(it.variable), limit);
+    finding.related(
+        definitionOf(report, it.variable),
+        fmt::format("can be {} there", report.variables().words(it.variable, it.from - it.clean)));
+  }
+
+  Report& report;
+  Origins origins;
+  std::map<std::pair<const void*, VariableId>, Assigned> found;
+};
+
+} // namespace
+
+void checkMoves(Report& report) { Moves(report).check(); }
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,92 @@
+#include "analysis/flow/checks.h"
+
+#include "analysis/flow/loops.h"
+
+/// Loops in which no time passes, and waits that take none.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Code;
+
+bool takesNoTime(const Node& node) {
+  switch (node.kind) {
+  case NodeKind::Interrupt:
+  case NodeKind::Test:
+  case NodeKind::Choose:
+  case NodeKind::Set:
+  case NodeKind::Emit:
+  case NodeKind::Step: return true;
+  case NodeKind::Delay: {
+    const auto& upper = node.statement->duration.upper;
+    return upper && upper->numerator == 0;
+  }
+  default: return false;
+  }
+}
+
+class Progress {
+public:
+  Progress(Report& report, ProcessId id) : report(report), id(id), process(report.system()[id]) {}
+
+  void check() {
+    auto within = [this](NodeId node) {
+      return report.solver.reachable(id, node) && takesNoTime((*process.graph)[node]);
+    };
+    for (const std::vector<NodeId>& loop : loopsOf(*process.graph, within))
+      if (!mayLeave(loop)) tell(loop);
+  }
+
+private:
+  /// It counts towards its end, or chooses to leave.
+  [[nodiscard]] bool mayLeave(const std::vector<NodeId>& loop) const {
+    std::set<NodeId> inside(loop.begin(), loop.end());
+    std::set<VariableId> changed;
+    for (NodeId node : loop)
+      for (const Assignment& each : process.actions[node].assignments)
+        changed.insert(each.variable);
+    for (NodeId node : loop) {
+      bool leaves = false;
+      for (const Edge& edge : (*process.graph)[node].edges) leaves |= !inside.contains(edge.target);
+      if (leaves && ((*process.graph)[node].kind != NodeKind::Test || reads(node, changed)))
+        return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool reads(NodeId node, const std::set<VariableId>& variables) const {
+    std::set<Slot> slots;
+    for (const Condition& each : process.actions[node].conditions) collectSlots(each, slots);
+    for (Slot slot : slots)
+      if (variables.contains(process.slots[slot])) return true;
+    return false;
+  }
+
+  void tell(const std::vector<NodeId>& loop) {
+    NodeId first = *std::ranges::min_element(loop);
+    const Node& node = (*process.graph)[first];
+    syntax::Range at = node.statement->head.range.empty() ? node.range : node.statement->head.range;
+    report.findings.report(Code::LoopWithoutTime, report.system().at(process, at));
+  }
+
+  Report& report;
+  ProcessId id;
+  const Process& process;
+};
+
+void checkZeroWait(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
+  if (node.kind != NodeKind::Delay || !takesNoTime(node)) return;
+  Location at = report.at(id, nodeId);
+  report.findings.report(Code::ZeroWait, at).fix("remove the wait", at, "");
+}
+
+} // namespace
+
+void checkProgress(Report& report) {
+  forEachNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
+    if (node == 0) Progress(report, id).check();
+    checkZeroWait(report, id, node, each);
+  });
+}
+
+} // namespace proskill::analysis::flow

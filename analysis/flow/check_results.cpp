@@ -1,0 +1,48 @@
+#include "analysis/flow/checks.h"
+#include "analysis/walk.h"
+
+#include <unordered_set>
+
+/// Calls of skills that can fail, made by a skill that never looks at how they went.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Expr;
+
+void collectRead(const Expr& expr, std::unordered_set<std::string_view>& read) {
+  if (expr.kind == syntax::ExprKind::Access) read.insert(expr.name.text);
+  for (const Expr& operand : expr.operands) collectRead(operand, read);
+}
+
+std::unordered_set<std::string_view> skillsRead(const syntax::Block& body) {
+  std::unordered_set<std::string_view> read;
+  forEachStatement(body, [&](const syntax::Statement& statement) {
+    collectRead(statement.condition, read);
+    for (const auto& arm : statement.arms)
+      if (arm.condition) collectRead(*arm.condition, read);
+    for (const auto& argument : statement.arguments) collectRead(argument.value, read);
+  });
+  return read;
+}
+
+void checkSkill(Report& report, const Definition<syntax::Skill>& skill) {
+  auto read = skillsRead(*skill->body);
+  forEachStatement(*skill->body, [&](const syntax::Statement& statement) {
+    if (statement.kind != syntax::StatementKind::Call) return;
+    const auto* callee = report.program.skills.find(statement.name.text);
+    if (!callee || (*callee)->failures.empty() || !read.insert(statement.name.text).second) return;
+    report.findings
+        .report(syntax::Code::ResultIgnored, skill.at(statement.head.range), statement.name.text)
+        .related(callee->at((*callee)->failures.front().tag.range), "it can fail");
+  });
+}
+
+} // namespace
+
+void checkResults(Report& report) {
+  for (const auto& skill : report.program.skills.all)
+    if (skill->body) checkSkill(report, skill);
+}
+
+} // namespace proskill::analysis::flow

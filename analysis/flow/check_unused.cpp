@@ -1,0 +1,66 @@
+#include "analysis/flow/checks.h"
+
+#include <algorithm>
+
+/// Definitions that nothing in the program needs.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Code;
+
+class Unused {
+public:
+  explicit Unused(Report& report) : report(report), symbols(report.index.symbols()) {}
+
+  void check() {
+    for (SymbolId id = 0; id < symbols.all().size(); ++id) {
+      const Symbol& symbol = symbols[id];
+      switch (symbol.kind) {
+      case SymbolKind::StateVariable:
+        reportUnless(isNamed(id), Code::UnusedStateVariable, symbol);
+        break;
+      case SymbolKind::Resource: reportUnless(isNamed(id), Code::UnusedResource, symbol); break;
+      case SymbolKind::Label: reportUnless(isNamed(id), Code::UnusedLabel, symbol); break;
+      case SymbolKind::Parameter: reportUnless(isRead(id), Code::UnusedInput, symbol); break;
+      case SymbolKind::Skill:
+        reportUnless(isNamed(id) || isStarted(symbol.definition), Code::UnusedSkill, symbol);
+        break;
+      case SymbolKind::Event:
+        reportUnless(isNamed(id) || report.system().hasFreeEvents(), Code::UnusedEvent, symbol);
+        break;
+      default: break;
+      }
+    }
+  }
+
+private:
+  void reportUnless(bool used, Code code, const Symbol& symbol) {
+    if (!used) report.findings.report(code, symbol.at, symbol.name);
+  }
+
+  [[nodiscard]] bool isNamed(SymbolId id) const {
+    return std::ranges::any_of(report.index.occurrencesOf(id), [](const Occurrence& each) {
+      return each.role != Role::Definition;
+    });
+  }
+
+  [[nodiscard]] bool isRead(SymbolId id) const {
+    return std::ranges::any_of(report.index.occurrencesOf(id),
+                               [](const Occurrence& each) { return each.role == Role::Read; });
+  }
+
+  [[nodiscard]] bool isStarted(std::size_t skill) const {
+    const System& system = report.system();
+    return system[system.ofSkill(skill)].analysed;
+  }
+
+  Report& report;
+  const SymbolTable& symbols;
+};
+
+} // namespace
+
+void checkUnused(Report& report) { Unused(report).check(); }
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "analysis/flow/solver.h"
+#include "syntax/rational.h"
+
+#include <optional>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+/// A stretch of time in seconds. Bounds are as if closed.
+struct Duration {
+  syntax::Rational least;
+  std::optional<syntax::Rational> most; ///< nothing: no bound is known
+};
+
+/// How long skills take, from their parts: sequences, branches, parallel branches, loops.
+class Durations {
+public:
+  explicit Durations(const Solver& solver);
+
+  /// From the start to the end of a process in runs that nobody stops; nothing where it cannot end.
+  /// `least` is never too large; `most` is never too small, over stopped runs too.
+  [[nodiscard]] std::optional<Duration> of(ProcessId process);
+
+private:
+  using Date = std::optional<syntax::Rational>;
+
+  [[nodiscard]] Duration ofNode(ProcessId process, NodeId node);
+  [[nodiscard]] Duration ofCall(ProcessId process, NodeId node);
+  [[nodiscard]] Duration ofFork(ProcessId process, NodeId node);
+  [[nodiscard]] bool mayEndEarly(ProcessId callee) const;
+  [[nodiscard]] bool mayBeAwaited(ProcessId caller, ProcessId callee) const;
+  std::vector<Date> earliest(ProcessId process);
+  [[nodiscard]] Date latestEnd(ProcessId process);
+
+  const Solver& solver;
+  const System& system;
+  std::vector<std::optional<std::optional<Duration>>> known;
+  std::vector<bool> busy; ///< being computed: a recursive program is another check's matter
+};
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "analysis/flow/graph.h"
+
+#include <functional>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+/// The loops of a graph that stay within some of its nodes: its strongly connected components that
+/// have an edge inside. R. Tarjan, "Depth-first search and linear graph algorithms", 1972.
+[[nodiscard]] std::vector<std::vector<NodeId>> loopsOf(const Graph& graph,
+                                                       const std::function<bool(NodeId)>& within);
+
+} // namespace proskill::analysis::flow

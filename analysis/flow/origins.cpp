@@ -1,0 +1,54 @@
+#include "analysis/flow/origins.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace proskill::analysis::flow {
+
+namespace {
+
+constexpr std::size_t kMostOrigins = 3;
+
+} // namespace
+
+Origins::Origins(const Report& report) : report(report), writes(report.variables().size()) {
+  const System& system = report.system();
+  forEachReachedNode(report,
+                     [this](ProcessId, const Process& process, NodeId node, const Node& each) {
+                       if (each.kind != NodeKind::Emit) add(process, process.actions[node]);
+                     });
+  for (std::size_t event = 0; event < report.program.events.all.size(); ++event)
+    add(system[system.ofEvent(event)], system[system.ofEvent(event)].actions[0]);
+}
+
+void Origins::add(const Process& process, const Action& action) {
+  for (const Assignment& each : action.assignments) {
+    if (!each.source || each.value.kind != Term::Kind::Number) continue;
+    const Domain& domain = report.variables()[each.variable].domain;
+    Write write{report.system().at(process, each.source->range),
+                domain.saturated({each.value.number, each.value.number})};
+    auto same = [&](const Write& other) { return other.at == write.at; };
+    auto& known = writes[each.variable];
+    if (std::ranges::none_of(known, same)) known.push_back(write);
+  }
+}
+
+std::vector<Origin> Origins::of(VariableId id, ValueSet values) const {
+  std::vector<Origin> origins;
+  const Variable& variable = report.variables()[id];
+  if (variable.initial.within(values)) {
+    const auto& definition = report.program.stateVariables.all[variable.definition];
+    origins.push_back(
+        {definition.at(definition->init.range),
+         fmt::format("starts as {}", report.variables().words(id, variable.initial))});
+  }
+  for (const Write& write : writes[id]) {
+    if (origins.size() == kMostOrigins) break;
+    if (write.to.within(values))
+      origins.push_back(
+          {write.at, fmt::format("becomes {} here", report.variables().words(id, write.to))});
+  }
+  return origins;
+}
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "analysis/findings.h"
+#include "analysis/flow/solver.h"
+#include "analysis/index.h"
+
+#include <set>
+#include <string>
+#include <utility>
+
+namespace proskill::analysis::flow {
+
+/// What the checks of this folder see, and where they put what they find.
+struct Report {
+  const Program& program;
+  const Solver& solver;
+  const Index& index;
+  Findings& findings;
+  /// Nodes of which something has been said that explains what follows; the checks that come later
+  /// are silent about them.
+  std::set<std::pair<ProcessId, NodeId>> explained{};
+  /// Variables whose values have been told already.
+  std::set<VariableId> told{};
+
+  [[nodiscard]] const System& system() const { return solver.system(); }
+  [[nodiscard]] const Variables& variables() const { return solver.system().variables(); }
+  [[nodiscard]] Location at(ProcessId process, NodeId node) const {
+    const Process& self = system()[process];
+    return system().at(self, (*self.graph)[node].range);
+  }
+  void explain(ProcessId process, NodeId node) { explained.emplace(process, node); }
+  [[nodiscard]] bool isExplained(ProcessId process, NodeId node) const {
+    return explained.contains({process, node});
+  }
+};
+
+/// Where a variable is defined: its own name, or that of its skill or resource.
+[[nodiscard]] Location definitionOf(const Report& report, VariableId variable);
+
+/// Says of each variable of the conditions which values it can have in the state.
+void addValues(Finding& finding, Report& report, const Process& process, const State& state,
+               const std::vector<Condition>& conditions);
+
+/// The variables that a condition reads.
+void collectSlots(const Condition& condition, std::set<Slot>& slots);
+
+/// Calls `visit(id, process, nodeId, node)` for each node of each process that somebody starts.
+template <class Visit> void forEachNode(const Report& report, Visit&& visit) {
+  for (ProcessId id = 0; id < report.system().size(); ++id) {
+    const Process& process = report.system()[id];
+    if (!process.graph || !process.analysed) continue;
+    for (NodeId node = 0; node < process.graph->nodes.size(); ++node)
+      visit(id, process, node, (*process.graph)[node]);
+  }
+}
+
+/// The same for the nodes that can be reached.
+template <class Visit> void forEachReachedNode(const Report& report, Visit&& visit) {
+  forEachNode(report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
+    if (report.solver.reachable(id, node)) visit(id, process, node, each);
+  });
+}
+
+} // namespace proskill::analysis::flow
