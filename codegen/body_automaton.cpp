@@ -11,6 +11,18 @@ using syntax::Block;
 using syntax::Statement;
 using syntax::StatementKind;
 
+/// Control does not come to what stands behind the statement, unless it is a `break` that goes
+/// there.
+bool neverGoesOn(const Statement& statement) {
+  switch (statement.kind) {
+  case StatementKind::Success:
+  case StatementKind::Failure: return true;
+  case StatementKind::While: return statement.condition.kind == syntax::ExprKind::True;
+  case StatementKind::DoUntil: return statement.condition.kind == syntax::ExprKind::False;
+  default: return false;
+  }
+}
+
 /// Names all states in the order of the text, then tells each where to go on.
 class Builder {
 public:
@@ -128,7 +140,9 @@ private:
                      const std::string& afterLoop) {
     const auto index = stateOf.at(&statement);
     const auto own = automaton.states[index].name;
-    automaton.states[index].next = statement.kind == StatementKind::Break ? afterLoop : next;
+    automaton.states[index].next = neverGoesOn(statement)                   ? ""
+                                   : statement.kind == StatementKind::Break ? afterLoop
+                                                                            : next;
     if (statement.kind == StatementKind::Parallel) return;
     const bool loops =
         statement.kind == StatementKind::While || statement.kind == StatementKind::DoUntil;

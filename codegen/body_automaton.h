@@ -17,7 +17,8 @@ struct BodyState {
   std::string name;                             ///< as the paper names it: `NS5`, `N3_T`
   const syntax::Statement* statement = nullptr; ///< null: the end of the body
   /// Where control goes when the statement is done: of a loop when it ends, of an `if` when no arm
-  /// is taken, of a `break` or `goto` its target.
+  /// is taken, of a `break` or `goto` its target. Empty where it goes nowhere: behind an outcome,
+  /// and behind a loop for ever.
   std::string next;
   /// If: the first state of each arm, an `else` included; While, DoUntil: of the body;
   /// Choose: of each branch.

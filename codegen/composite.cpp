@@ -106,7 +106,7 @@ private:
   /// All that can end the skill from outside of its own thread.
   std::vector<Ending> findReasons() {
     std::vector<Ending> found;
-    if (skill.mayBeStopped || skill.skill().interrupt) found.push_back(interruptionOf(skill));
+    if (skill.mayBeStopped() || skill.skill().interrupt) found.push_back(interruptionOf(skill));
     for (const auto& invariant : skill.skill().invariants) found.push_back(failureOf(invariant));
     forEachThread(body, [&](const BodyAutomaton& thread) {
       if (thread.path.empty()) return;
@@ -144,7 +144,7 @@ private:
       auto port = at(words, synchronise(context.names.interruptPort(skill.name())));
       all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
     }
-    if (skill.mayBeStopped)
+    if (skill.mayBeStopped())
       all.push_back(strike(seen(frame.stop(), interruption.range, "is asked to stop"), running,
                            note(resultOf(interruption))));
     for (const auto& invariant : node.invariants) {

@@ -125,7 +125,7 @@ private:
 
   void noteInterrupt(std::string_view name) {
     auto* skill = find(name);
-    if (skill && skill->skill().interrupt) skill->mayBeStopped = true;
+    if (skill && skill->skill().interrupt) skill->mayBeInterrupted = true;
   }
 
   void noteBranchEnds() {
@@ -156,8 +156,8 @@ private:
       if (statement.kind != StatementKind::Call) return;
       if (!(thread.path.empty() ? skill.mayStrike() : skill.mayStrikeBranches())) return;
       auto& callee = *find(statement.head.text);
-      changed |= !callee.mayBeStopped;
-      callee.mayBeStopped = true;
+      changed |= !callee.callerMayStop;
+      callee.callerMayStop = true;
     });
     return changed;
   }

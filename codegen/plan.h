@@ -18,7 +18,8 @@ struct SkillPlan {
   bool root = false;                  ///< is called at time 0
   bool generalCaller = false;         ///< the most general caller calls it
   std::set<std::string_view> callers; ///< the skills, branches and environments that call it
-  bool mayBeStopped = false;          ///< something may set its `stop`
+  bool mayBeInterrupted = false;      ///< a statement may set its `stop` while it runs
+  bool callerMayStop = false;         ///< its caller may set its `stop`, before it runs too
   bool branchEnds = false;            ///< a branch of it has a `(success …)` or `(failure …)`
   bool resultIsRead = false;          ///< something reads `.res`
 
@@ -26,6 +27,8 @@ struct SkillPlan {
   [[nodiscard]] std::string_view name() const { return skill().name.text; }
   [[nodiscard]] syntax::FileId file() const { return definition->file; }
   [[nodiscard]] bool calledBySkills() const { return !callers.empty(); }
+  /// Something may set its `stop`.
+  [[nodiscard]] bool mayBeStopped() const { return mayBeInterrupted || callerMayStop; }
   /// It runs once and never again.
   [[nodiscard]] bool runsOnce() const { return root && callers.empty(); }
   /// More than one process calls it, so a call may find it busy.
@@ -38,7 +41,7 @@ struct SkillPlan {
   [[nodiscard]] bool isWatchedAgain() const { return isWatched() && !runsOnce(); }
   /// Something may end it before its body has come to an end.
   [[nodiscard]] bool mayStrike() const {
-    return mayBeStopped || skill().interrupt || !skill().invariants.empty();
+    return mayBeStopped() || skill().interrupt || !skill().invariants.empty();
   }
   /// Something may end its branches before they have come to an end.
   [[nodiscard]] bool mayStrikeBranches() const { return mayStrike() || branchEnds; }

@@ -71,7 +71,7 @@ std::vector<Statement> RuntimeAction::alternatives() {
   if (node.interrupt)
     all.push_back(sequence(
         {synchronise(context.names.interruptPort(skill.name())), breakOff(interruptionOf(skill))}));
-  if (skill.mayBeStopped)
+  if (skill.mayBeStopped())
     all.push_back(sequence({atOnce(), on(frame.stop()), breakOff(interruptionOf(skill))}));
   return all;
 }
@@ -145,7 +145,7 @@ void declareActions(Context& context, fiacre::Program& program) {
                              namedType("skill_result"),
                              context.names.foreign({skill.name(), "action"})});
     const auto& node = skill.skill();
-    if (node.interrupt || skill.mayBeStopped || !node.invariants.empty())
+    if (node.interrupt || skill.mayBeStopped() || !node.invariants.empty())
       program.externs.push_back({interruptionCall(context, skill.name()),
                                  {},
                                  boolType(),

@@ -34,7 +34,7 @@ void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
   addState(process, "start_", place(),
            sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
   endStates.emplace_back("precondition_unsatisfied");
-  if (skill.mayBeStopped) endStates.emplace_back("interrupted");
+  if (skill.callerMayStop) endStates.emplace_back("interrupted");
   addState(process, "check_precondition", place(),
            sequence({atOnce(),
                      entry("precondition_satisfied", "precondition_unsatisfied", "interrupted")}));
@@ -63,7 +63,7 @@ Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused
                             std::string_view stopped) {
   auto begin = sequence({on(isReady()), ifThenElse(precondition(context, skill.skill()),
                                                    start(satisfied), refuse(refused))});
-  if (!skill.mayBeStopped) return begin;
+  if (!skill.callerMayStop) return begin;
   return ifThenElse(stop(), stopEarly(stopped), std::move(begin));
 }
 
@@ -153,7 +153,7 @@ Statement SkillFrame::setResult(std::string_view status, std::string_view tag) {
 
 Statement SkillFrame::giveBack() {
   std::vector<Statement> all{assign(cell("inv_active"), boolean(false))};
-  if (skill.mayBeStopped) all.push_back(assign(stop(), boolean(false)));
+  if (skill.mayBeStopped()) all.push_back(assign(stop(), boolean(false)));
   all.push_back(changeResources(Op::Subtract));
   all.push_back(returnControl());
   return sequence(std::move(all));

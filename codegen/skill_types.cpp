@@ -41,7 +41,7 @@ void SkillTypes::findFields() {
     fields.push_back({"val", namedType("skill_result"), name("no_result"), "of the last call"});
   fields.push_back({"inv_active", boolType(), boolean(false), "it is running"});
   if (any([](const SkillPlan& skill) {
-        return skill.mayBeStopped || (skill.body && skill.mayStrikeBranches());
+        return skill.mayBeStopped() || (skill.body && skill.mayStrikeBranches());
       }))
     fields.push_back({"stop", boolType(), boolean(false), "it was asked to stop"});
   if (any([](const SkillPlan& skill) { return skill.shared(); }))
