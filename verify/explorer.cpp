@@ -152,10 +152,10 @@ void Explorer::runSafeSteps(Current& current) {
                   [&](TransitionId next) { return advance(current, next); });
 }
 
-std::vector<TransitionId> Explorer::pathTo(NodeIndex index) const {
+Steps Explorer::pathTo(NodeIndex index) const {
   std::vector<NodeIndex> line;
   for (; index != kNone; index = graph.nodes[index].parent) line.push_back(index);
-  std::vector<TransitionId> path;
+  Steps path;
   std::vector<Word> state = initialState(system);
   TransitionSet enabled;
   StepLog ignored;
@@ -223,28 +223,27 @@ void Explorer::noticeStep(const Current& after) {
   for (auto event : log.events) events.insert(event);
   const Moment moment{before.data(), after.state.data(), &events};
   for (auto goal : stepGoals)
-    if (!result.goals[goal].decided && holdsAt(system, goals[goal].condition, moment)) found(goal);
+    if (!result.goals[goal] && holdsAt(system, goals[goal].condition, moment)) found(goal);
 }
 
 void Explorer::noticeState(const Current& current) {
   const Moment moment{current.state.data(), nullptr, nullptr};
   for (auto goal : stateGoals)
-    if (!result.goals[goal].decided && holdsAt(system, goals[goal].condition, moment)) found(goal);
+    if (!result.goals[goal] && holdsAt(system, goals[goal].condition, moment)) found(goal);
 }
 
 void Explorer::noticeDeadlock() {
   const Moment moment{loaded.state.data(), nullptr, nullptr};
   for (std::size_t i = 0; i < goals.size(); ++i)
-    if (goals[i].kind == GoalKind::Deadlock && !result.goals[i].decided &&
+    if (goals[i].kind == GoalKind::Deadlock && !result.goals[i] &&
         !holdsAt(system, goals[i].condition, moment))
       found(i);
 }
 
 void Explorer::found(std::size_t goal) {
-  if (result.goals[goal].decided) return;
-  result.goals[goal].decided = true;
+  if (result.goals[goal]) return;
   --open;
-  auto& steps = result.goals[goal].witness.emplace().steps;
+  Steps& steps = result.goals[goal].emplace();
   if (expanding != kNone) steps = pathTo(expanding);
   steps.insert(steps.end(), passed.begin(), passed.end());
 }

@@ -8,19 +8,12 @@
 
 namespace proskill::verify {
 
-/// A way to what a goal asks for: from the initial state along `steps`.
-struct Witness {
-  std::vector<TransitionId> steps;
-};
-
-struct Found {
-  bool decided = false; ///< something was found
-  std::optional<Witness> witness;
-};
+/// Transitions from the initial state on.
+using Steps = std::vector<TransitionId>;
 
 /// What an exploration found, and how far it went.
 struct Explored {
-  std::vector<Found> goals;
+  std::vector<std::optional<Steps>> goals; ///< by goal: a way to what it asks for
   Exploration statistics;
   std::string failure; ///< an error of the model: a value out of range
   fiacre::OriginId failureOrigin = 0;
@@ -66,7 +59,7 @@ public:
   [[nodiscard]] const ZoneGraph& explored() const { return graph; }
   [[nodiscard]] ZoneGraph& explored() { return graph; }
   /// The transitions from the initial state to a node, safe steps included.
-  [[nodiscard]] std::vector<TransitionId> pathTo(NodeIndex index) const;
+  [[nodiscard]] Steps pathTo(NodeIndex index) const;
 
 private:
   /// A state on its way into the store.
@@ -111,10 +104,10 @@ private:
 
   NodeIndex expanding = kNone;
   StateId loadedState = kNone;
-  Current loaded;                   ///< the node that is expanded
-  Current work;                     ///< its successor
-  std::vector<Word> before;         ///< the state before the last step
-  std::vector<TransitionId> passed; ///< from the node that is expanded to `work`
+  Current loaded;           ///< the node that is expanded
+  Current work;             ///< its successor
+  std::vector<Word> before; ///< the state before the last step
+  Steps passed;             ///< from the node that is expanded to `work`
   StepLog log;
 };
 

@@ -70,7 +70,7 @@ SearchResult search(const System& system, const std::vector<Goal>& goals,
     result.failure = Unsupported{explored.failure, explored.failureOrigin};
   if (result.failure) return result;
   for (std::size_t i = 0; i < goals.size(); ++i)
-    if (explored.goals[i].witness) result.goals[i] = Evidence{explored.goals[i].witness->steps, {}};
+    if (explored.goals[i]) result.goals[i] = Evidence{*explored.goals[i], {}};
   if (std::ranges::none_of(goals, isStuckGoal)) return result;
 
   auto stuck = findStuck(system, reductions, explorer);

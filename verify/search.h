@@ -7,7 +7,7 @@ namespace proskill::verify {
 
 /// A way to what a goal asks for, and where the clocks stand at its end where that matters.
 struct Evidence {
-  std::vector<TransitionId> steps;
+  Steps steps;
   std::vector<ClockRange> clocks;
 };
 

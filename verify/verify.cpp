@@ -3,15 +3,20 @@
 #include "verify/compile.h"
 #include "verify/place.h"
 #include "verify/search.h"
+#include "verify/witness.h"
 
 namespace proskill::verify {
 
 namespace {
 
 Answer answerOf(const Goal& goal, const std::optional<Evidence>& evidence,
-                const Exploration& exploration) {
+                const Exploration& exploration, const Witness& witness) {
   if (goal.kind == GoalKind::Unsupported) return {Truth::Unknown, std::nullopt, goal.reason};
-  if (evidence) return {Truth::False, std::nullopt, {}};
+  if (evidence) {
+    auto trace = witness.trace(goal, *evidence);
+    if (trace) return {Truth::False, std::move(*trace), {}};
+    return {Truth::Unknown, std::nullopt, "internal error, please report it: " + trace.error()};
+  }
   if (!exploration.complete) return {Truth::Unknown, std::nullopt, exploration.stopped};
   return {Truth::True, std::nullopt, {}};
 }
@@ -32,9 +37,12 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
                                                                           : Forgetting::Least;
   auto found = search(system, compiled->goals, reductions, forgetting, limits);
   if (found.failure) return std::unexpected(*found.failure);
+  const System whole = placed(std::move(compiled->system));
+  const Witness witness(whole, reductions.dropped, provenance);
   Result result;
   for (std::size_t i = 0; i < questions.size(); ++i)
-    result.answers.push_back(answerOf(compiled->goals[i], found.goals[i], found.statistics));
+    result.answers.push_back(
+        answerOf(compiled->goals[i], found.goals[i], found.statistics, witness));
   result.exploration = found.statistics;
   return result;
 }
