@@ -1,0 +1,95 @@
+#include "tests/oracle/agreement.h"
+#include "tests/support/random_program.h"
+#include "tests/support/texts.h"
+
+#include "codegen/model.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+
+namespace {
+
+constexpr std::uint64_t kPrograms = 3000;
+constexpr std::size_t kLimit = 1500; ///< nodes of a graph of regions
+
+using Setting = std::pair<std::string, verify::Options>;
+using Asked = fiacre::Program (*)(fiacre::Program);
+
+fiacre::Program defaultChecks(fiacre::Program program) { return program; }
+
+/// What is wrong with the answers to a program: nothing where it is too large for the oracle.
+std::optional<std::string> quarrel(const std::vector<test::Form>& forms, Asked asked,
+                                   const Setting& setting) {
+  analysis::Program program = test::programOfText(test::textOf(forms));
+  if (!test::isWellFormed(program)) return std::nullopt;
+  auto model = codegen::generate(program);
+  if (!model) return std::nullopt;
+  fiacre::Program questions = asked(model->fiacre);
+  oracle::Judged judged = oracle::judge(questions, kLimit);
+  if (!judged.complete) return std::nullopt;
+  return oracle::disagreement(questions, model->provenance, judged, setting);
+}
+
+/// The smallest program that still shows a disagreement under this setting, and what it is.
+std::string report(std::uint64_t seed, Asked asked, const Setting& setting) {
+  auto shows = [&](const std::vector<test::Form>& forms) {
+    try {
+      return quarrel(forms, asked, setting).has_value();
+    } catch (const oracle::ModelError&) {
+      return false;
+    }
+  };
+  auto small = test::minimise(test::randomProgram(seed), shows);
+  return "seed " + std::to_string(seed) + "\n" + test::textOf(small) +
+         quarrel(small, asked, setting).value();
+}
+
+struct Tally {
+  std::size_t compared = 0;
+  std::size_t tooLarge = 0;
+  std::size_t nodes = 0;
+  std::size_t answers = 0;
+};
+
+/// Compares under every `stride`-th setting, another one first for each program.
+Tally compareAll(Asked asked, std::size_t stride) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < kPrograms; ++seed) {
+    auto model = codegen::generate(test::programOfText(test::textOf(test::randomProgram(seed))));
+    INFO("seed " << seed);
+    REQUIRE(model.has_value());
+    fiacre::Program questions = asked(model->fiacre);
+    oracle::Judged judged = oracle::judge(questions, kLimit);
+    if (!judged.complete) {
+      ++tally.tooLarge;
+      continue;
+    }
+    ++tally.compared;
+    tally.nodes += judged.nodes;
+    tally.answers += judged.truths.size();
+    for (std::size_t i = seed % stride; i < oracle::settings().size(); i += stride) {
+      const auto& setting = oracle::settings()[i];
+      if (!oracle::disagreement(questions, model->provenance, judged, setting)) continue;
+      FAIL(report(seed, asked, setting));
+    }
+  }
+  return tally;
+}
+
+} // namespace
+
+TEST_CASE("engine and oracle agree on every check of random programs, whatever is reduced") {
+  Tally tally = compareAll(defaultChecks, 1);
+  WARN(tally.compared << " programs compared, " << tally.tooLarge << " too large, " << tally.nodes
+                      << " regions, " << tally.answers << " answers");
+  CHECK(tally.compared > kPrograms * 3 / 4);
+  CHECK(tally.nodes > 200'000);
+  CHECK(tally.answers > 50'000);
+}
+
+TEST_CASE("engine and oracle agree on the states and the tags that random programs reach") {
+  Tally tally = compareAll(oracle::askedForControl, 4);
+  CHECK(tally.compared > kPrograms * 3 / 4);
+  CHECK(tally.answers > 100'000);
+}
