@@ -1,10 +1,12 @@
 #include "viz/dot.h"
 
+#include "viz/circle.h"
+#include "viz/ids.h"
 #include "viz/label.h"
 
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
 #include <vector>
 
 namespace proskill::viz {
@@ -66,10 +68,12 @@ public:
 
   CGraph draw() {
     std::string name = "proskill";
-    root.reset(agopen(text(name), Agdirected, nullptr));
+    Agdisc_t discipline{nullptr, sequentialIds(), nullptr};
+    root.reset(agopen(text(name), Agdirected, &discipline));
     drawPage();
     drawClusters();
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) drawNode(i);
+    if (graph.layout == Layout::Circular) pinNodes();
     for (std::size_t i = 0; i < graph.edges.size(); ++i) drawEdge(i);
     return std::move(root);
   }
@@ -79,11 +83,10 @@ private:
     setDefaults();
     Attributes attributes(root.get(), root.get());
     attributes.set("charset", "UTF-8");
-    attributes.set("layout", graph.layout == Layout::Layered ? "dot" : "circo");
+    attributes.set("layout", graph.layout == Layout::Layered ? "dot" : "neato");
     attributes.set("rankdir", "TB");
     attributes.set("nodesep", "0.35");
     attributes.set("ranksep", "0.42");
-    attributes.set("mindist", "1.3");
     attributes.set("pad", "0.3");
     attributes.set("bgcolor", std::string(page.background));
     attributes.set("fontname", std::string(kFont));
@@ -155,6 +158,13 @@ private:
       attributes.setHtml("label", nodeLabel(node, scheme));
   }
 
+  void pinNodes() {
+    const auto points = placeInCircle(graph);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      Attributes(root.get(), nodes[i])
+          .set("pos", fmt::format("{:.3f},{:.3f}!", points[i].x, points[i].y));
+  }
+
   /// A node without words: a dot, or the bar of a fork.
   void drawSign(Attributes& attributes, NodeRole role) {
     const bool bar = role == NodeRole::Fork || role == NodeRole::Join;
@@ -209,6 +219,21 @@ private:
   std::vector<Agnode_t*> nodes;
 };
 
+/// A text that is being read.
+struct Reader {
+  std::string_view rest;
+};
+
+/// Up to the end of a line, as fgets does, which cgraph's own reading is made for.
+int readLine(void* from, char* buffer, int size) {
+  auto& rest = static_cast<Reader*>(from)->rest;
+  const auto line = std::min(rest.find('\n'), rest.size() - 1) + 1;
+  const auto length = rest.empty() ? 0 : std::min(line, static_cast<std::size_t>(size));
+  rest.copy(buffer, length);
+  rest.remove_prefix(length);
+  return static_cast<int>(length);
+}
+
 int putString(void* out, const char* bytes) {
   static_cast<std::string*>(out)->append(bytes);
   return 0;
@@ -219,6 +244,15 @@ int flush(void*) { return 0; }
 } // namespace
 
 CGraph toCGraph(const Graph& graph, Scheme scheme) { return Drawing(graph, scheme).draw(); }
+
+CGraph readDot(std::string_view dot) {
+  Agiodisc_t fromString{readLine, nullptr, nullptr};
+  Agdisc_t discipline{nullptr, sequentialIds(), &fromString};
+  Reader reader{dot};
+  CGraph graph(agread(&reader, &discipline));
+  if (graph) graph->clos->disc.io = &AgIoDisc;
+  return graph;
+}
 
 std::string writeDot(Agraph_t* graph) {
   std::string out;

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace proskill::viz {
 
@@ -21,7 +22,8 @@ using CGraph = std::unique_ptr<Agraph_t, CloseGraph>;
 /// 1). \pre no other thread uses Graphviz, which keeps state of its own.
 [[nodiscard]] CGraph toCGraph(const Graph& graph, Scheme scheme);
 
-/// As `toCGraph`'s graph is written to a file.
 [[nodiscard]] std::string writeDot(Agraph_t* graph);
+/// Null where the text is no DOT.
+[[nodiscard]] CGraph readDot(std::string_view dot);
 
 } // namespace proskill::viz

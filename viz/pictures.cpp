@@ -40,7 +40,7 @@ std::expected<Graph, std::string> draw(const analysis::Program& program, const R
 std::vector<Request> allPictures(const analysis::Program& program, Kind kind) {
   std::vector<Request> found;
   const auto add = [&](std::string_view name) {
-    found.push_back({kind, std::string(name), false});
+    if (!name.empty()) found.push_back({kind, std::string(name), false});
   };
   switch (kind) {
   case Kind::StateVariable:
@@ -55,7 +55,7 @@ std::vector<Request> allPictures(const analysis::Program& program, Kind kind) {
       if (each->body) add(each.name());
     for (const auto& each : program.environments.all) add(each.name());
     break;
-  case Kind::Calls: add({}); break;
+  case Kind::Calls: found.push_back({}); break;
   }
   return found;
 }

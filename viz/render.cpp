@@ -76,12 +76,12 @@ std::expected<std::string, std::string> render(const Graph& graph, Format format
   const Complaints complaints;
   const auto text = writeDot(toCGraph(graph, scheme).get());
   if (format == Format::Dot) return text;
-  // The text is read back, so that `dot` makes the same picture of it: places depend on the order
-  // in which a graph is built.
-  const CGraph drawn(agmemread(text.c_str()));
+  // Places depend on the order in which a graph was made. Read back, it is in that of its text, and
+  // the picture is the one that `dot` makes of it.
+  const auto drawn = readDot(text);
   if (!drawn) return failed("the graph cannot be read back");
   if (format == Format::Png) setResolution(drawn.get());
-  const auto* engine = graph.layout == Layout::Layered ? "dot" : "circo";
+  const auto* engine = graph.layout == Layout::Layered ? "dot" : "neato";
   return renderBytes(drawn.get(), engine, format == Format::Svg ? "svg" : "png");
 }
 
