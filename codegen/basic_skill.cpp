@@ -49,8 +49,8 @@ private:
     for (const auto& outcome : outcomesOf(skill))
       all.push_back(sequence({wait(duration), finish(outcome)}));
     if (node.interrupt)
-      all.push_back(sequence(
-          {synchronise(context.names.interruptPort(skill.name())), finish(interruptionOf(skill))}));
+      all.push_back(sequence({synchronise(context.names.interruptPort(skill.name())),
+                              finish(outsideInterruptionOf(skill))}));
     if (skill.mayBeStopped())
       all.push_back(sequence({atOnce(), on(frame.stop()), finish(interruptionOf(skill))}));
     for (const auto& invariant : node.invariants)

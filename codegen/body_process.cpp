@@ -51,14 +51,7 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   switch (statement.kind) {
   case StatementKind::Call: return addCall(process, state);
   case StatementKind::Parallel: return addParallel(process, state);
-  case StatementKind::WaitCondition: {
-    const auto words =
-        origin(statement.range, "has waited for " + quote(statement.condition.range));
-    return addWaiting(
-        process, state,
-        sequence({atOnce(), at(words, on(condition(context, statement.condition))),
-                  effects(context, actor, statement.effects), at(words, to(state.next))}));
-  }
+  case StatementKind::WaitCondition: return addWaiting(process, state, waitFor(state));
   case StatementKind::WaitTime: {
     const auto words =
         origin(statement.range, "has waited " + quote(statement.duration.range) + " s");
@@ -73,6 +66,18 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
 void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, Statement main) {
   addState(process, state.name, origin(state.statement->range),
            withWatch(std::move(main), strikes({}, false)), lineOf(state));
+}
+
+/// A forbidden move among the effects tells more than the wait, so it comes behind its words.
+Statement BodyProcess::waitFor(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const auto words = origin(statement.range, "has waited for " + quote(statement.condition.range));
+  auto guard = on(condition(context, statement.condition));
+  auto next = to(state.next);
+  const bool isPlain = statement.effects.items.empty() || guard.kind != fiacre::StatementKind::On;
+  (isPlain ? next : guard).origin = words;
+  return sequence(
+      {atOnce(), std::move(guard), effects(context, actor, statement.effects), std::move(next)});
 }
 
 /// A statement that takes no time.

@@ -41,6 +41,7 @@ private:
   void addCall(fiacre::Process& process, const BodyState& state);
   void addParallel(fiacre::Process& process, const BodyState& state);
   void addWaiting(fiacre::Process& process, const BodyState& state, fiacre::Statement main);
+  [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
   [[nodiscard]] fiacre::Statement step(const BodyState& state);
   [[nodiscard]] fiacre::Statement callNow(const BodyState& state, const std::string& sync);
   [[nodiscard]] fiacre::Statement returnFrom(const BodyState& state);

@@ -140,7 +140,7 @@ private:
     std::vector<Statement> all;
     const auto interruption = interruptionOf(skill);
     if (node.interrupt) {
-      const auto words = frame.origin(interruption.range, "is interrupted from outside");
+      const auto words = frame.origin(interruption.range, outsideInterruptionOf(skill).words);
       auto port = at(words, synchronise(context.names.interruptPort(skill.name())));
       all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
     }

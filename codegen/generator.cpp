@@ -1,3 +1,4 @@
+#include "codegen/annotate.h"
 #include "codegen/checks.h"
 #include "codegen/component.h"
 #include "codegen/model.h"
@@ -24,6 +25,7 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
                   .argumentIndex = {}};
   Model model;
   model.fiacre = buildProgram(context);
+  annotate(model.fiacre, context.origins.provenance);
   model.unit = times->unit();
   if (!context.isRuntime()) addChecks(context, model);
   context.origins.provenance.watched = watchedVariables(context);

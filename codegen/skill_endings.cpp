@@ -55,6 +55,12 @@ Ending interruptionOf(const SkillPlan& skill) {
   return result;
 }
 
+Ending outsideInterruptionOf(const SkillPlan& skill) {
+  auto result = interruptionOf(skill);
+  result.words = "is interrupted from outside";
+  return result;
+}
+
 Ending failureOf(const syntax::Invariant& invariant) {
   Ending result;
   result.status = "failed_inv";

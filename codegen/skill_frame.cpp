@@ -33,7 +33,8 @@ void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
   const auto called = origin(skill.skill().name.range, "is called");
   addState(process, "start_", place(),
            sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
-  endStates.emplace_back("precondition_unsatisfied");
+  if (!isTrue(precondition(context, skill.skill())))
+    endStates.emplace_back("precondition_unsatisfied");
   if (skill.callerMayStop) endStates.emplace_back("interrupted");
   addState(process, "check_precondition", place(),
            sequence({atOnce(),

@@ -17,6 +17,8 @@ struct Ending {
 [[nodiscard]] Ending successOf(const SkillPlan& skill, std::string_view tag);
 [[nodiscard]] Ending failureOf(const SkillPlan& skill, std::string_view tag);
 [[nodiscard]] Ending interruptionOf(const SkillPlan& skill);
+/// The same, by its port.
+[[nodiscard]] Ending outsideInterruptionOf(const SkillPlan& skill);
 [[nodiscard]] Ending failureOf(const syntax::Invariant& invariant);
 /// The successes and the failures that a skill declares; a basic one without a success has one
 /// without a tag.
