@@ -4,6 +4,7 @@
 #include "analysis/expressions.h"
 #include "analysis/message.h"
 #include "analysis/walk.h"
+#include "syntax/codes.h"
 
 namespace proskill::analysis {
 

@@ -1,6 +1,7 @@
 #include "analysis/checks.h"
 
 #include "analysis/walk.h"
+#include "syntax/codes.h"
 
 namespace proskill::analysis {
 

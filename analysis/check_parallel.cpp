@@ -2,6 +2,7 @@
 
 #include "analysis/call_graph.h"
 #include "analysis/walk.h"
+#include "syntax/codes.h"
 
 namespace proskill::analysis {
 

@@ -1,6 +1,7 @@
 #include "analysis/checks.h"
 
 #include "analysis/call_graph.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <cstdint>

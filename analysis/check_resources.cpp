@@ -1,4 +1,5 @@
 #include "analysis/checks.h"
+#include "syntax/codes.h"
 
 #include <map>
 

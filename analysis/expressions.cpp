@@ -1,4 +1,5 @@
 #include "analysis/expressions.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,5 @@
 #include "analysis/findings.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <tuple>

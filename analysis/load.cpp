@@ -1,4 +1,5 @@
 #include "analysis/program.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <set>

@@ -2,6 +2,7 @@
 
 #include "analysis/arguments.h"
 #include "analysis/expressions.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
 #include "analysis/names.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
 #include "syntax/build.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 

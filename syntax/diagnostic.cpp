@@ -1,3 +1,4 @@
+#include "syntax/codes.h"
 #include "syntax/diagnostic.h"
 
 #include <algorithm>

@@ -23,12 +23,8 @@ struct Location {
 
 enum class Severity : std::uint8_t { Error, Warning, Hint };
 
-/// Every diagnostic that there is, from the one table in diagnostics.def.
-enum class Code : std::uint16_t {
-#define DIAGNOSTIC(name, code, severity, message, explanation, example) name,
-#include "syntax/diagnostics.def"
-#undef DIAGNOSTIC
-};
+/// Every diagnostic that there is; by name in syntax/codes.h.
+enum class Code : std::uint16_t;
 
 struct CodeInfo {
   Code code;

@@ -1,5 +1,6 @@
 #include "syntax/document.h"
 
+#include "syntax/codes.h"
 #include "syntax/region.h"
 #include "syntax/scan.h"
 #include "syntax/shift.h"

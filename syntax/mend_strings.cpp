@@ -1,3 +1,4 @@
+#include "syntax/codes.h"
 #include "syntax/mend.h"
 
 namespace proskill::syntax {

@@ -1,6 +1,7 @@
 #include "syntax/region.h"
 
 #include "syntax/build.h"
+#include "syntax/codes.h"
 #include "syntax/mend.h"
 #include "syntax/scan.h"
 #include "syntax/words.h"
@@ -17,6 +18,9 @@ namespace {
 constexpr std::size_t kLargest = 1 << 20;
 constexpr std::size_t kDeepest = 256;
 constexpr std::size_t kMostDiagnostics = 200;
+// tree-sitter 0.20 counts the children of a node in 16 bits, and comments in a row are such
+// children.
+constexpr std::size_t kMostComments = 1 << 14;
 
 /// The parenthesis that opens one level too many; null where none does.
 const Parenthesis* tooDeep(const Scan& scan) {
@@ -34,6 +38,10 @@ Form unreadForm(std::string_view text) {
   Form form;
   form.range = {0, static_cast<Offset>(text.size())};
   return form;
+}
+
+void blank(std::string& text, const std::vector<Range>& ranges) {
+  for (Range range : ranges) std::fill_n(text.begin() + range.begin, range.length(), ' ');
 }
 
 void sortByPlace(std::vector<Diagnostic>& diagnostics) {
@@ -75,6 +83,7 @@ Region readRegion(Parser& parser, std::string_view text) {
     region.forms.push_back(unreadForm(text));
     return region;
   }
+  if (region.comments.size() > kMostComments) blank(parsed->text, region.comments);
   auto judge = [&](std::string_view attempt) { return problemsOf(parser, attempt); };
   mended |= mendParentheses(parsed->text, scanned, judge, region.diagnostics);
   parsed->tree = parser.parse(parsed->text);

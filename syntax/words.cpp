@@ -1,6 +1,7 @@
 #include "syntax/words.h"
 
 #include "syntax/build.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 #include "analysis/flow/checks.h"
 
 #include "analysis/flow/durations.h"
+#include "syntax/codes.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 #include "analysis/flow/checks.h"
+#include "syntax/codes.h"
 
 /// `(x.interrupt)` where x cannot be running.
 namespace proskill::analysis::flow {

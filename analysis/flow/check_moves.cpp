@@ -1,5 +1,6 @@
 #include "analysis/flow/checks.h"
 #include "analysis/flow/origins.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <fmt/format.h>

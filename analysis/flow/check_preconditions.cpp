@@ -1,4 +1,5 @@
 #include "analysis/flow/checks.h"
+#include "syntax/codes.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "analysis/flow/checks.h"
 
 #include "analysis/flow/loops.h"
+#include "syntax/codes.h"
 
 /// Loops in which no time passes, and waits that take none.
 namespace proskill::analysis::flow {

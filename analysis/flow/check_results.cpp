@@ -1,5 +1,6 @@
 #include "analysis/flow/checks.h"
 #include "analysis/walk.h"
+#include "syntax/codes.h"
 
 #include <unordered_set>
 

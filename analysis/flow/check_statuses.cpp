@@ -1,6 +1,7 @@
 #include "analysis/flow/checks.h"
 
 #include "analysis/types.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <fmt/format.h>

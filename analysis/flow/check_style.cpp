@@ -2,6 +2,7 @@
 
 #include "analysis/flow/numbers.h"
 #include "analysis/walk.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <cctype>

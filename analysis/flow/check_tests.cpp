@@ -1,4 +1,5 @@
 #include "analysis/flow/checks.h"
+#include "syntax/codes.h"
 
 /// Tests of `if`, `while` and `do` that always go the same way.
 namespace proskill::analysis::flow {

@@ -1,5 +1,6 @@
 #include "analysis/flow/checks.h"
 #include "analysis/walk.h"
+#include "syntax/codes.h"
 
 #include <fmt/format.h>
 #include <optional>

@@ -1,4 +1,5 @@
 #include "analysis/flow/checks.h"
+#include "syntax/codes.h"
 
 /// Waits for what never comes, and for what is there already.
 namespace proskill::analysis::flow {

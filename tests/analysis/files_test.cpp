@@ -1,4 +1,5 @@
 #include "analysis/index.h"
+#include "syntax/codes.h"
 #include "tests/analysis/findings.h"
 #include "tests/support/memory_files.h"
 

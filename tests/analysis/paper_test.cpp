@@ -1,3 +1,4 @@
+#include "syntax/codes.h"
 #include "tests/analysis/findings.h"
 #include "tests/syntax/programs.h"
 

@@ -1,3 +1,4 @@
+#include "syntax/codes.h"
 #include "tests/analysis/findings.h"
 #include "tests/support/memory_files.h"
 

@@ -105,6 +105,16 @@ TEST_CASE("a hundred megabytes in one line are one diagnostic") {
   CHECK(document.forms().size() == 1);
 }
 
+TEST_CASE("a hundred thousand comments in a row are read") {
+  auto document =
+      Document::parse(repeated("; note\n", 100'000) + "(defsv a :init 1 :min 0 :max 2)");
+  CHECK(isSound(document));
+  CHECK(document.comments().size() == 100'000);
+  auto within = Document::parse("(defskill s\n" + repeated(";\n", 100'000) + ":body ((x)))");
+  CHECK(isSound(within));
+  CHECK(std::get<syntax::Skill>(within.forms().at(0).node).body->statements.size() == 1);
+}
+
 TEST_CASE("a definition of half a megabyte is read") {
   auto document = Document::parse("(defskill a\n  :body (" +
                                   repeated("(takeoff height 3.0)\n", 25'000) + "))\n");
