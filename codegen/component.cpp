@@ -26,6 +26,7 @@ public:
 
   Program make() {
     numberArguments();
+    registerResults();
     context.invariantActive = invariantActive(context);
     if (context.invariantActive) program.functions.push_back(*context.invariantActive);
     addProcesses();
@@ -53,6 +54,20 @@ private:
             context.argumentIndex[state.statement] =
                 state.statement->arguments.empty() ? 0 : ++last;
       });
+    }
+  }
+
+  /// Of a skill whose result is read all results are in the type, whether it has them or not.
+  void registerResults() {
+    for (const auto& skill : context.plan.skills) {
+      if (!skill.resultIsRead) continue;
+      const auto add = [&](const auto& tagged, std::string_view status) {
+        for (const auto& each : tagged)
+          if (each.tag) static_cast<void>(context.result(skill.name(), status, each.tag.text));
+      };
+      add(skill.skill().successes, "success");
+      add(skill.skill().failures, "failure");
+      add(skill.skill().invariants, "failed_inv");
     }
   }
 

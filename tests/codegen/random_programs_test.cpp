@@ -1,0 +1,62 @@
+#include "codegen/model.h"
+#include "fiacre/check.h"
+#include "fiacre/print.h"
+#include "tests/support/random_program.h"
+#include "tests/support/texts.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using codegen::Edition;
+using codegen::StateVariableAutomata;
+
+namespace {
+
+constexpr std::uint64_t kPrograms = 2000;
+
+std::string problemsOf(const codegen::Model& model) {
+  std::string text;
+  for (const auto& problem : fiacre::check(model.fiacre))
+    text += problem.place + ": " + problem.message + "\n";
+  return text;
+}
+
+/// Generates from a program and refuses a model that a Fiacre compiler would refuse.
+codegen::Model modelOf(const std::string& text, const codegen::Options& options) {
+  const auto program = test::programOfText(text);
+  auto model = codegen::generate(program, options);
+  INFO(text);
+  if (!model) FAIL(model.error().message);
+  CHECK(problemsOf(*model) == "");
+  return std::move(*model);
+}
+
+void everyModelIsWellTyped(const codegen::Options& options) {
+  for (std::uint64_t seed = 0; seed < kPrograms; ++seed)
+    modelOf(test::textOf(test::randomProgram(seed)), options);
+}
+
+} // namespace
+
+TEST_CASE("no compact model of a random program is ill-typed or uses a reserved word") {
+  everyModelIsWellTyped({});
+}
+
+TEST_CASE("no compact model with polling automata is ill-typed") {
+  everyModelIsWellTyped({.automata = StateVariableAutomata::Paper});
+}
+
+TEST_CASE("no expanded model of a random program is ill-typed or uses a reserved word") {
+  everyModelIsWellTyped({.edition = Edition::Expanded});
+}
+
+TEST_CASE("no runtime model of a random program is ill-typed or uses a reserved word") {
+  everyModelIsWellTyped({.edition = Edition::Runtime});
+}
+
+TEST_CASE("a program gives the same model whenever it is translated") {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto text = test::textOf(test::randomProgram(seed));
+    CHECK(fiacre::print(modelOf(text, {}).fiacre) == fiacre::print(modelOf(text, {}).fiacre));
+  }
+}
