@@ -1,5 +1,5 @@
-#include "syntax/codes.h"
 #include "syntax/diagnostic.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
 #include <array>
