@@ -6,8 +6,8 @@
 
 namespace proskill::cli {
 
-/// One line on a terminal that tells how far an exploration is; nothing where standard error is no terminal.
-/// The line is gone when the object is.
+/// One line on a terminal that tells how far an exploration is; nothing where standard error is no
+/// terminal. The line is gone when the object is.
 class ProgressLine {
 public:
   ProgressLine();

@@ -29,6 +29,8 @@ std::string json(const VerifyReport& report, const ide::VerdictRow& row) {
 std::string text(const VerifyReport& report, const ide::VerdictRow& row) {
   std::ostringstream out;
   out << row.check->words << ": " << ide::toString(row.verdict) << '\n';
+  for (const auto& variable : row.trace->initial)
+    out << "    " << variable.variable << ' ' << variable.after << '\n';
   writeTrace(out, report, row, false);
   return out.str();
 }

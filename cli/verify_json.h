@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-/// The parts of the JSON report, for the formats that reuse them. The schema is docs/verify.schema.json.
+/// The parts of the JSON report, for the formats that reuse them. The schema is
+/// docs/verify.schema.json.
 namespace proskill::cli {
 
 struct VerifyReport;

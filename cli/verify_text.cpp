@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <ostream>
+#include <span>
+#include <utility>
 
 namespace proskill::cli {
 
@@ -59,10 +61,12 @@ std::string changesText(const std::vector<verify::Change>& changes) {
   return text;
 }
 
+/// The state variables at the start; skills have no status then, which need not be said.
 std::string initialText(const std::vector<verify::Change>& initial) {
   std::string text;
   for (const auto& variable : initial)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", variable.variable, variable.after);
+    if (variable.variable.find('.') == std::string::npos)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", variable.variable, variable.after);
   return text;
 }
 
@@ -104,15 +108,33 @@ std::string rowText(const ide::VerdictRow& row, const Paint& paint) {
   return row.reason.empty() ? text : text + fmt::format(" ({})", row.reason);
 }
 
-/// The rows, with a headline wherever the subject changes.
+bool isReachedStatement(const ide::VerdictRow& row) {
+  return row.check->kind == "reachable" && row.good();
+}
+
+/// The rows of one subject. Statements that can be reached are what everybody expects: they are
+/// counted.
+void writeSubject(std::ostream& out, std::span<const ide::VerdictRow> rows, const Paint& paint) {
+  out << paint(Colour::Bold, rows.front().check->subject) << '\n';
+  auto reached = std::ranges::count_if(rows, isReachedStatement);
+  for (const auto& row : rows)
+    if (!isReachedStatement(row)) out << rowText(row, paint) << '\n';
+  if (reached == 0) return;
+  auto statements =
+      std::ranges::count(rows, "reachable", [](const auto& row) { return row.check->kind; });
+  auto whole = reached == statements ? "all" : fmt::format("{} of", reached);
+  out << fmt::format("  {} {} {} statements can be reached\n", paint(Colour::Green, "✓"), whole,
+                     statements);
+}
+
 void writeRows(std::ostream& out, const VerifyReport& report, const Paint& paint) {
-  std::string_view subject;
-  for (const auto& row : report.result.rows) {
-    if (row.check->subject != subject) {
-      subject = row.check->subject;
-      out << paint(Colour::Bold, subject) << '\n';
-    }
-    out << rowText(row, paint) << '\n';
+  std::span<const ide::VerdictRow> rows = report.result.rows;
+  while (!rows.empty()) {
+    auto other = [&](const auto& row) { return row.check->subject != rows.front().check->subject; };
+    auto end = std::ranges::find_if(rows, other);
+    auto count = static_cast<std::size_t>(end - rows.begin());
+    writeSubject(out, rows.first(count), paint);
+    rows = rows.subspan(count);
   }
 }
 
@@ -157,8 +179,6 @@ std::string place(const analysis::Program& program, analysis::Location location)
 void writeTrace(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row,
                 bool colour) {
   Paint paint{colour};
-  if (!row.trace->initial.empty())
-    out << "    at the start: " << initialText(row.trace->initial) << '\n';
   auto layout = layoutOf(*row.trace);
   std::size_t number = 0;
   for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
@@ -167,8 +187,11 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
 void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options) {
   Paint paint{options.colour};
   writeRows(out, report, paint);
+  bool first = true;
   for (const auto& row : report.result.rows) {
     if (!wanted(row, options.traces)) continue;
+    if (std::exchange(first, false))
+      out << "\nevery trace begins with: " << initialText(row.trace->initial) << '\n';
     auto mark = markOf(row);
     out << fmt::format("\n{} {}\n", paint(mark.colour, ide::toString(row.verdict)),
                        paint(Colour::Bold, row.check->words));
