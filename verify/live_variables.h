@@ -1,12 +1,42 @@
 #pragma once
 
-#include "verify/system.h"
+#include "verify/goals.h"
+#include "verify/store.h"
 
 namespace proskill::verify {
 
+/// Gives one value to every variable that will be written before it is read again, so that states
+/// that differ only in such variables are one. Bozga, Fernandez, Ghirvu, "State space reduction
+/// based on live variables analysis", SAS 1999. A process that waits for a cell that nobody will
+/// ever write again reads nothing any more.
 class LiveVariables {
 public:
-  void clean(Word*) const {}
+  /// \pre the system is placed
+  LiveVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
+
+  /// Sets the dead cells of a packed state to their least value.
+  void clean(Word* state) const;
+
+private:
+  /// What an instance in a location has to do with cells.
+  struct Place {
+    Bits live;                  ///< it may read them before it writes them
+    Bits later;                 ///< it may write them, now or later
+    std::vector<NodeId> needed; ///< no path goes on where one of them is false
+  };
+
+  void findPlaces(InstanceId instance, const Bits& dropped);
+  [[nodiscard]] std::vector<Word> maskOf(const Word* state) const;
+  [[nodiscard]] std::vector<Bits> frozenNeeds(const Word* state) const;
+
+  const System& system;
+  std::vector<std::vector<Place>> places; ///< by instance and location
+  Bits always;                            ///< cells that goals look at, and locations
+  std::vector<Word>
+      keyMask; ///< the part of a state that tells which cells are dead: locations and needed cells
+  mutable StateStore keys;
+  mutable std::vector<std::vector<Word>> masks; ///< by key
+  mutable std::vector<Word> key;
 };
 
 } // namespace proskill::verify

@@ -1,7 +1,10 @@
 #include "verify/verify.h"
 
 #include "verify/compile.h"
+#include "verify/dead_variables.h"
+#include "verify/live_variables.h"
 #include "verify/place.h"
+#include "verify/safe_steps.h"
 #include "verify/search.h"
 #include "verify/witness.h"
 
@@ -30,11 +33,20 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   LimitWatch limits(options);
   auto compiled = compile(program, provenance, questions);
   if (!compiled) return std::unexpected(compiled.error());
-  System system = placed(compiled->system);
-  Reductions reductions;
-  reductions.inclusion = options.reductions.contains(Reduction::Inclusion);
-  auto forgetting = options.reductions.contains(Reduction::Extrapolation) ? Forgetting::LowerUpper
-                                                                          : Forgetting::Least;
+  const auto takes = [&](Reduction reduction) { return options.reductions.contains(reduction); };
+  const Relevance relevance = takes(Reduction::DeadVariables)
+                                  ? findRelevant(compiled->system, compiled->goals)
+                                  : everything(compiled->system);
+  const System system = placed(compiled->system, relevance.cells);
+  const SafeSteps safeSteps(system, compiled->goals, relevance.dropped);
+  const LiveVariables liveVariables(system, compiled->goals, relevance.dropped);
+  const Reductions reductions{.inclusion = takes(Reduction::Inclusion),
+                              .safeSteps = takes(Reduction::SafeSteps) ? &safeSteps : nullptr,
+                              .liveVariables =
+                                  takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
+                              .dropped = relevance.dropped};
+  const auto forgetting =
+      takes(Reduction::Extrapolation) ? Forgetting::LowerUpper : Forgetting::Least;
   auto found = search(system, compiled->goals, reductions, forgetting, limits);
   if (found.failure) return std::unexpected(*found.failure);
   const System whole = placed(std::move(compiled->system));
