@@ -51,8 +51,12 @@ void reportClauseWord(Builder& builder, Range range, std::string_view word) {
 void reportNoStatement(Builder& builder, const Node& node) {
   if (isDamaged(node)) return;
   auto text = builder.textOf(node);
-  if (node.kind == NodeKind::List && node.size == 1) {
-    builder.report(Code::EmptyForm, node.range);
+  const Node* head = Parts(node).peek();
+  if (node.kind == NodeKind::List) {
+    if (!head)
+      builder.report(Code::EmptyForm, node.range);
+    else if (!isDamaged(*head))
+      builder.report(Code::MalformedStatement, node.range, "it begins with no name");
   } else if (isClauseWord(text)) {
     reportClauseWord(builder, node.range, text);
   } else if (node.kind == NodeKind::Symbol) {
@@ -60,11 +64,9 @@ void reportNoStatement(Builder& builder, const Node& node) {
                                       fmt::format("write `({})` to call it", text));
     diagnostic.fixes.push_back(
         {"put it in parentheses", {0, node.range}, fmt::format("({})", text)});
-  } else if (node.kind != NodeKind::List) {
+  } else {
     builder.report(Code::MalformedStatement, node.range,
                    fmt::format("`{}` cannot stand alone", text));
-  } else if (const Node* head = Parts(node).take(); !isDamaged(*head)) {
-    builder.report(Code::MalformedStatement, node.range, "it begins with no name");
   }
 }
 

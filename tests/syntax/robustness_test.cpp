@@ -56,6 +56,31 @@ TEST_CASE("every program without one of its lines gives a tree") {
   }
 }
 
+TEST_CASE("the paper's program without any one of its characters gives a tree") {
+  auto whole = Document::parse(test::paperProgram());
+  for (syntax::Offset at = 0; at < whole.text().size(); ++at) {
+    INFO("without character " << at);
+    CHECK(isSound(whole.edit({at, at + 1}, "")));
+  }
+}
+
+TEST_CASE("empty parentheses and comments may stand anywhere") {
+  auto whole = Document::parse(test::paperProgram());
+  for (syntax::Offset at = 0; at < whole.text().size(); ++at) {
+    if (whole.text()[at] != '(' && whole.text()[at] != ' ') continue;
+    INFO("after character " << at);
+    CHECK(isSound(whole.edit({at + 1, at + 1}, "() ")));
+    CHECK(isSound(whole.edit({at + 1, at + 1}, "(; nothing\n) ")));
+    bool inComment = std::ranges::any_of(
+        whole.comments(), [&](syntax::Range comment) { return comment.contains(at); });
+    auto line = whole.lines().line(whole.lines().position(at).line, whole.text());
+    bool inString = whole.text().substr(line.begin, at - line.begin).contains('"');
+    if (inComment || inString) continue;
+    auto commented = whole.edit({at + 1, at + 1}, "; a note\n ");
+    CHECK(test::codesOf(commented) == "");
+  }
+}
+
 TEST_CASE("random bytes give a tree and diagnostics") {
   test::RandomSource random(7);
   for (int i = 0; i < 300; ++i) {

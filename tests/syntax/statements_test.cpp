@@ -120,6 +120,7 @@ TEST_CASE("malformed statements are one diagnostic each") {
   CHECK(codes("(x) landing") == "PS0121");
   CHECK(codes("(x) 3") == "PS0121");
   CHECK(codes("()") == "PS0110");
+  CHECK(codes("( ; nothing yet\n)") == "PS0110");
   CHECK(codes("((x) (y))") == "PS0121");
   CHECK(codes("(if)") == "PS0119");
   CHECK(codes("(if (a B) (x) (else (y)))") == "PS0121");
