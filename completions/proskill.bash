@@ -23,7 +23,7 @@ _proskill_options() {
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
             --class-limit --reduce --graph --strict --expanded --sv-automata --color --help' ;;
-    graph) echo '--kind --name --format --main --color --help' ;;
+    graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
     *) echo '--help --version' ;;
   esac
 }
@@ -43,7 +43,7 @@ _proskill() {
     words="check explain emit verify graph $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
-  elif [ "$previous" = --save-traces ]; then
+  elif [ "$previous" = --save-traces ] || [ "$previous" = --out-dir ]; then
     mapfile -t COMPREPLY < <(compgen -d -- "$current")
     return
   else

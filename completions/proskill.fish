@@ -15,7 +15,7 @@ function __proskill_option
 end
 
 complete -c proskill -f
-complete -c proskill -n __fish_use_subcommand -l help -d 'show help'
+complete -c proskill -l help -d 'show help'
 complete -c proskill -n __fish_use_subcommand -l version -d 'show the version'
 complete -c proskill -n __fish_use_subcommand -a check -d 'say what is wrong with programs'
 complete -c proskill -n __fish_use_subcommand -a explain -d 'explain a code of a diagnostic'
@@ -29,11 +29,11 @@ __proskill_option check format 'how to print' -x -a 'text short json sarif'
 __proskill_option check fragment 'the files are parts of programs'
 __proskill_option explain list 'all codes, a line each'
 __proskill_option explain markdown 'all of them as a page'
-__proskill_option emit output 'write there' -r
+__proskill_option 'emit graph' output 'write there' -r
 __proskill_option emit rate 'ticks per second' -x
 __proskill_option emit prove 'prove instead of assert'
 __proskill_option 'check explain emit verify graph' color 'when to use colours' -x -a 'auto always never'
-__proskill_option 'emit verify graph' main 'the skill that is the mission' -x
+__proskill_option 'emit verify' main 'the skill that is the mission' -x
 __proskill_option 'emit verify' expanded 'name every state'
 __proskill_option 'emit verify' sv-automata 'form of the automata' -x -a 'exact paper'
 __proskill_option verify property 'only these' -x -a '(__proskill_properties)'
@@ -51,3 +51,6 @@ __proskill_option verify strict 'warnings count'
 __proskill_option graph kind 'what to draw' -x -a 'sv skill body calls'
 __proskill_option graph name 'which state variable or skill' -x
 __proskill_option graph format 'how to print' -x -a 'dot svg png'
+__proskill_option graph dark 'for a dark page'
+__proskill_option graph forbidden 'forbidden moves, too'
+__proskill_option graph out-dir 'each picture into a file there' -x -a '(__fish_complete_directories)'

@@ -20,28 +20,28 @@ def help_of(*command):
     return done.stdout
 
 
-def subcommands(*command):
+def subcommands():
     """The words below `Subcommands:`."""
-    _, _, below = help_of(*command).partition("Subcommands:\n")
+    _, _, below = help_of().partition("Subcommands:\n")
     return re.findall(r"^  (\S+)", below.split("\n\n")[0], re.M)
 
 
-def options(*command):
-    return set(re.findall(r"^  (?:-\w,)?--([a-z-]+)", help_of(*command), re.M)) - {"help"}
+def options(command):
+    return set(re.findall(r"^  (?:-\w,)?--([a-z-]+)", help_of(command), re.M))
 
 
-def words(page):
-    """The words of a page; a manual page writes `--time-limit` as `\\-\\-time\\-limit`."""
-    return set(re.findall(r"[a-z][a-z-]*", read(page).replace("\\-", "-").replace("--", " ")))
+def mentions(page):
+    """What a page speaks of: commands as words, options as `--option`, however its language writes them."""
+    text = read(page).replace("\\-", "-")
+    text = re.sub(r" -l ([a-z-]+)", r" --\1", text)
+    text = re.sub(r"^__proskill_option ('[^']*'|\S+) ", r"\1 --", text, flags=re.M)  # both of fish
+    return set(re.findall(r"(?:--)?[a-z][a-z-]*", text))
 
 
 def missing(page):
-    known = words(page)
+    known = mentions(page)
     for command in subcommands():
-        wanted = options(command) | set(subcommands(command)) | {command}
-        for inner in subcommands(command):
-            wanted |= options(command, inner)
-        for word in sorted(wanted - known):
+        for word in sorted(({"--" + option for option in options(command)} | {command}) - known):
             yield f"{page}: nothing on `{word}` of `proskill {command}`"
 
 
