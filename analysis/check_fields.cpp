@@ -19,6 +19,7 @@ constexpr std::string_view kStateVariable[] = {":init", ":min", ":max", ":states
 constexpr std::string_view kEvent[] = {":effects"};
 constexpr std::string_view kResource[] = {":capacity"};
 constexpr std::string_view kEnvironment[] = {":body"};
+constexpr std::string_view kProperty[] = {":after", ":before", ":within", ":for", ":lasting"};
 constexpr std::string_view kSkill[] = {
     ":input",     ":precondition", ":start",   ":invariant", ":time_interval", ":action",
     ":interrupt", ":success",      ":failure", ":resources", ":monitor",       ":body"};
@@ -94,6 +95,7 @@ public:
     for (const auto& it : context.program.events.all)
       fields("event", it, kEvent).require({":effects"});
     for (const auto& it : context.program.resources.all) fields("resource", it, kResource);
+    for (const auto& it : context.program.properties.all) fields("property", it, kProperty);
     for (const auto& it : context.program.environments.all)
       fields("environment", it, kEnvironment).require({":body"});
     for (const auto& it : context.program.skills.all) skill(it);

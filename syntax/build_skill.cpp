@@ -1,5 +1,7 @@
 #include "syntax/build.h"
+
 #include "syntax/codes.h"
+#include <algorithm>
 
 namespace proskill::syntax {
 namespace {
@@ -85,6 +87,19 @@ std::string_view fieldsOfClause(std::string_view owner) {
   return owner == ":interrupt" ? "`:effects`" : "`:effects` and `:postcondition`";
 }
 
+/// Whether the field was there before; that is reported, and the first one counts.
+bool isRepeated(Builder& builder, const Field& field, std::vector<Name>& seen) {
+  const Name& keyword = field.use.keyword;
+  auto first = std::ranges::find(seen, keyword.text, &Name::text);
+  if (first == seen.end()) {
+    seen.push_back(keyword);
+    return false;
+  }
+  auto& diagnostic = builder.report(Code::DuplicateField, keyword.range, keyword.text);
+  diagnostic.related.push_back({{0, first->range}, "first given here"});
+  return true;
+}
+
 /// Reads the fields of a clause: `condition` is what `:guard` or `:postcondition` says. Returns
 /// whether there is nothing else in it.
 bool readClause(Builder& builder, const Node& clause, std::string_view owner, Effects& effects,
@@ -93,8 +108,10 @@ bool readClause(Builder& builder, const Node& clause, std::string_view owner, Ef
   bool empty = !parts.peek();
   if (empty) builder.report(Code::EmptyForm, clause.range);
   bool loose = reportLoose(builder, parts, owner);
+  std::vector<Name> seen;
   while (const Node* part = parts.take()) {
     Field field = fieldOf(builder, *part);
+    if (isRepeated(builder, field, seen)) continue;
     if (field.kind == NodeKind::EffectsField)
       effects = takeEffects(builder, field.values, field.use.keyword);
     else if (field.kind == NodeKind::UnknownField)

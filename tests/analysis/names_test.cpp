@@ -39,6 +39,12 @@ TEST_CASE("a result is compared with the tags of the skill that it is of") {
   CHECK(findings(mission("(^ (= survey.res takeoff.res))")) == "");
 }
 
+TEST_CASE("the sides of a comparison can be swapped") {
+  CHECK(findings(mission("(^ (= success takeoff.status)) (^ (/= grounded takeoff.res))")) == "");
+  CHECK(findings(mission("(^ (= Low battery)) (^ (= 2 level))")) == "");
+  CHECK(findings(mission("(^ (= landed takeoff.status))")) == "PS0211 landed");
+}
+
 TEST_CASE("a word beside an enumeration is its value first, then a state variable") {
   CHECK(findings(mission("(^ (= battery Low))")) == "");
   CHECK(findings(mission("(^ (= battery battery))")) == "");

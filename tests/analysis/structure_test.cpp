@@ -32,6 +32,12 @@ TEST_CASE("fields are there once") {
   CHECK(findings("(defskill s :action (s) :action (t))") == "PS0402 :action");
   CHECK(findings("(defsv s :states (A) :init A :init A)") == "PS0402 :init");
   CHECK(findings("(defresource r :capacity 1 :capacity 2)") == "PS0402 :capacity");
+  CHECK(findings(kWorld + "(defskill s :action (s) :invariant (a (:guard (level 1) :guard (level "
+                          "2))))") == "PS0402 :guard");
+  CHECK(findings(kWorld + "(defskill s :action (s) :interrupt (:effects (level 1) :effects (level "
+                          "2)))") == "PS0402 :effects");
+  CHECK(findings(kWorld + "(defproperty p (absent (level 1) :for [1,2] :for [1,3]))") ==
+        "PS0402 :for");
   CHECK(findings("(defevent e)") == "PS0401 e");
   CHECK(findings("(defenvironment e)") == "PS0401 e");
 }
