@@ -122,9 +122,10 @@ void writeSubject(std::ostream& out, std::span<const ide::VerdictRow> rows, cons
   if (reached == 0) return;
   auto statements =
       std::ranges::count(rows, "reachable", [](const auto& row) { return row.check->kind; });
-  auto whole = reached == statements ? "all" : fmt::format("{} of", reached);
-  out << fmt::format("  {} {} {} statements can be reached\n", paint(Colour::Green, "✓"), whole,
-                     statements);
+  auto which = statements == 1         ? "its statement"
+               : reached == statements ? fmt::format("all {} statements", statements)
+                                       : fmt::format("{} of {} statements", reached, statements);
+  out << fmt::format("  {} {} can be reached\n", paint(Colour::Green, "✓"), which);
 }
 
 void writeRows(std::ostream& out, const VerifyReport& report, const Paint& paint) {

@@ -27,6 +27,7 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
   model.fiacre = buildProgram(context);
   annotate(model.fiacre, context.origins.provenance);
   model.unit = times->unit();
+  if (context.plan.mission) model.mainSkill = context.plan.mission->name();
   if (!context.isRuntime()) addChecks(context, model);
   context.origins.provenance.watched = watchedVariables(context);
   model.provenance = std::move(context.origins.provenance);

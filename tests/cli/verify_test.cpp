@@ -1,0 +1,261 @@
+#include "tests/support/run.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <csignal>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace proskill::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string kDrone = PROSKILL_SOURCE_DIR "/examples/drone/drone.proskill";
+
+/// A lamp that is switched on and may fail: all that can be asked of it is good.
+constexpr auto kGood = R"((defsv lamp :states (Off On) :init Off)
+(defskill switch_on
+  :time_interval [1,2]
+  :action (on)
+  :success lit (:effects (lamp On)))
+(defskill mission
+  :body ((switch_on)
+         (^ (lamp On))))
+)";
+
+/// The move from Off to Broken is not allowed.
+constexpr auto kBad =
+    R"((defsv lamp :states (Off On Broken) :init Off :transitions ((Off On) (On Broken)))
+(defskill kick
+  :time_interval [1,2]
+  :action (kick)
+  :success done (:effects (lamp Broken)))
+(defskill mission
+  :body ((kick)))
+)";
+
+Finished verify(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {PROSKILL_PROGRAM, "verify"});
+  return run(arguments);
+}
+
+const Json& property(const Json& report, const std::string& name) {
+  const auto& all = report["properties"];
+  auto found = std::ranges::find_if(all, [&](const Json& row) { return row["name"] == name; });
+  REQUIRE(found != all.end());
+  return *found;
+}
+
+std::string contents(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+} // namespace
+
+TEST_CASE("a program that is all good ends with 0") {
+  TemporaryDirectory files;
+  auto result = verify({files.write("good.proskill", kGood)});
+  CHECK(result.exitCode == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out.find("violated") == std::string::npos);
+  CHECK(result.out.find("inconclusive") == std::string::npos);
+}
+
+TEST_CASE("a violation ends with 1 and shows its trace, every step with its place") {
+  TemporaryDirectory files;
+  auto path = files.write("bad.proskill", kBad);
+  auto result = verify({path});
+  CHECK(result.exitCode == 1);
+  CHECK(result.out.find("`lamp` makes no forbidden move: violated") != std::string::npos);
+  CHECK(result.out.find("lamp: Off → Broken") != std::string::npos);
+  CHECK(result.out.find(path + ":5:27") != std::string::npos);
+}
+
+TEST_CASE("the report as JSON has verdicts, traces and what was explored") {
+  TemporaryDirectory files;
+  auto path = files.write("bad.proskill", kBad);
+  auto report = Json::parse(verify({path, "--format", "json"}).out);
+  CHECK(report["version"] == 1);
+  CHECK(report["main"] == "mission");
+  CHECK(report["exploration"]["complete"] == true);
+  CHECK(report["exploration"]["classes"].get<int>() > 0);
+  const auto& row = property(report, "lamp.no_forbidden_transition");
+  CHECK(row["verdict"] == "violated");
+  CHECK(row["severity"] == "error");
+  const auto& steps = row["trace"]["steps"];
+  REQUIRE(!steps.empty());
+  for (const auto& step : steps) {
+    CHECK(step["location"]["file"] == path);
+    CHECK(!step["actor"].get<std::string>().empty());
+    CHECK(!step["words"].get<std::string>().empty());
+    CHECK(!step["transitions"].empty());
+  }
+  CHECK(row["trace"]["initial"]["lamp"] == "Off");
+  CHECK(steps.back()["changes"][0] ==
+        Json{{"variable", "lamp"}, {"before", "Off"}, {"after", "Broken"}});
+  CHECK(steps.back()["earliest"]["exact"] == "1");
+  CHECK(steps.back()["latest"]["exact"] == "2");
+}
+
+TEST_CASE("the drone's verdicts are all decided, and are those of the paper") {
+  auto result = verify({kDrone, "--format", "json"});
+  CHECK(result.exitCode == 1);
+  CHECK(result.peakKiB < 1024 * 1024);
+  auto report = Json::parse(result.out);
+  CHECK(report["exploration"]["complete"] == true);
+  for (const auto& row : report["properties"]) {
+    CAPTURE(row["name"].get<std::string>());
+    CHECK(row["verdict"] != "inconclusive");
+    bool hasTrace = !row["trace"].is_null();
+    CHECK(hasTrace == (row["verdict"] == "violated" || row["verdict"] == "reachable"));
+  }
+  CHECK(property(report, "landing.invariant_may_fail.in_control")["verdict"] == "unreachable");
+  CHECK(property(report, "uav_mission.no_undershoot")["verdict"] == "violated");
+  CHECK(property(report, "uav_mission.no_overshoot")["verdict"] == "violated");
+  CHECK(property(report, "battery.no_forbidden_transition")["verdict"] == "violated");
+  CHECK(property(report, "takeoff.can_succeed.at_altitude")["verdict"] == "reachable");
+}
+
+TEST_CASE("only the properties that are named are asked") {
+  TemporaryDirectory files;
+  auto path = files.write("bad.proskill", kBad);
+  auto report = Json::parse(verify({path, "--property", "kick", "--format", "json"}).out);
+  CHECK(!report["properties"].empty());
+  for (const auto& row : report["properties"]) CHECK(row["subject"] == "kick");
+  auto wrong = verify({path, "--property", "kik"});
+  CHECK(wrong.exitCode == 2);
+  CHECK(wrong.err.find("`kik`") != std::string::npos);
+}
+
+TEST_CASE("a limit that is met leaves the rest inconclusive and ends with 3") {
+  TemporaryDirectory files;
+  auto path = files.write("good.proskill", kGood);
+  auto result = verify({path, "--class-limit", "1", "--format", "json"});
+  CHECK(result.exitCode == 3);
+  auto report = Json::parse(result.out);
+  CHECK(report["exploration"]["complete"] == false);
+  CHECK(!report["exploration"]["stopped"].get<std::string>().empty());
+  CHECK(std::ranges::any_of(report["properties"], [](const Json& row) {
+    return row["verdict"] == "inconclusive" && !row["reason"].get<std::string>().empty();
+  }));
+}
+
+TEST_CASE("a violation that was found before a limit counts") {
+  auto result = verify({kDrone, "--reduce", "none", "--class-limit", "2000", "--format", "json"});
+  CHECK(result.exitCode == 1);
+  auto report = Json::parse(result.out);
+  CHECK(property(report, "battery.no_forbidden_transition")["verdict"] == "violated");
+}
+
+TEST_CASE("bad usage, missing files and programs with errors end with 2") {
+  TemporaryDirectory files;
+  auto good = files.write("good.proskill", kGood);
+  CHECK(verify({}).exitCode == 2);
+  CHECK(verify({good, "--format", "yaml"}).exitCode == 2);
+  CHECK(verify({good, "--reduce", "magic"}).exitCode == 2);
+  CHECK(verify({good, "--main", "nobody"}).exitCode == 2);
+  auto missing = verify({files.path("missing.proskill")});
+  CHECK(missing.exitCode == 2);
+  CHECK(missing.err.find("missing.proskill") != std::string::npos);
+  auto broken = verify({files.write("broken.proskill", "(defskill a :body ((nobody)))")});
+  CHECK(broken.exitCode == 2);
+  CHECK(broken.err.find("nobody") != std::string::npos);
+}
+
+TEST_CASE("JUnit has a test case a property, and a failure for the bad one") {
+  TemporaryDirectory files;
+  auto result = verify({files.write("bad.proskill", kBad), "--format", "junit"});
+  CHECK(result.exitCode == 1);
+  CHECK(result.out.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>"));
+  CHECK(result.out.find("<failure type=\"violated\"") != std::string::npos);
+  CHECK(result.out.find("<testsuite name=\"lamp\" tests=\"1\" failures=\"1\"") !=
+        std::string::npos);
+}
+
+TEST_CASE("SARIF has a result with the trace as a code flow") {
+  TemporaryDirectory files;
+  auto log = Json::parse(verify({files.write("bad.proskill", kBad), "--format", "sarif"}).out);
+  CHECK(log["version"] == "2.1.0");
+  const auto& results = log["runs"][0]["results"];
+  auto bad = std::ranges::find_if(
+      results, [](const Json& row) { return row["ruleId"] == "no_forbidden_transition"; });
+  REQUIRE(bad != results.end());
+  CHECK((*bad)["level"] == "error");
+  const auto& steps = (*bad)["codeFlows"][0]["threadFlows"][0]["locations"];
+  CHECK(steps.back()["location"]["physicalLocation"]["region"]["startLine"] == 5);
+}
+
+TEST_CASE("traces are saved as JSON and text") {
+  TemporaryDirectory files;
+  auto path = files.write("bad.proskill", kBad);
+  verify({path, "--save-traces", files.path("deep/traces")});
+  auto base = files.path("deep/traces/lamp.no_forbidden_transition");
+  auto trace = Json::parse(contents(base + ".json"));
+  CHECK(trace["verdict"] == "violated");
+  CHECK(!trace["steps"].empty());
+  CHECK(contents(base + ".txt").find("Off → Broken") != std::string::npos);
+}
+
+TEST_CASE("traces that cannot be saved are an error, after the report") {
+  TemporaryDirectory files;
+  auto path = files.write("bad.proskill", kBad);
+  auto result = verify({path, "--save-traces", path + "/below/a/file"});
+  CHECK(result.exitCode == 2);
+  CHECK(result.err.find("cannot be made a directory") != std::string::npos);
+  CHECK(result.out.find("violated") != std::string::npos);
+}
+
+TEST_CASE("a full disk is an error") {
+  auto full =
+      run({"/bin/sh", "-c",
+           std::string(PROSKILL_PROGRAM) + " verify --class-limit 100 " + kDrone + " >/dev/full"});
+  CHECK(full.exitCode == 2);
+  CHECK(full.err.find("could not be written") != std::string::npos);
+}
+
+TEST_CASE("the graph of classes is counted as sift prints it") {
+  TemporaryDirectory files;
+  auto result = verify({files.write("good.proskill", kGood), "--graph", "counts"});
+  CHECK(result.exitCode == 0);
+  CHECK(result.out.find(" classe(s), ") != std::string::npos);
+  CHECK(result.out.find(" transition(s)\n") != std::string::npos);
+}
+
+TEST_CASE("Ctrl-C on a terminal with its line of progress keeps what is decided") {
+  int terminal = -1;
+  auto child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    execl(PROSKILL_PROGRAM, PROSKILL_PROGRAM, "verify", "--reduce", "none", "--traces", "none",
+          kDrone.c_str(), nullptr);
+    _exit(127);
+  }
+  std::string seen;
+  char buffer[4096];
+  bool interrupted = false;
+  for (auto count = read(terminal, buffer, sizeof buffer); count > 0;
+       count = read(terminal, buffer, sizeof buffer)) {
+    seen.append(buffer, static_cast<std::size_t>(count));
+    if (!interrupted && seen.find("classes/s") != std::string::npos) {
+      kill(child, SIGINT);
+      interrupted = true;
+    }
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  close(terminal);
+  CHECK(interrupted);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 1);
+  CHECK(seen.find("`battery` makes no forbidden move: \x1b[1;31mviolated") != std::string::npos);
+  CHECK(seen.find("inconclusive") != std::string::npos);
+}
