@@ -145,6 +145,7 @@ void Observer::addStatesAt(std::vector<Observable>& found, const BodyAutomaton& 
   const auto entry = thread.labels.find(label);
   if (entry == thread.labels.end()) return;
   const auto at = std::ranges::find(thread.states, entry->second, &BodyState::name);
+  if (at == thread.states.end()) return; // an end that nothing reaches
   for (const auto& name : statesOf(context, *at)) found.push_back(state(process, name));
 }
 
