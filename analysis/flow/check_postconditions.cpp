@@ -18,13 +18,13 @@ struct Returned {
 
 void checkPostconditions(Report& report) {
   std::map<const syntax::Outcome*, Returned> outcomes;
-  forEachReachedNode(
-      report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
-        if (each.kind != NodeKind::Outcome || !each.outcome || !each.outcome->postcondition) return;
-        Returned& returned = outcomes[each.outcome];
-        returned.process = id;
-        returned.after.join(report.solver.after(report.solver.before(id, node), process, node));
-      });
+  forEachReachedNode(report, [&](ProcessId id, const Process& process, NodeId node,
+                                 const Node& each) {
+    if (each.kind != NodeKind::Outcome || !each.outcome || !each.outcome->postcondition) return;
+    Returned& returned = outcomes[each.outcome];
+    returned.process = id;
+    returned.after.join(report.solver.afterEffects(report.solver.before(id, node), process, node));
+  });
   for (const auto& [outcome, returned] : outcomes) {
     const Process& process = report.system()[returned.process];
     Condition condition =

@@ -317,9 +317,17 @@ void Solver::fork(ProcessId process, NodeId id, NodeId next) {
 // Results of steps --------------------------------------------------------------------------------
 
 State Solver::after(State state, const Process& process, NodeId id) const {
+  return assigned(std::move(state), process, id, false);
+}
+
+State Solver::afterEffects(State state, const Process& process, NodeId id) const {
+  return assigned(std::move(state), process, id, true);
+}
+
+State Solver::assigned(State state, const Process& process, NodeId id, bool effectsOnly) const {
   State before = state;
   for (const Assignment& assignment : process.actions[id].assignments) {
-    if (!assignment.slot) continue;
+    if (!assignment.slot || (effectsOnly && !assignment.source)) continue;
     ValueSet to;
     const Domain& domain = model.variables()[assignment.variable].domain;
     for (const Move& move : flow::moves(assignment, domain, before)) to |= move.to;

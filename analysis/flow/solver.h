@@ -47,7 +47,9 @@ public:
   [[nodiscard]] State atCallee(ProcessId caller, NodeId call) const;
   /// While the node waits for what it has called, if it has.
   [[nodiscard]] State during(ProcessId process, NodeId node) const;
-  /// After the assignments of a node, in the same step.
+  /// After the effects of a node that the text states: where a postcondition is tested.
+  [[nodiscard]] State afterEffects(State before, const Process& process, NodeId node) const;
+  /// After all that the node sets, in the same step.
   [[nodiscard]] State after(State before, const Process& process, NodeId node) const;
 
 private:
@@ -73,6 +75,8 @@ private:
   [[nodiscard]] State returned(ProcessId process, NodeId node) const;
   [[nodiscard]] State refused(ProcessId process, NodeId node) const;
   [[nodiscard]] bool mayStop(ProcessId process) const;
+  [[nodiscard]] State assigned(State before, const Process& process, NodeId node,
+                               bool effectsOnly) const;
   [[nodiscard]] bool isPoint(ProcessId process, NodeId node) const;
   [[nodiscard]] const Closing& relyAt(ProcessId process, NodeId node) const;
   void record(const State& before, ProcessId process, const Assignment& assignment);

@@ -1,0 +1,371 @@
+#include "tests/flow/judgement.h"
+
+#include "analysis/flow/flow.h"
+#include "analysis/flow/report.h"
+#include "codegen/model.h"
+#include "syntax/codes.h"
+#include "tests/flow/analysed.h"
+#include "verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace proskill::test {
+
+namespace {
+
+using namespace analysis::flow;
+using analysis::Location;
+using syntax::Code;
+using syntax::Diagnostic;
+
+constexpr std::uint64_t kMostClasses = 30'000;
+
+/// A question that is put to the engine as a property, and what the analysis says about it.
+struct Query {
+  std::string words;
+  bool possible = true;
+};
+
+/// What the engine has decided.
+struct Verdict {
+  codegen::Check check;
+  Location place;
+  bool happens = false; ///< the tag, the state, or the property's condition can be reached
+};
+
+class Judgement {
+public:
+  explicit Judgement(const std::string& source)
+      : text(source),
+        program(programOf(text)),
+        index(analysis::analyse(program)),
+        valid(std::ranges::none_of(index.diagnostics, [](const Diagnostic& each) {
+          return each.severity == syntax::Severity::Error;
+        })) {}
+
+  Judged result() {
+    if (!valid) return {};
+    System system(program);
+    Solver solver(system);
+    analysis::Findings findings({});
+    Report made{program, solver, index.index, findings};
+    report = &made;
+    askAboutValues();
+    if (!decide()) return {};
+    found = checkFlow(program, index.index);
+    judged.decided = true;
+    for (const Verdict& verdict : verdicts) judge(verdict);
+    for (const Diagnostic& each : found) judgeCertain(each);
+    return std::move(judged);
+  }
+
+private:
+  // Questions ------------------------------------------------------------------------------------
+
+  void ask(const std::string& condition, bool possible) {
+    std::string name = fmt::format("query_{}", queries.size());
+    text += fmt::format("\n(defproperty {} (reachable {}))", name, condition);
+    queries.push_back({condition, possible});
+  }
+
+  void askAboutValues() {
+    const Variables& variables = report->variables();
+    for (VariableId id = 0; id < variables.size(); ++id) {
+      forEachValue(id, [&](unsigned value, const std::string& condition) {
+        ask(condition, report->solver.ever(id).contains(value));
+        if (variables[id].kind == VariableKind::StateVariable) askInside(id, value, condition);
+      });
+    }
+    askAtLabels();
+  }
+
+  template <class Visit> void forEachValue(VariableId id, Visit visit) {
+    const Variable& variable = report->variables()[id];
+    if (variable.kind == VariableKind::Running || variable.kind == VariableKind::Used) return;
+    for (unsigned value = 0; value < variable.domain.size(); ++value)
+      visit(value, fmt::format("(= {} {})", report->variables().name(id),
+                               report->variables().words(id, ValueSet::of(value))));
+  }
+
+  /// While a skill is running.
+  void askInside(VariableId id, unsigned value, const std::string& condition) {
+    const System& system = report->system();
+    for (std::size_t skill = 0; skill < program.skills.all.size(); ++skill) {
+      const Process& process = system[system.ofSkill(skill)];
+      auto slot = process.slots.find(id);
+      if (!process.analysed || !slot) continue;
+      bool possible = false;
+      for (NodeId node = 0; node < process.graph->nodes.size(); ++node) {
+        NodeKind kind = (*process.graph)[node].kind;
+        if (kind == NodeKind::Start || kind == NodeKind::End || kind == NodeKind::Refused) continue;
+        State state = report->solver.during(system.ofSkill(skill), node);
+        possible |= state.reachable && state.values[*slot].contains(value);
+      }
+      ask(fmt::format("(and (running {}) {})", program.skills.all[skill].name(), condition),
+          possible);
+    }
+  }
+
+  void askAtLabels() {
+    forEachNode(*report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
+      if (!each.statement || each.statement->kind != syntax::StatementKind::Label) return;
+      if (index.index.symbols().labels(each.statement->name.text).size() != 1) return;
+      NodeId next = each.edges.front().target;
+      for (Slot slot = 0; slot < process.slots.size(); ++slot)
+        forEachValue(process.slots[slot], [&](unsigned value, const std::string& condition) {
+          bool possible = false;
+          for (NodeId at : {node, next}) {
+            State state = report->solver.during(id, at);
+            possible |= state.reachable && state.values[slot].contains(value);
+          }
+          ask(fmt::format("(and (at {}) {})", each.statement->name.text, condition), possible);
+        });
+    });
+  }
+
+  // Answers --------------------------------------------------------------------------------------
+
+  bool decide() {
+    analysis::Program asked = programOf(text);
+    auto model = codegen::generate(asked);
+    if (!model) return false;
+    std::vector<verify::Question> questions;
+    for (const auto& check : model->checks) questions.push_back({check.property});
+    verify::Options options;
+    options.limits.classes = kMostClasses;
+    auto result = verify::verify(model->fiacre, model->provenance, questions, options);
+    if (!result || !result->exploration.complete) return false;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      if (result->answers[i].truth == verify::Truth::Unknown) continue;
+      const auto& origin = model->provenance.origins[model->checks[i].origin];
+      verdicts.push_back({model->checks[i],
+                          {origin.file, {origin.begin, origin.end}},
+                          result->answers[i].truth == verify::Truth::False});
+    }
+    return true;
+  }
+
+  [[nodiscard]] const Verdict* find(std::string_view kind, Location place) const {
+    auto here = std::ranges::find_if(verdicts, [&](const Verdict& each) {
+      return each.check.kind == kind && each.place == place;
+    });
+    return here == verdicts.end() ? nullptr : &*here;
+  }
+
+  [[nodiscard]] const Verdict* findOf(std::string_view kind, std::string_view subject) const {
+    auto here = std::ranges::find_if(verdicts, [&](const Verdict& each) {
+      return each.check.kind == kind && each.check.subject == subject;
+    });
+    return here == verdicts.end() ? nullptr : &*here;
+  }
+
+  // What can never happen ------------------------------------------------------------------------
+
+  void refute(const std::string& words) { judged.refuted.push_back(words); }
+
+  void judge(const Verdict& verdict) {
+    const std::string& kind = verdict.check.kind;
+    bool possible = true;
+    if (kind == "property") possible = judgeQuery(verdict);
+    if (kind == "reachable") possible = reaches(verdict.place);
+    if (kind == "can_run") possible = canRun(verdict.check.subject);
+    if (kind == "can_succeed" || kind == "can_fail") possible = returns(verdict, kind);
+    if (kind == "invariant_may_fail") possible = reachesNode(verdict, NodeKind::InvariantFailure);
+    if (kind == "can_be_interrupted") possible = reachesNode(verdict, NodeKind::Interrupted);
+    if (kind == "never_refused") possible = mayBeRefused(verdict.place);
+    if (kind == "postcondition") possible = mayBreakPostcondition(verdict.place);
+    if (kind == "no_forbidden_transition") possible = mayMoveWrongly(verdict.check.subject);
+    if (!possible) ++judged.impossible;
+    if (!possible && verdict.happens)
+      refute("impossible, but it happens: " + verdict.check.name + " " + verdict.check.words);
+  }
+
+  [[nodiscard]] bool judgeQuery(const Verdict& verdict) const {
+    const std::string& name = verdict.check.subject;
+    if (!name.starts_with("query_")) return true;
+    return queries[std::stoul(name.substr(6))].possible;
+  }
+
+  [[nodiscard]] bool reaches(Location place) const {
+    bool reached = false;
+    forEachReachedNode(*report, [&](ProcessId, const Process& process, NodeId, const Node& node) {
+      if (!node.statement) return;
+      reached |= report->system().at(process, node.statement->range) == place;
+      // A loop `do` is reached with its body.
+      reached |= holdsPlace(process, place) && node.statement->range.begin >= place.range.begin &&
+                 node.statement->range.end <= place.range.end;
+    });
+    return reached;
+  }
+
+  [[nodiscard]] bool holdsPlace(const Process& process, Location place) const {
+    bool loops = false;
+    for (const Node& node : process.graph->nodes)
+      loops |= node.statement && node.statement->kind == syntax::StatementKind::DoUntil &&
+               report->system().at(process, node.statement->range) == place;
+    return loops;
+  }
+
+  [[nodiscard]] ProcessId processOf(std::string_view skill) const {
+    return report->system().ofSkill(program.skills.byName.at(skill));
+  }
+
+  [[nodiscard]] bool canRun(std::string_view skill) const {
+    ProcessId id = processOf(skill);
+    if (!report->solver.started(id)) return false;
+    State entry = report->solver.before(id, 0);
+    refineAll(entry, report->system()[id].actions[0].conditions, true);
+    return entry.reachable;
+  }
+
+  [[nodiscard]] bool returns(const Verdict& verdict, const std::string& kind) const {
+    bool possible = false;
+    forEachReachedNode(
+        *report, [&](ProcessId id, const Process& process, NodeId, const Node& node) {
+          if (id != processOf(verdict.check.subject) || node.kind != NodeKind::Outcome) return;
+          if (node.success != (kind == "can_succeed")) return;
+          possible |=
+              !node.outcome || report->system().at(process, node.outcome->range) == verdict.place;
+        });
+    return possible;
+  }
+
+  [[nodiscard]] bool reachesNode(const Verdict& verdict, NodeKind kind) const {
+    bool possible = false;
+    forEachReachedNode(
+        *report, [&](ProcessId id, const Process& process, NodeId, const Node& node) {
+          bool same = kind == NodeKind::Interrupted ||
+                      report->system().at(process, node.range) == verdict.place;
+          possible |= id == processOf(verdict.check.subject) && node.kind == kind && same;
+        });
+    return possible;
+  }
+
+  [[nodiscard]] bool mayBeRefused(Location place) const {
+    bool possible = false;
+    forEachReachedNode(*report, [&](ProcessId id, const Process& process, NodeId node,
+                                    const Node& each) {
+      if (each.kind != NodeKind::Call || report->at(id, node) != place) return;
+      State entry = report->solver.atCallee(id, node);
+      refineAll(entry, report->system()[process.actions[node].target].actions[0].conditions, false);
+      possible |= entry.reachable;
+    });
+    return possible;
+  }
+
+  [[nodiscard]] bool mayBreakPostcondition(Location place) const {
+    bool possible = false;
+    forEachReachedNode(
+        *report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
+          if (!each.outcome || !each.outcome->postcondition) return;
+          if (report->system().at(process, each.outcome->postcondition->range) != place) return;
+          State after = report->solver.afterEffects(report->solver.before(id, node), process, node);
+          Condition condition =
+              report->system().resolver().condition(*each.outcome->postcondition, process.slots);
+          possible |= mayFail(after, condition);
+        });
+    return possible;
+  }
+
+  [[nodiscard]] bool mayMoveWrongly(const std::string& variable) {
+    constexpr Code kMoves[] = {Code::ForbiddenMove, Code::MayBeForbiddenMove,
+                               Code::LeavesRange,   Code::EventMayBeForbidden,
+                               Code::MayLeaveRange, Code::EventMayLeaveRange};
+    return std::ranges::any_of(found, [&](const Diagnostic& each) {
+      return std::ranges::find(kMoves, each.code) != std::end(kMoves) &&
+             each.message.contains("`" + variable + "`");
+    });
+  }
+
+  // What is certain ------------------------------------------------------------------------------
+
+  /// `happened` is what makes the claim matter, `expected` what must come of it.
+  void demand(const Diagnostic& claim, const Verdict* happened, const Verdict* expected) {
+    if (!happened || !expected || !happened->happens) return;
+    ++judged.certain;
+    if (!expected->happens)
+      refute(fmt::format("certain, but it never happens: {} {}, though {}",
+                         syntax::info(claim.code).id, claim.message, happened->check.name));
+  }
+
+  void judgeCertain(const Diagnostic& claim) {
+    switch (claim.code) {
+    case Code::ForbiddenMove:
+    case Code::LeavesRange: {
+      std::size_t from = claim.message.find('`') + 1;
+      std::string variable = claim.message.substr(from, claim.message.find('`', from) - from);
+      demand(claim, whatSets(claim.location), findOf("no_forbidden_transition", variable));
+      return;
+    }
+    case Code::PostconditionNeverHolds:
+      demand(claim, enclosing(claim.location, {"can_succeed", "can_fail"}),
+             find("postcondition", claim.location));
+      return;
+    case Code::AlwaysTooShort: demandOfSkill(claim, "no_undershoot"); return;
+    case Code::AlwaysTooLong: demandOfSkill(claim, "no_overshoot"); return;
+    default: return;
+    }
+  }
+
+  void demandOfSkill(const Diagnostic& claim, std::string_view kind) {
+    const Verdict* expected = find(kind, claim.location);
+    const Verdict* progress = findOf("time_progress", "program");
+    if (!expected || !progress || progress->happens) return; // the clock may stand still before
+    bool ends = false;
+    for (const Verdict& each : verdicts)
+      ends |= each.check.subject == expected->check.subject && each.happens &&
+              (each.check.kind == "can_succeed" || each.check.kind == "can_fail");
+    if (ends) demand(claim, findOf("can_run", expected->check.subject), expected);
+  }
+
+  /// The verdict about what makes the effects at this place happen.
+  [[nodiscard]] const Verdict* whatSets(Location place) const {
+    for (const Verdict& each : verdicts)
+      if (each.check.kind == "reachable" && isSet(each.place) && within(place, each.place))
+        return &each;
+    if (const Verdict* outcome = enclosing(
+            place, {"can_succeed", "can_fail", "invariant_may_fail", "can_be_interrupted"}))
+      return outcome;
+    for (const auto& skill : program.skills.all)
+      for (const auto& effect : skill->start.items)
+        if (skill.at(effect.range) == place) return findOf("can_run", skill.name());
+    return nullptr;
+  }
+
+  /// Of `set` alone: a wait with effects may be reached and never end.
+  [[nodiscard]] bool isSet(Location place) const {
+    return std::string_view(text).substr(place.range.begin).starts_with("(set");
+  }
+
+  static bool within(Location inner, Location outer) {
+    return inner.file == outer.file && outer.range.begin <= inner.range.begin &&
+           inner.range.end <= outer.range.end;
+  }
+
+  [[nodiscard]] const Verdict* enclosing(Location place,
+                                         std::initializer_list<std::string_view> kinds) const {
+    for (const Verdict& each : verdicts)
+      if (std::ranges::find(kinds, each.check.kind) != kinds.end() && within(place, each.place))
+        return &each;
+    return nullptr;
+  }
+
+  std::string text;
+  analysis::Program program;
+  analysis::Analysis index;
+  bool valid;
+  Report* report = nullptr;
+  std::vector<Query> queries;
+  std::vector<Diagnostic> found;
+  std::vector<Verdict> verdicts;
+  Judged judged;
+};
+
+} // namespace
+
+Judged judge(const std::string& program) { return Judgement(program).result(); }
+
+} // namespace proskill::test

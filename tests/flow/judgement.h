@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace proskill::test {
+
+struct Judged {
+  bool decided = false;       ///< the program has no errors and is small enough for the engine
+  std::size_t impossible = 0; ///< claims of "never" that the engine has looked at
+  std::size_t certain = 0;    ///< claims of "always" whose place the engine has reached
+  std::vector<std::string> refuted;
+};
+
+/// Puts the claims of the flow analysis before the engine: what it says can never happen must not
+/// be found, what it says is certain must.
+[[nodiscard]] Judged judge(const std::string& program);
+
+} // namespace proskill::test
