@@ -59,7 +59,9 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
     return std::nullopt;
   }
   auto program = analysis::load(disk, root, std::move(*document));
-  const auto diagnostics = analysis::check(program);
+  auto diagnostics = analysis::check(program);
+  std::erase_if(diagnostics,
+                [](const syntax::Diagnostic& it) { return it.severity == syntax::Severity::Hint; });
   render(std::cerr, program, diagnostics, Paint{wantsColour(colour, STDERR_FILENO)});
   const bool broken = std::ranges::any_of(diagnostics, [](const syntax::Diagnostic& it) {
     return it.severity == syntax::Severity::Error;

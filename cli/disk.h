@@ -16,8 +16,8 @@ public:
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
 };
 
-/// The program of a root file, for commands that need one without errors: all that is wrong with it
-/// is printed to standard error. Nothing where it has errors or cannot be read.
+/// The program of a root file, for commands that need one without errors: its errors and warnings
+/// are printed to standard error. Nothing where it has errors or cannot be read.
 [[nodiscard]] std::optional<analysis::Program> loadChecked(const std::string& root,
                                                            ColourChoice colour);
 
