@@ -1,5 +1,6 @@
 #include "cli/emit.h"
 
+#include "cli/choice.h"
 #include "cli/disk.h"
 #include "cli/output.h"
 #include "cli/paint.h"
@@ -10,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
-#include <map>
 #include <memory>
 
 namespace proskill::cli {
@@ -58,10 +58,10 @@ int run(const Arguments& arguments) {
 void addEmit(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("emit", "Print the model of a program as Fiacre");
-  command->add_option("target", arguments->target, "fiacre, or hfiacre: the runtime edition")
-      ->required()
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Target>{{"fiacre", Target::Fiacre}, {"hfiacre", Target::HFiacre}}));
+  addChoice<Target>(*command, "target", arguments->target,
+                    {{"fiacre", Target::Fiacre}, {"hfiacre", Target::HFiacre}},
+                    "For verification, or for execution")
+      ->required();
   command->add_option("file", arguments->file, "The program's root file")->required();
   command->add_option("-o,--output", arguments->output, "Write here, not to standard output");
   command->add_option("--main", arguments->options.mainSkill, "The skill that is the mission");
@@ -72,10 +72,11 @@ void addEmit(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
       ->excludes(expanded);
   command->add_flag("--prove", arguments->prove, "`prove` for each property, not `assert`");
-  command->add_option("--sv-automata", arguments->options.automata, "exact or paper")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, codegen::StateVariableAutomata>{
-          {"exact", codegen::StateVariableAutomata::Exact},
-          {"paper", codegen::StateVariableAutomata::Paper}}));
+  using codegen::StateVariableAutomata;
+  addChoice<StateVariableAutomata>(
+      *command, "--sv-automata", arguments->options.automata,
+      {{"exact", StateVariableAutomata::Exact}, {"paper", StateVariableAutomata::Paper}},
+      "Automata that see each forbidden move, or that poll the variables");
   addColour(*command, arguments->colour);
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }

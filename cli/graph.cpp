@@ -1,17 +1,17 @@
 #include "cli/graph.h"
 
+#include "cli/choice.h"
 #include "cli/disk.h"
 #include "cli/output.h"
 #include "cli/paint.h"
-#include "cli/render.h"
 #include "viz/pictures.h"
 #include "viz/render.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <unistd.h>
 
@@ -20,11 +20,11 @@ namespace {
 
 enum ExitCode { kDrawn = 0, kErrors = 1, kUsage = 2 };
 
-const std::map<std::string, viz::Kind> kKinds{{"sv", viz::Kind::StateVariable},
-                                              {"skill", viz::Kind::Skill},
-                                              {"body", viz::Kind::Body},
-                                              {"calls", viz::Kind::Calls}};
-const std::map<std::string, viz::Format> kFormats{
+const Choices<viz::Kind> kKinds{{"sv", viz::Kind::StateVariable},
+                                {"skill", viz::Kind::Skill},
+                                {"body", viz::Kind::Body},
+                                {"calls", viz::Kind::Calls}};
+const Choices<viz::Format> kFormats{
     {"dot", viz::Format::Dot}, {"svg", viz::Format::Svg}, {"png", viz::Format::Png}};
 
 struct Arguments {
@@ -44,19 +44,21 @@ int fail(const std::string& message) {
   return kUsage;
 }
 
-template <class Value>
-const std::string& word(const std::map<std::string, Value>& words, Value value) {
-  for (const auto& [text, each] : words)
-    if (each == value) return text;
-  return words.begin()->first;
+template <class Value> const std::string& word(const Choices<Value>& choices, Value value) {
+  return std::ranges::find(choices, value, &Choices<Value>::value_type::second)->first;
+}
+
+template <class Value> Choices<std::optional<Value>> optional(const Choices<Value>& choices) {
+  return {choices.begin(), choices.end()};
 }
 
 /// As asked for, else as the output's name says, else SVG.
 viz::Format formatOf(const Arguments& arguments) {
   if (arguments.format) return *arguments.format;
-  auto extension = std::filesystem::path(arguments.output).extension().string();
-  const auto named = kFormats.find(extension.empty() ? extension : extension.substr(1));
-  return named == kFormats.end() ? viz::Format::Svg : named->second;
+  const auto extension = std::filesystem::path(arguments.output).extension().string();
+  for (const auto& [name, format] : kFormats)
+    if (extension == "." + name) return format;
+  return viz::Format::Svg;
 }
 
 /// The pictures that the arguments choose; the calls where they choose nothing and one is wanted.
@@ -147,11 +149,11 @@ void addGraph(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("graph", "Draw state variables, skills, bodies and calls");
   command->add_option("file", arguments->file, "The program's root file")->required();
-  command->add_option("--kind", arguments->kind, "sv, skill, body or calls")
-      ->transform(CLI::CheckedTransformer(kKinds));
+  addChoice(*command, "--kind", arguments->kind, optional(kKinds),
+            "State variables, skills, bodies, or who calls whom");
   command->add_option("--name", arguments->name, "Of what: a state variable, skill or environment");
-  command->add_option("--format", arguments->format, "dot, svg or png")
-      ->transform(CLI::CheckedTransformer(kFormats));
+  addChoice(*command, "--format", arguments->format, optional(kFormats),
+            "If not given, as the output's name says, else svg");
   command->add_flag("--dark", arguments->dark, "For a dark page");
   command->add_flag("--forbidden", arguments->forbidden,
                     "The moves of state variables that are not allowed, too");

@@ -128,6 +128,9 @@ void printProperty(Output& out, const Property& property, const std::string& mai
   writer.blank();
   Place place(out, property.origin);
   writer.comment(0, property.comment);
+  if (property.pattern.kind == PatternKind::DeadlockFree)
+    for (const auto& rest : property.pattern.operands)
+      writer.comment(0, "It may stop where " + printObservable(rest, main) + ".");
   const auto text =
       fmt::format("property {} is {}", property.name, printPattern(property.pattern, main));
   if (property.pattern.kind == PatternKind::Progress) return writer.comment(0, text);

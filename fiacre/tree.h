@@ -222,7 +222,8 @@ struct Ltl {
 
 struct Pattern {
   PatternKind kind = PatternKind::Absent;
-  std::vector<Observable> operands; ///< what is absent, always, … ; LeadsTo, Precedes: two
+  /// What is absent, always, …; LeadsTo, Precedes: two; DeadlockFree: where it may stop, if anywhere.
+  std::vector<Observable> operands;
   std::optional<Observable> after;
   std::optional<Observable> before;
   std::optional<Interval> within;

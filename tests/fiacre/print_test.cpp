@@ -418,6 +418,16 @@ TEST_CASE("what Fiacre has no pattern for is a comment") {
   CHECK(print(program) == "m\n\n// property time is time can always progress\n");
 }
 
+TEST_CASE("where a model may stop is told in a comment") {
+  const Observable end{.kind = ObservableKind::State, .path = {1}, .name = "ended"};
+  Program program{
+      .main = "m",
+      .properties = {
+          {.name = "runs", .pattern = {.kind = PatternKind::DeadlockFree, .operands = {end}}}}};
+  CHECK(print(program) ==
+        "m\n\n// It may stop where m/1/state ended.\nproperty runs is deadlockfree\nassert runs\n");
+}
+
 TEST_CASE("long lists of parameters and conditions go on below their parenthesis") {
   auto skill = process("skill_takeoff", {"idle"}, {});
   skill.ports = {{.name = "interrupt_takeoff", .comment = "stops it"}};
