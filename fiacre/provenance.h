@@ -9,13 +9,15 @@ namespace proskill::fiacre {
 /// Where a part of a model comes from: an index into `Provenance::origins`. 0: from nowhere.
 using OriginId = std::uint32_t;
 
-/// A place in the program that a model was made from, and what happens there, in that program's words.
+/// A place in the program that a model was made from, and what happens there, in that program's
+/// words.
 struct Origin {
   std::uint32_t file = 0;
   std::uint32_t begin = 0; ///< bytes
   std::uint32_t end = 0;
   std::string actor; ///< who: a skill, a branch, an event, the environment
-  std::string words; ///< what it does: "starts", "succeeds with `at_altitude`"; empty for a bare place
+  std::string
+      words; ///< what it does: "starts", "succeeds with `at_altitude`"; empty for a bare place
 };
 
 /// A variable of the model that a user knows, and how to show it.

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-/// The tree of Fiacre V3 and of H-Fiacre, its executable extension: what the code generator builds and what the
-/// printer and the verifier read. Times are naturals of the model's unit.
-/// Berthomieu et al., "The syntax and semantics of Fiacre" (V2, V3).
+/// The tree of Fiacre V3 and of H-Fiacre, its executable extension: what the code generator builds
+/// and what the printer and the verifier read. Times are naturals of the model's unit. Berthomieu
+/// et al., "The syntax and semantics of Fiacre" (V2, V3).
 namespace proskill::fiacre {
 
 struct Interval {
@@ -33,12 +33,12 @@ struct Member {
 
 struct Type {
   TypeKind kind = TypeKind::Bool;
-  std::string name;             ///< Named
-  std::int64_t low = 0;         ///< Range
-  std::int64_t high = 0;        ///< Range
-  std::vector<Member> members;  ///< Record, Union
-  std::int64_t size = 0;        ///< Array, Queue
-  std::vector<Type> element;    ///< Array, Queue: one
+  std::string name;            ///< Named
+  std::int64_t low = 0;        ///< Range
+  std::int64_t high = 0;       ///< Range
+  std::vector<Member> members; ///< Record, Union
+  std::int64_t size = 0;       ///< Array, Queue
+  std::vector<Type> element;   ///< Array, Queue: one
 };
 
 enum class ExprKind : std::uint8_t {
@@ -57,9 +57,28 @@ enum class ExprKind : std::uint8_t {
 };
 
 enum class Op : std::uint8_t {
-  Not, Negate, Coerce, Empty, Full, First, Dequeue, // unary
-  And, Or, Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
-  Add, Subtract, Multiply, Divide, Modulo, Enqueue, Append,
+  Not,
+  Negate,
+  Coerce,
+  Empty,
+  Full,
+  First,
+  Dequeue, // unary
+  And,
+  Or,
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Modulo,
+  Enqueue,
+  Append,
 };
 
 struct Expr {
@@ -163,7 +182,8 @@ struct Function {
   Statement body;
 };
 
-/// `P[ports](arguments)` in a component; an argument that is a reference is a plain variable's name.
+/// `P[ports](arguments)` in a component; an argument that is a reference is a plain variable's
+/// name.
 struct Instance {
   std::string process;
   std::vector<std::string> ports;
@@ -194,10 +214,16 @@ enum class ObservableKind : std::uint8_t {
   Value, // path/value expr
   Tag,   // path/tag name
   Event, // path/event name
-  Enter, Leave, Not, And, Or, Implies,
+  Enter,
+  Leave,
+  Not,
+  And,
+  Or,
+  Implies,
 };
 
-/// What can be seen of a model at a moment. A path is 1-based places in `par`, from the main component down.
+/// What can be seen of a model at a moment. A path is 1-based places in `par`, from the main
+/// component down.
 struct Observable {
   ObservableKind kind = ObservableKind::State;
   std::vector<std::uint32_t> path;
@@ -207,7 +233,14 @@ struct Observable {
 };
 
 enum class PatternKind : std::uint8_t {
-  DeadlockFree, InfinitelyOften, Mortal, Present, Absent, Always, LeadsTo, Precedes,
+  DeadlockFree,
+  InfinitelyOften,
+  Mortal,
+  Present,
+  Absent,
+  Always,
+  LeadsTo,
+  Precedes,
   Ltl,
   Progress, // not of Fiacre: time can always go on; printed as a comment
 };
@@ -222,7 +255,8 @@ struct Ltl {
 
 struct Pattern {
   PatternKind kind = PatternKind::Absent;
-  /// What is absent, always, …; LeadsTo, Precedes: two; DeadlockFree: where it may stop, if anywhere.
+  /// What is absent, always, …; LeadsTo, Precedes: two; DeadlockFree: where it may stop, if
+  /// anywhere.
   std::vector<Observable> operands;
   std::optional<Observable> after;
   std::optional<Observable> before;
