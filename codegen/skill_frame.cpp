@@ -7,6 +7,17 @@
 #include <algorithm>
 
 namespace proskill::codegen {
+namespace {
+
+/// `failed_success_postcondition_T` of `success_T`.
+std::string failedPostcondition(std::string_view state) {
+  const auto end = state.find('_');
+  std::string result = "failed_" + std::string(state.substr(0, end)) + "_postcondition";
+  if (end != std::string_view::npos) result += state.substr(end);
+  return result;
+}
+
+} // namespace
 
 using fiacre::Expr;
 using fiacre::Op;
@@ -103,24 +114,15 @@ Statement SkillFrame::stopEarly(std::string_view next) {
 
 Statement SkillFrame::end(const Ending& ending) {
   if (!context.isExpanded()) return sequence({outcome(ending), giveBack(), to(restingState())});
-  endStates.push_back(stateAfter(ending, true));
-  std::vector<Statement> all{happens(ending), report(ending)};
-  // The postcondition is told apart before control is given back, in the same transition.
-  if (!ending.postcondition)
-    return sequence({sequence(std::move(all)), giveBack(), to(stateAfter(ending, true))});
-  endStates.push_back(stateAfter(ending, false));
-  auto holds = sequence({giveBack(), to(stateAfter(ending, true))});
-  auto broken = sequence({postconditionFails(ending), giveBack(), to(stateAfter(ending, false))});
-  all.push_back(
-      ifThenElse(condition(context, *ending.postcondition), std::move(holds), std::move(broken)));
-  return sequence(std::move(all));
+  const auto state = stateAfter(ending);
+  if (ending.postcondition) checked.insert(state);
+  endStates.push_back(state);
+  return sequence({outcome(ending), giveBack(), to(state)});
 }
 
 Statement SkillFrame::outcome(const Ending& ending) {
   std::vector<Statement> all{happens(ending)};
-  if (ending.postcondition)
-    all.push_back(
-        ifThen(negation(condition(context, *ending.postcondition)), postconditionFails(ending)));
+  if (ending.postcondition) all.push_back(checkPostcondition(ending));
   all.push_back(report(ending));
   return sequence(std::move(all));
 }
@@ -132,12 +134,16 @@ Statement SkillFrame::happens(const Ending& ending) {
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
 }
 
-Statement SkillFrame::postconditionFails(const Ending& ending) {
-  const auto& name =
+/// In the transition of the outcome itself. A state for each answer, in the expanded edition, comes
+/// after it: a timed transition that ended in one of two would be two, each with its own clock.
+Statement SkillFrame::checkPostcondition(const Ending& ending) {
+  auto broken = negation(condition(context, *ending.postcondition));
+  const auto words = ending.words + ", but its postcondition does not hold";
+  const auto& mark =
       context.names.tag({skill.name(), ending.status, ending.tag.text, "postcondition"});
-  return at(
-      origin(ending.postcondition->range, ending.words + ", but its postcondition does not hold"),
-      tag(name));
+  auto fails = at(origin(ending.postcondition->range, words), tag(mark));
+  if (!context.isExpanded()) return ifThen(std::move(broken), std::move(fails));
+  return sequence({assign(name("broken"), broken), ifThen(name("broken"), std::move(fails))});
 }
 
 Statement SkillFrame::report(const Ending& ending) {
@@ -186,22 +192,15 @@ std::string SkillFrame::restingState() const {
   return context.isExpanded() ? "start_" : "idle";
 }
 
-std::string SkillFrame::stateAfter(const Ending& ending, bool postconditionHolds) {
+std::string SkillFrame::stateAfter(const Ending& ending) {
   if (ending.status == "interrupted") return "interrupted";
   if (ending.status == "failed_inv") return "failed_invariant";
-  const auto suffix = ending.tag ? "_" + std::string(ending.tag.text) : "";
-  const auto state = ending.status + (postconditionHolds ? "" : "_postcondition") + suffix;
-  return postconditionHolds ? state : "failed_" + state;
+  return ending.status + (ending.tag ? "_" + std::string(ending.tag.text) : "");
 }
 
 void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
   if (context.isExpanded()) {
-    std::vector<std::string> added;
-    for (const auto& state : endStates) {
-      if (std::ranges::find(added, state) != added.end()) continue;
-      added.push_back(state);
-      step(process, state, "done", "");
-    }
+    addEndStates(process);
     step(process, "done", skill.runsOnce() ? "ended" : "ether", "Control was returned.");
     if (!skill.runsOnce()) step(process, "ether", start, "");
   }
@@ -213,6 +212,24 @@ void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
              "The end. The loop tells it from a deadlock.");
   else
     process.states.push_back({"ended", place()});
+}
+
+void SkillFrame::addEndStates(fiacre::Process& process) {
+  std::set<std::string> added;
+  for (const auto& state : endStates) {
+    if (!added.insert(state).second) continue;
+    if (!checked.contains(state)) {
+      step(process, state, "done", "");
+      continue;
+    }
+    const auto broken = failedPostcondition(state);
+    addState(process, state, place(),
+             sequence({atOnce(), ifThenElse(name("broken"), to(broken), to("done"))}));
+    step(process, broken, "done", "");
+  }
+  if (!checked.empty())
+    process.variables.push_back(
+        {"broken", boolType(), boolean(false), "the postcondition did not hold"});
 }
 
 void SkillFrame::step(fiacre::Process& process, std::string_view from, std::string_view next,

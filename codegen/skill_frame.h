@@ -62,12 +62,13 @@ private:
   [[nodiscard]] fiacre::Expr isCalled();
   [[nodiscard]] fiacre::Expr isReady();
   [[nodiscard]] fiacre::Statement happens(const Ending& ending);
-  [[nodiscard]] fiacre::Statement postconditionFails(const Ending& ending);
+  [[nodiscard]] fiacre::Statement checkPostcondition(const Ending& ending);
   [[nodiscard]] fiacre::Statement report(const Ending& ending);
   [[nodiscard]] fiacre::Statement setResult(std::string_view status, std::string_view tag);
   [[nodiscard]] fiacre::Statement returnControl();
   [[nodiscard]] fiacre::Statement changeResources(fiacre::Op op);
-  [[nodiscard]] std::string stateAfter(const Ending& ending, bool postconditionHolds);
+  [[nodiscard]] static std::string stateAfter(const Ending& ending);
+  void addEndStates(fiacre::Process& process);
   [[nodiscard]] std::string restingState() const;
   void step(fiacre::Process& process, std::string_view from, std::string_view next,
             std::string_view comment);
@@ -76,6 +77,7 @@ private:
   const SkillPlan& skill;
   Actor actor;
   std::vector<std::string> endStates; ///< expanded: those that are used
+  std::set<std::string> checked;      ///< expanded: those of outcomes with a postcondition
 };
 
 /// Adds a state with what can happen in it.

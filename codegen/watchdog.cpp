@@ -59,12 +59,7 @@ private:
       ends = bounds.lowerOpen && !context.isRuntime() ? endAtTheBound() : endSeen();
     else
       ends = {sequence({on(ended()), wait(afterEnd()), at(tooEarly(), to("skill_undershoot"))})};
-    auto onTime = at(words, to("on_time"));
-    if (usesOver)
-      onTime =
-          ifThenElse(name("over"), sequence({assign(name("over"), boolean(false)), to("idle")}),
-                     std::move(onTime));
-    ends.insert(ends.begin(), sequence({wait(exactly), std::move(onTime)}));
+    ends.insert(ends.begin(), sequence({wait(exactly), at(words, to("on_time"))}));
     addState(process, "early", place(), select(std::move(ends)));
   }
 
@@ -91,13 +86,20 @@ private:
     return all;
   }
 
+  /// A run that is over was on time: its bound came before any time had passed.
   void addOnTime() {
-    auto end = sequence({atOnce(), on(ended()), release(), at(sawEnd(), to("idle"))});
-    if (!bounds.upper) return addState(process, "on_time", place(), std::move(end));
-    const auto words = origin(fmt::format("overshoot: `{}` takes more than {} s", skill.name(),
-                                          toString(*seconds.upper)));
-    auto late = sequence({wait(afterUpper()), at(words, to("skill_overshoot"))});
-    addState(process, "on_time", place(), select({std::move(end), std::move(late)}));
+    auto hasEnded = usesOver ? conjunction({negation(name("over")), ended()}) : ended();
+    std::vector<Statement> all{
+        sequence({atOnce(), on(std::move(hasEnded)), release(), at(sawEnd(), to("idle"))})};
+    if (usesOver)
+      all.push_back(
+          sequence({atOnce(), on(name("over")), assign(name("over"), boolean(false)), to("idle")}));
+    if (bounds.upper) {
+      const auto words = origin(fmt::format("overshoot: `{}` takes more than {} s", skill.name(),
+                                            toString(*seconds.upper)));
+      all.push_back(sequence({wait(afterUpper()), at(words, to("skill_overshoot"))}));
+    }
+    addState(process, "on_time", place(), select(std::move(all)));
   }
 
   /// Offline an error state is final, but for letting the skill start again.
