@@ -23,7 +23,23 @@ struct Context {
   }
 };
 
-/// Finds what names mean, notes it in the index, and says so where they mean nothing.
+/// Finds what names mean, notes it in the index, and says so where they mean nothing. What a name
+/// may be depends on where it stands:
+///
+/// | place | what it is |
+/// | --- | --- |
+/// | `(NAME value)` in a condition, in effects | a state variable |
+/// | a word beside it, in `:init`, in `:transitions` | a value of that one, else a state variable |
+/// | `(NAME …)` as a statement, `NAME.status`, `NAME.res`, `NAME.interrupt` | a skill |
+/// | a word beside `skill.status`, in `(ended skill NAME)` | a status |
+/// | a word beside `skill.res` | a tag of that skill's outcomes or invariants, or `no_result` |
+/// | `(success NAME)`, `(failure NAME)` | a tag of the own `:success`, of the own `:failure` |
+/// | `NAME value` in a call | an input of the skill that is called |
+/// | `$NAME` | an input of the skill that it stands in |
+/// | after an input | a basic type or a state variable |
+/// | `(goto NAME)`, `(at NAME)` | a label of the same body, of any body |
+/// | `(emit NAME)`, `(occurs NAME)` | an event |
+/// | in `:resources` | a resource |
 class Names {
 public:
   Names(Context& context, FileId file) : context(context), file(file) {}
