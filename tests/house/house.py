@@ -1,6 +1,7 @@
 """What the checks of the house share: where the tree is, its files, and how to complain."""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -8,17 +9,23 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 GENERATED = ("tree-sitter-proskill/src/parser.c", "tree-sitter-proskill/src/tree_sitter/")
 
 
+def tracked():
+    """What git would keep, also of what is not committed yet; nothing where there is no git."""
+    if not shutil.which("git"):
+        return []
+    return subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+                          cwd=ROOT, capture_output=True, text=True).stdout.splitlines()
+
+
+def unpacked():
+    """The files of an archive: all but those that the build and editors leave behind."""
+    names = (str(path.relative_to(ROOT)) for path in ROOT.rglob("*") if path.is_file())
+    return [name for name in names if not name.startswith(("build/", ".git/", ".cache/"))]
+
+
 def files(*suffixes):
-    """The tree's own files with these suffixes, as paths relative to its root."""
-    listed = subprocess.run(
-        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
-        cwd=ROOT, capture_output=True, text=True)
-    if listed.returncode == 0:
-        names = listed.stdout.splitlines()
-    else:  # an unpacked archive
-        names = [str(path.relative_to(ROOT)) for path in ROOT.rglob("*") if path.is_file()]
-        names = [name for name in names if not name.startswith("build/")]
-    return sorted(name for name in set(names)
+    """The tree's own files with these suffixes, as sorted paths relative to its root."""
+    return sorted(name for name in set(tracked() or unpacked())
                   if name.endswith(suffixes) and not name.startswith(GENERATED)
                   and (ROOT / name).is_file())
 
