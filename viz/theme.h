@@ -34,7 +34,8 @@ struct PageStyle {
   std::string_view shade; ///< ground of clusters
 };
 
-inline constexpr std::string_view kFont = "DejaVu Sans";
+/// Verdana is as wide, for machines that have no DejaVu.
+inline constexpr std::string_view kFont = "DejaVu Sans,Verdana,sans-serif";
 
 [[nodiscard]] NodeStyle nodeStyle(NodeRole role, Scheme scheme);
 [[nodiscard]] EdgeStyle edgeStyle(EdgeRole role, Scheme scheme);
