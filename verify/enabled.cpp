@@ -4,12 +4,6 @@
 
 namespace proskill::verify {
 
-namespace {
-
-void insert(TransitionSet& set, TransitionId id) { set[id / 64] |= Word{1} << (id % 64); }
-
-} // namespace
-
 Enabling::Enabling(const System& of, const Bits& dropped) : system(of) {
   const TransitionSet none((system.transitions.size() + 63) / 64);
   urgent = clocked = none;
@@ -33,35 +27,42 @@ Enabling::Enabling(const System& of, const Bits& dropped) : system(of) {
   }
 }
 
-void Enabling::evaluate(const TransitionSet& candidates, const Word* state,
+void Enabling::evaluate(std::size_t k, Word candidates, const Word* state,
                         TransitionSet& enabled) const {
-  eachIn(candidates, [&](TransitionId id) {
-    if (isEnabled(system, id, state)) insert(enabled, id);
-  });
+  for (; candidates != 0; candidates &= candidates - 1) {
+    const auto bit = static_cast<std::size_t>(std::countr_zero(candidates));
+    if (isEnabled(system, static_cast<TransitionId>(k * 64 + bit), state))
+      enabled[k] |= Word{1} << bit;
+  }
 }
 
 void Enabling::compute(const Word* state, TransitionSet& enabled) const {
-  TransitionSet candidates((system.transitions.size() + 63) / 64, ~Word{0});
-  if (system.transitions.size() % 64 != 0)
-    candidates.back() = ~Word{0} >> (64 - system.transitions.size() % 64);
-  for (InstanceId i = 0; i < system.instances.size(); ++i) {
-    const auto& here = possible[i][readCell(system, system.instances[i].location, state)];
-    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k] &= here[k];
+  const std::size_t words = urgent.size();
+  enabled.assign(words, 0);
+  for (std::size_t k = 0; k < words; ++k) {
+    Word candidates = ~Word{0};
+    for (InstanceId i = 0; i < system.instances.size() && candidates != 0; ++i)
+      candidates &= possible[i][locationOf(i, state)][k];
+    evaluate(k, candidates, state, enabled);
   }
-  enabled.assign(candidates.size(), 0);
-  evaluate(candidates, state, enabled);
 }
 
 void Enabling::update(TransitionId fired, const Word* state, TransitionSet& enabled) const {
-  TransitionSet candidates = affected[fired];
-  for (std::size_t k = 0; k < candidates.size(); ++k) enabled[k] &= ~candidates[k];
-  for (auto part : system.transitions[fired].parts) {
-    const InstanceId instance = system.paths[part].instance;
-    const auto& here =
-        possible[instance][readCell(system, system.instances[instance].location, state)];
-    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k] &= here[k];
+  const auto& parts = system.transitions[fired].parts;
+  for (std::size_t k = 0; k < enabled.size(); ++k) {
+    Word candidates = affected[fired][k];
+    if (candidates == 0) continue;
+    enabled[k] &= ~candidates;
+    for (auto part : parts) {
+      const InstanceId instance = system.paths[part].instance;
+      candidates &= possible[instance][locationOf(instance, state)][k];
+    }
+    evaluate(k, candidates, state, enabled);
   }
-  evaluate(candidates, state, enabled);
+}
+
+std::size_t Enabling::locationOf(InstanceId instance, const Word* state) const {
+  return static_cast<std::size_t>(readCell(system, system.instances[instance].location, state));
 }
 
 bool Enabling::isUrgent(const TransitionSet& enabled) const {
@@ -71,11 +72,7 @@ bool Enabling::isUrgent(const TransitionSet& enabled) const {
 }
 
 SignatureId Enabling::signature(const TransitionSet& enabled, Timing& timing) const {
-  std::vector<TransitionId> timed;
-  for (std::size_t k = 0; k < enabled.size(); ++k)
-    for (Word rest = enabled[k] & clocked[k]; rest != 0; rest &= rest - 1)
-      timed.push_back(static_cast<TransitionId>(k * 64 + std::countr_zero(rest)));
-  return timing.signature(isUrgent(enabled), std::move(timed));
+  return timing.signature(isUrgent(enabled), enabled, clocked);
 }
 
 } // namespace proskill::verify

@@ -2,21 +2,9 @@
 
 #include "verify/run.h"
 #include "verify/timing.h"
+#include "verify/transition_set.h"
 
 namespace proskill::verify {
-
-/// A set of transitions, of fixed size.
-using TransitionSet = std::vector<Word>;
-
-[[nodiscard]] inline bool contains(const TransitionSet& set, TransitionId id) {
-  return (set[id / 64] >> (id % 64) & 1) != 0;
-}
-
-template <class Visit> void eachIn(const TransitionSet& set, Visit visit) {
-  for (std::size_t i = 0; i < set.size(); ++i)
-    for (Word rest = set[i]; rest != 0; rest &= rest - 1)
-      visit(static_cast<TransitionId>(i * 64 + std::countr_zero(rest)));
-}
 
 /// Which transitions the discrete state allows. After a step, only those are looked at whose guards
 /// read what the step may have written.
@@ -34,7 +22,8 @@ public:
   [[nodiscard]] const TransitionSet& urgentOnes() const { return urgent; }
 
 private:
-  void evaluate(const TransitionSet& candidates, const Word* state, TransitionSet& enabled) const;
+  void evaluate(std::size_t k, Word candidates, const Word* state, TransitionSet& enabled) const;
+  [[nodiscard]] std::size_t locationOf(InstanceId instance, const Word* state) const;
 
   const System& system;
   TransitionSet urgent;

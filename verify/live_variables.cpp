@@ -27,6 +27,7 @@ std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCel
     Bits written = before[i];
     switch (instruction.kind) {
     case InstructionKind::Assign:
+    case InstructionKind::Store:
       for (auto at = instruction.first; at < instruction.last; ++at)
         written.insert(path.assignments[at].target);
       break;
@@ -124,9 +125,13 @@ void LiveVariables::findPlaces(InstanceId instance, const Bits& dropped) {
 void LiveVariables::clean(Word* state) const {
   key.resize(system.storedWords);
   for (std::uint32_t i = 0; i < system.storedWords; ++i) key[i] = state[i] & keyMask[i];
-  auto [id, isNew] = keys.add(key.data());
-  if (isNew) masks.push_back(maskOf(state));
-  for (std::uint32_t i = 0; i < system.storedWords; ++i) state[i] &= masks[id][i];
+  if (key != lastKey) {
+    auto [id, isNew] = keys.add(key.data());
+    if (isNew) masks.push_back(maskOf(state));
+    last = id;
+    lastKey = key;
+  }
+  for (std::uint32_t i = 0; i < system.storedWords; ++i) state[i] &= masks[last][i];
 }
 
 /// For each instance that can never move again, the cells that keep it from moving; empty for the

@@ -37,6 +37,8 @@ private:
   mutable StateStore keys;
   mutable std::vector<std::vector<Word>> masks; ///< by key
   mutable std::vector<Word> key;
+  mutable std::vector<Word> lastKey; ///< successors of one state often share it
+  mutable StateId last = 0;
 };
 
 } // namespace proskill::verify

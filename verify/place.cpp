@@ -1,8 +1,11 @@
 #include "verify/place.h"
 
+#include "verify/conjuncts.h"
 #include "verify/evaluate.h"
 
+#include <algorithm>
 #include <bit>
+#include <span>
 
 namespace proskill::verify {
 
@@ -47,6 +50,53 @@ void makeTest(const System& system, Node& node) {
   node = {.op = NodeOp::Test, .a = place.word, .b = cell->a, .mask = place.mask, .value = value};
 }
 
+/// Equalities of one word become one test.
+void addTest(std::vector<BitTest>& tests, const Node& node, bool equal) {
+  auto same = std::ranges::find_if(
+      tests, [&](const BitTest& test) { return test.equal && equal && test.word == node.a; });
+  bool agrees = same != tests.end() && ((same->value ^ node.value) & same->mask & node.mask) == 0;
+  if (!agrees) {
+    tests.push_back({node.a, node.mask, node.value, equal});
+    return;
+  }
+  same->mask |= node.mask;
+  same->value |= node.value;
+}
+
+void lowerGuard(const System& system, Transition& transition) {
+  for (auto part : conjunctsOf(system, transition.guard)) {
+    const Node& node = system.nodes[part];
+    bool negated = node.op == NodeOp::Not && system.nodes[node.a].op == NodeOp::Test;
+    if (node.op == NodeOp::Test)
+      addTest(transition.tests, node, true);
+    else if (negated)
+      addTest(transition.tests, system.nodes[node.a], false);
+    else
+      transition.rest.push_back(part);
+  }
+}
+
+/// Assignments of constants become stores.
+void lowerCode(const System& system, Path& path) {
+  for (auto& instruction : path.code) {
+    if (instruction.kind != InstructionKind::Assign) continue;
+    std::span all(path.assignments);
+    all = all.subspan(instruction.first, instruction.last - instruction.first);
+    bool constant = std::ranges::all_of(all, [&](const Assignment& assignment) {
+      return !assignment.checked && system.nodes[assignment.value].op == NodeOp::Number;
+    });
+    if (!constant) continue;
+    instruction.kind = InstructionKind::Store;
+    instruction.firstStore = static_cast<std::uint32_t>(path.stores.size());
+    for (const auto& assignment : all) {
+      const Cell& cell = system.cells[assignment.target];
+      auto value = static_cast<Word>(system.nodes[assignment.value].number - cell.low);
+      path.stores.push_back({cell.word, ~cell.mask, value << cell.shift});
+    }
+    instruction.lastStore = static_cast<std::uint32_t>(path.stores.size());
+  }
+}
+
 } // namespace
 
 System placed(System system, const Bits& kept) {
@@ -59,6 +109,8 @@ System placed(System system, const Bits& kept) {
     if (!kept.contains(i)) packer.place(system.cells[i]);
   system.words = packer.words();
   for (auto& node : system.nodes) makeTest(system, node);
+  for (auto& transition : system.transitions) lowerGuard(system, transition);
+  for (auto& path : system.paths) lowerCode(system, path);
   return system;
 }
 

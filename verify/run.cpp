@@ -52,6 +52,12 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
       if (outcome != Outcome::Done) return outcome;
       break;
     }
+    case InstructionKind::Store:
+      for (auto i = instruction.firstStore; i < instruction.lastStore; ++i) {
+        const BitStore& store = path.stores[i];
+        state[store.word] = (state[store.word] & store.keep) | store.bits;
+      }
+      break;
     case InstructionKind::On:
       if (evaluate(system, instruction.node, state, failed) == 0) return Outcome::GaveUp;
       break;
@@ -104,7 +110,10 @@ Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
 
 bool isEnabled(const System& system, TransitionId id, const Word* state) {
   const Transition& transition = system.transitions[id];
-  if (!holds(system, transition.guard, state)) return false;
+  for (const auto& test : transition.tests)
+    if (((state[test.word] & test.mask) == test.value) != test.equal) return false;
+  for (auto node : transition.rest)
+    if (!holds(system, node, state)) return false;
   if (!transition.tentative) return true;
   std::vector<Word> trial(state, state + system.words);
   StepLog log;

@@ -10,8 +10,6 @@ namespace proskill::verify {
 
 namespace {
 
-void insert(TransitionSet& set, TransitionId id) { set[id / 64] |= Word{1} << (id % 64); }
-
 /// Instances that take part, each with where it stands.
 std::vector<std::pair<InstanceId, std::uint32_t>> placesOf(const System& system,
                                                            const Transition& transition) {

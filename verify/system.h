@@ -74,8 +74,24 @@ struct Assignment {
   bool checked = false; ///< the value may leave the target's range
 };
 
+/// A comparison of some bits of a packed state with constants.
+struct BitTest {
+  std::uint32_t word = 0;
+  Word mask = 0;
+  Word value = 0;
+  bool equal = true;
+};
+
+/// Constants for some bits of a packed state.
+struct BitStore {
+  std::uint32_t word = 0;
+  Word keep = 0;
+  Word bits = 0;
+};
+
 enum class InstructionKind : std::uint8_t {
   Assign,     // assignments[first, last): all values first, then all targets
+  Store,      // an Assign of constants as stores[firstStore, lastStore), made when cells are placed
   On,         // give the path up unless node
   JumpUnless, // to instruction `last` unless node
   Jump,       // to instruction `last`
@@ -90,6 +106,8 @@ struct Instruction {
   NodeId node = 0;
   std::uint32_t first = 0;
   std::uint32_t last = 0;
+  std::uint32_t firstStore = 0;
+  std::uint32_t lastStore = 0;
   EventId event = kNone;
   std::uint32_t leaf = 0; ///< J of frac's name `process_K_tJ`
 };
@@ -106,6 +124,7 @@ struct Path {
   std::uint32_t port = kNone;
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
+  std::vector<BitStore> stores;
   Bits guardReads;      ///< cells of the guard, the location among them
   Bits reads;           ///< cells that the code may read
   Bits writes;          ///< cells that the code may write, the location among them
@@ -119,9 +138,11 @@ struct Transition {
   std::uint32_t port = kNone;
   EventId event = kNone; ///< of the port
   fiacre::Interval interval;
-  bool urgent = false;   ///< [0,0]
-  ClockId clock = kNone; ///< nothing: urgent, or [0,...[
-  NodeId guard = 0;      ///< locations and guards of all parts
+  bool urgent = false;        ///< [0,0]
+  ClockId clock = kNone;      ///< nothing: urgent, or [0,...[
+  NodeId guard = 0;           ///< locations and guards of all parts
+  std::vector<BitTest> tests; ///< the guard, made when cells are placed: all of these
+  std::vector<NodeId> rest;   ///< and all of those
   bool tentative = false;
   bool apart = false; ///< a part reads what another writes: each sees the state before the step
   Bits consumed;      ///< instances that do not end in `loop`

@@ -60,18 +60,25 @@ void describeClocks(const System& system, Forgetting forgetting, Signature& sign
 
 } // namespace
 
-SignatureId Timing::signature(bool urgent, std::vector<TransitionId> enabled) {
+SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
+                              const TransitionSet& clocked) {
   std::uint64_t hash = mix(0, urgent);
-  for (auto id : enabled) hash = mix(hash, id);
-  hash = mix(hash, hash >> 32);
+  for (std::size_t k = 0; k < enabled.size(); ++k) hash = mix(hash, enabled[k] & clocked[k]);
   const auto next = static_cast<SignatureId>(signatures.size());
   auto id = table.findOrAdd(hash, next, [&](SignatureId other) {
-    return signatures[other].urgent == urgent && signatures[other].enabled == enabled;
+    bool same = signatures[other].urgent == urgent;
+    for (std::size_t k = 0; k < enabled.size() && same; ++k)
+      same = sets[other][k] == (enabled[k] & clocked[k]);
+    return same;
   });
   if (id != next) return id;
-  Signature made{.urgent = urgent, .enabled = std::move(enabled)};
+  Signature made{.urgent = urgent};
+  TransitionSet set = enabled;
+  for (std::size_t k = 0; k < set.size(); ++k) set[k] &= clocked[k];
+  eachIn(set, [&](TransitionId transition) { made.enabled.push_back(transition); });
   describeClocks(system, forgetting, made);
   signatures.push_back(std::move(made));
+  sets.push_back(std::move(set));
   return id;
 }
 

@@ -3,6 +3,7 @@
 #include "verify/dbm.h"
 #include "verify/store.h"
 #include "verify/system.h"
+#include "verify/transition_set.h"
 
 namespace proskill::verify {
 
@@ -31,7 +32,9 @@ class Timing {
 public:
   Timing(const System& of, Forgetting how) : system(of), forgetting(how) {}
 
-  [[nodiscard]] SignatureId signature(bool urgent, std::vector<TransitionId> enabled);
+  /// \param clocked which transitions have clocks: of `enabled`, those count
+  [[nodiscard]] SignatureId signature(bool urgent, const TransitionSet& enabled,
+                                      const TransitionSet& clocked);
   [[nodiscard]] const Signature& at(SignatureId id) const { return signatures[id]; }
   /// Every clock 0, then time.
   [[nodiscard]] ZoneId initial(SignatureId signature);
@@ -52,6 +55,7 @@ private:
   const System& system;
   Forgetting forgetting;
   std::vector<Signature> signatures;
+  std::vector<TransitionSet> sets; ///< by signature
   NumberTable table;
   ZoneStore store;
   Memo memo;
