@@ -45,10 +45,11 @@ private:
   void visit(ProcessId id, const Process& process, NodeId nodeId, const Node& node) {
     for (const Edge& edge : node.edges) {
       if (!edge.sets) continue;
-      State state = report.solver.before(id, nodeId);
-      if (edge.guard != Guard::None)
-        refineAll(state, process.actions[nodeId].conditions, edge.guard == Guard::Holds);
-      if (state.reachable) add(process, node, process.actions[nodeId], state);
+      for (State state : report.solver.cases(id, nodeId)) {
+        if (edge.guard != Guard::None)
+          refineAll(state, process.actions[nodeId].conditions, edge.guard == Guard::Holds);
+        if (state.reachable) add(process, node, process.actions[nodeId], state);
+      }
     }
   }
 

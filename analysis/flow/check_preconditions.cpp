@@ -71,10 +71,14 @@ private:
     ProcessId target = report.system()[id].actions[nodeId].target;
     if (target == kNoProcess) return;
     const Process& callee = report.system()[target];
-    State entry = report.solver.atCallee(id, nodeId);
     const auto& conditions = callee.actions[0].conditions;
-    std::size_t conflict = firstConflict(entry, conditions);
-    if (conflict == conditions.size()) return;
+    State entry;
+    std::size_t conflict = 0;
+    for (const State& one : report.solver.atCallee(id, nodeId)) {
+      conflict = firstConflict(one, conditions);
+      if (conflict == conditions.size()) return;
+      entry.join(one);
+    }
     report.explain(id, nodeId);
     refusedAlways.insert({id, nodeId});
     if (contradictory.contains(target)) return;

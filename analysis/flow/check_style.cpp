@@ -1,6 +1,5 @@
 #include "analysis/flow/checks.h"
 
-#include "analysis/flow/numbers.h"
 #include "analysis/walk.h"
 #include "syntax/codes.h"
 
@@ -84,10 +83,10 @@ public:
   }
 
 private:
+  /// A number reads well with `=`.
   static bool isValue(const Domain& domain, const Expr& value) {
-    return domain.isNumeric()
-               ? wholeNumber(value).has_value()
-               : value.kind == ExprKind::Symbol && domain.numberOf(value.name.text).has_value();
+    return !domain.isNumeric() && value.kind == ExprKind::Symbol &&
+           domain.numberOf(value.name.text).has_value();
   }
 
   [[nodiscard]] std::string_view text(syntax::Range range) const {

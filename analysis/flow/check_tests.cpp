@@ -14,13 +14,19 @@ bool isIdiom(const Node& node, const Condition& condition) {
   return condition.kind == Condition::Kind::Constant && node.statement->kind != StatementKind::If;
 }
 
+/// What comes after the arm with this test when it fails; a test that always holds wastes it.
+bool hasOtherArm(const Node& node) {
+  const syntax::Statement& statement = *node.statement;
+  return statement.kind == StatementKind::If &&
+         (!statement.arms.back().condition || statement.arms.back().condition->range != node.range);
+}
+
 void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
   const Process& process = report.system()[id];
   const auto& conditions = process.actions[nodeId].conditions;
-  const State& before = report.solver.before(id, nodeId);
   if (isIdiom(node, conditions.front())) return;
-  bool never = !mayHold(before, conditions.front());
-  bool always = !mayFail(before, conditions.front());
+  bool never = !report.solver.mayHold(id, nodeId, conditions.front());
+  bool always = !report.solver.mayFail(id, nodeId, conditions.front());
   if (!never && !always) return;
   report.explain(id, nodeId);
   bool loops = node.statement->kind == StatementKind::While;
@@ -28,7 +34,8 @@ void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
               : loops ? Code::LoopNeverEntered
                       : Code::TestNeverHolds;
   Finding finding = report.findings.report(code, report.at(id, nodeId));
-  addValues(finding, report, process, before, conditions);
+  if (always && !hasOtherArm(node)) finding.severity(syntax::Severity::Hint);
+  addValues(finding, report, process, report.solver.before(id, nodeId), conditions);
 }
 
 } // namespace

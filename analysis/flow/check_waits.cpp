@@ -9,15 +9,16 @@ namespace {
 void checkWait(Report& report, ProcessId id, NodeId nodeId) {
   const Process& process = report.system()[id];
   const auto& conditions = process.actions[nodeId].conditions;
-  const State& before = report.solver.before(id, nodeId);
+  const State before = report.solver.before(id, nodeId);
   if (conditions.front().kind == Condition::Kind::Constant) return; // so it is meant
   const Node& node = (*process.graph)[nodeId];
   Location at = report.system().at(process, node.statement->condition.range);
-  if (!mayHold(before, conditions.front())) {
+  if (!report.solver.mayHold(id, nodeId, conditions.front())) {
     report.explain(id, nodeId);
     Finding finding = report.findings.report(syntax::Code::WaitNeverEnds, at);
     addValues(finding, report, process, before, conditions);
-  } else if (!mayFail(before, conditions.front()) && node.effects->items.empty()) {
+  } else if (!report.solver.mayFail(id, nodeId, conditions.front()) &&
+             node.effects->items.empty()) {
     Finding finding = report.findings.report(syntax::Code::WaitAlreadyHolds, at);
     addValues(finding, report, process, before, conditions);
   }

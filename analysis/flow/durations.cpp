@@ -56,9 +56,12 @@ bool Durations::mayBeAwaited(ProcessId caller, ProcessId callee) const {
 Duration Durations::ofCall(ProcessId process, NodeId node) {
   ProcessId callee = system[process].actions[node].target;
   if (callee == kNoProcess) return {{0, 1}, std::nullopt};
-  State entry = solver.atCallee(process, node);
-  refineAll(entry, system[callee].actions[0].conditions, false);
-  bool mayBeRefused = entry.reachable && !system[callee].actions[0].conditions.empty();
+  bool mayBeRefused = false;
+  if (!system[callee].actions[0].conditions.empty())
+    for (State entry : solver.atCallee(process, node)) {
+      refineAll(entry, system[callee].actions[0].conditions, false);
+      mayBeRefused |= entry.reachable;
+    }
   auto taken = of(callee);
   Duration duration = taken.value_or(Duration{{0, 1}, std::nullopt});
   if (mayBeRefused || mayEndEarly(callee)) duration.least = {0, 1};
@@ -85,7 +88,7 @@ Duration Durations::ofNode(ProcessId process, NodeId id) {
   case NodeKind::Fork: return ofFork(process, id);
   case NodeKind::Delay: return ofInterval(node.statement->duration);
   case NodeKind::Wait:
-    if (mayFail(solver.before(process, id), system[process].actions[id].conditions.front()))
+    if (solver.mayFail(process, id, system[process].actions[id].conditions.front()))
       return {{0, 1}, std::nullopt};
     return {{0, 1}, Rational{0, 1}};
   default: return {{0, 1}, Rational{0, 1}};

@@ -1,17 +1,23 @@
 #include "analysis/flow/locks.h"
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace proskill::analysis::flow {
 
 namespace {
 
-/// Of one variable: who may use it as a lock, and how.
-struct Lock {
-  std::vector<ProcessId> holders;
-  ValueSet free;    ///< F
-  ValueSet taken;   ///< C
-  ValueSet written; ///< by anyone but the holders
+/// A step that sets the variable.
+struct Write {
+  ValueSet from; ///< what the conditions of the step leave
+  ValueSet to;
+};
+
+/// All that the program does with one variable.
+struct Usage {
+  std::map<std::pair<ProcessId, NodeId>, Write> writes;
+  std::set<ProcessId> writers;
 };
 
 State unknownState(const System& system, const Process& process) {
@@ -21,79 +27,143 @@ State unknownState(const System& system, const Process& process) {
   return state;
 }
 
-class Finder {
+/// One variable as a lock, or not.
+class Lock {
 public:
-  explicit Finder(const System& system) : system(system) {}
+  Lock(const System& system, const Usage& usage) : system(system), usage(usage) {
+    for (const auto& [place, write] : usage.writes)
+      if ((write.from & write.to).empty()) free |= write.from, taken |= write.to;
+    isLock = !free.empty() && (free & taken).empty();
+    for (ProcessId id : usage.writers)
+      if (isLock) follow(id);
+    if (isLock) inherit();
+  }
 
-  std::vector<Bits> find() {
-    for (ProcessId id = 0; id < system.size(); ++id)
-      if (system[id].analysed) visit(id);
-    std::vector<Bits> exclusive(system.size(), Bits(system.size()));
-    for (const auto& [variable, lock] : locks)
-      if (excludes(lock)) exclude(lock.holders, exclusive);
-    return exclusive;
+  /// The skills that hold it whenever they run.
+  [[nodiscard]] std::vector<ProcessId> holders() const {
+    std::vector<ProcessId> found;
+    for (ProcessId id = 0; isLock && id < system.size(); ++id)
+      if (system[id].kind == ProcessKind::Skill && system[id].analysed &&
+          (inherits[id] || takesAtStart(id)))
+        found.push_back(id);
+    return found;
   }
 
 private:
-  static bool excludes(const Lock& lock) {
-    return lock.holders.size() > 1 && (lock.free & (lock.taken | lock.written)).empty();
+  [[nodiscard]] const Write* write(ProcessId id, NodeId node) const {
+    auto found = usage.writes.find({id, node});
+    return found == usage.writes.end() ? nullptr : &found->second;
   }
 
-  static void exclude(const std::vector<ProcessId>& holders, std::vector<Bits>& exclusive) {
-    for (ProcessId a : holders)
-      for (ProcessId b : holders)
-        if (a != b) exclusive[a].insert(b);
+  [[nodiscard]] static bool takes(const Write& write) { return (write.from & write.to).empty(); }
+  [[nodiscard]] bool frees(const Write& write) const {
+    return !takes(write) && !(write.to & free).empty();
   }
 
-  void visit(ProcessId id) {
+  /// Where the thread holds the lock for sure; it is none if somebody else frees it.
+  void follow(ProcessId id) {
     const Process& process = system[id];
-    State unknown = unknownState(system, process);
-    std::map<VariableId, ValueSet> starts;
-    if (process.kind == ProcessKind::Skill) starts = started(id, unknown);
-    for (NodeId node = 0; node < process.actions.size(); ++node) {
-      NodeKind kind = process.graph ? (*process.graph)[node].kind : NodeKind::Step;
-      bool ends = kind == NodeKind::Outcome || kind == NodeKind::InvariantFailure ||
-                  kind == NodeKind::Interrupted;
-      for (const Assignment& each : process.actions[node].assignments) {
-        bool holds = starts.contains(each.variable);
-        if (each.source && !(holds && (ends || kind == NodeKind::Start)))
-          locks[each.variable].written |= target(each, unknown);
+    if (!process.graph) {
+      isLock &= !frees(*write(id, 0)) && !takes(*write(id, 0));
+      return;
+    }
+    std::vector<bool> held(process.graph->nodes.size(), true);
+    held[0] = false;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (NodeId node = 0; node < held.size(); ++node)
+        for (const Edge& edge : (*process.graph)[node].edges) {
+          if (edge.target == kNoNode) continue;
+          const Write* made = edge.sets ? write(id, node) : nullptr;
+          bool after = made && takes(*made) ? true : held[node] && !(made && frees(*made));
+          if (after || !held[edge.target]) continue;
+          held[edge.target] = false;
+          changed = true;
+        }
+    }
+    for (NodeId node = 0; node < held.size(); ++node)
+      if (const Write* made = write(id, node)) isLock &= held[node] || !frees(*made);
+    holds[id] = std::move(held);
+  }
+
+  [[nodiscard]] bool holdsAt(const Site& site) const {
+    auto own = holds.find(site.caller);
+    return inherits[site.caller] || (own != holds.end() && own->second[site.node]);
+  }
+
+  /// A call that a holder makes is made under the lock.
+  void inherit() {
+    inherits.assign(system.size(), false);
+    for (ProcessId id = 0; id < system.size(); ++id)
+      inherits[id] = !system[id].root && system[id].analysed && !system.callers(id).empty();
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (ProcessId id = 0; id < system.size(); ++id) {
+        if (!inherits[id]) continue;
+        auto under = [this](const Site& site) {
+          return !system[site.caller].analysed || holdsAt(site);
+        };
+        if (std::ranges::all_of(system.callers(id), under)) continue;
+        inherits[id] = false;
+        changed = true;
       }
     }
   }
 
-  /// Makes the process a holder of each variable that its start takes; these, with what it sets.
-  std::map<VariableId, ValueSet> started(ProcessId id, const State& unknown) {
-    const Action& start = system[id].actions[0];
-    State entry = unknown;
-    refineAll(entry, start.conditions, true);
-    std::map<VariableId, ValueSet> taken;
-    for (const Assignment& each : start.assignments) {
-      if (!each.source || !each.slot || !entry.reachable) continue;
-      ValueSet set = target(each, entry);
-      if (!(entry.values[*each.slot] & set).empty()) continue;
-      taken[each.variable] = set;
-      Lock& lock = locks[each.variable];
-      lock.holders.push_back(id);
-      lock.free |= entry.values[*each.slot];
-      lock.taken |= set;
+  [[nodiscard]] bool takesAtStart(ProcessId id) const {
+    const Write* start = write(id, 0);
+    if (!start || !takes(*start)) return false;
+    const std::vector<bool>& held = holds.at(id);
+    for (NodeId node = 1; node < held.size(); ++node) {
+      NodeKind kind = (*system[id].graph)[node].kind;
+      if (kind != NodeKind::End && kind != NodeKind::Refused && !held[node]) return false;
     }
-    return taken;
-  }
-
-  [[nodiscard]] ValueSet target(const Assignment& assignment, const State& before) const {
-    ValueSet to;
-    const Domain& domain = system.variables()[assignment.variable].domain;
-    for (const Move& move : moves(assignment, domain, before)) to |= move.to;
-    return to;
+    return true;
   }
 
   const System& system;
-  std::map<VariableId, Lock> locks;
+  const Usage& usage;
+  ValueSet free;  ///< F
+  ValueSet taken; ///< C
+  bool isLock = false;
+  std::map<ProcessId, std::vector<bool>> holds; ///< of those who write it, by node
+  std::vector<bool> inherits;
 };
+
+void collect(const System& system, ProcessId id, std::map<VariableId, Usage>& usages) {
+  const Process& process = system[id];
+  State unknown = unknownState(system, process);
+  for (NodeId node = 0; node < process.actions.size(); ++node) {
+    const Action& action = process.actions[node];
+    State before = unknown;
+    bool guarded = process.graph && (*process.graph)[node].kind != NodeKind::InvariantFailure;
+    if (guarded) refineAll(before, action.conditions, true);
+    if (!before.reachable) continue;
+    for (const Assignment& each : action.assignments) {
+      const Domain& domain = system.variables()[each.variable].domain;
+      if (!each.source || domain.isNumeric()) continue;
+      Write made{each.slot ? before.values[*each.slot] : domain.all(), {}};
+      for (const Move& move : moves(each, domain, before)) made.to |= move.to;
+      usages[each.variable].writes[{id, node}] = made;
+      usages[each.variable].writers.insert(id);
+    }
+  }
+}
 
 } // namespace
 
-std::vector<Bits> exclusiveSkills(const System& system) { return Finder(system).find(); }
+std::vector<Bits> exclusiveSkills(const System& system) {
+  std::map<VariableId, Usage> usages;
+  for (ProcessId id = 0; id < system.size(); ++id)
+    if (system[id].analysed) collect(system, id, usages);
+  std::vector<Bits> exclusive(system.size(), Bits(system.size()));
+  for (const auto& [variable, usage] : usages) {
+    const std::vector<ProcessId> holders = Lock(system, usage).holders();
+    for (ProcessId a : holders)
+      for (ProcessId b : holders)
+        if (a != b) exclusive[a].insert(b);
+  }
+  return exclusive;
+}
 
 } // namespace proskill::analysis::flow

@@ -7,14 +7,18 @@
 
 namespace proskill::analysis::flow {
 
-/// Skills that exclude each other by a state variable, as in "needs `(motion Free)`, sets `(motion
-/// Controlled)` when it starts, and lets go when it ends". For each process the others that cannot
-/// be running while it is.
+/// Skills that exclude each other by a state variable that is used as a lock: taken by whoever
+/// finds it free, in the same step, as in "needs `(motion Free)`, starts by `(motion Controlled)`"
+/// or
+/// `(^ (zone Free) :effects (zone Taken))`, and freed by its holder alone. For each skill the
+/// others that cannot be running while it is at a step of its own.
 ///
-/// Why it is sound: let F be the values with which some skill of the group may start and C those
-/// that they set; the two have nothing in common, and nobody but a skill of the group that ends
-/// sets a value of F. Then at most one of the group runs, and while it does the value is not of F:
-/// a start needs a value of F, so that none was running, and leaves one of C.
+/// Why it is sound: let F be the values with which somebody takes the lock and C those that are set
+/// then; the two have nothing in common, and nobody but a holder sets a value of F. Then at most
+/// one thread holds the lock, and while it does the value is not of F: to take it needs a value of
+/// F, so that nobody held it, and leaves one of C. A skill holds it while it runs where it takes it
+/// as it starts, or where every call of it is made by somebody who holds it; a thread that holds it
+/// makes one call at a time.
 [[nodiscard]] std::vector<Bits> exclusiveSkills(const System& system);
 
 } // namespace proskill::analysis::flow

@@ -44,6 +44,7 @@ void Solver::prepare() {
   relyInside.resize(count);
   whileCalling.resize(count);
   pending.resize(count);
+  stoppedEnds.resize(count);
   interrupted.resize(count);
   stopped.resize(count);
   readers.resize(model.variables().size());
@@ -94,7 +95,7 @@ void Solver::prepareEvents() {
 
 // Steps -------------------------------------------------------------------------------------------
 
-void Solver::close(State& state, const Closing& closing) const {
+void Solver::close(State& state, const Closing& closing) {
   if (!state.reachable) return;
   for (std::size_t slot = 0; slot < state.values.size(); ++slot)
     state.values[slot] = closing[slot]->closure(state.values[slot]);
@@ -115,15 +116,29 @@ const Solver::Closing& Solver::relyAt(ProcessId process, NodeId node) const {
   return (inside ? relyInside : rely)[process];
 }
 
+/// After somebody's interference has grown.
+void Solver::closeAgain(ProcessId process, NodeId node) {
+  if (!isPoint(process, node)) return;
+  Cases closed;
+  bool changed = false;
+  for (const State& known : states[process][node].all()) {
+    State state = known;
+    close(state, relyAt(process, node));
+    changed |= state.values != known.values;
+    closed.add(std::move(state));
+  }
+  if (!changed) return;
+  states[process][node] = std::move(closed);
+  if (node == model[process].graph->end) announceEnd(process);
+}
+
 void Solver::run(ProcessId process) {
   running = process;
   std::vector<bool>& todo = pending[process];
-  State exit = states[process][model[process].graph->end];
   for (NodeId node = 0; node < todo.size(); ++node) {
-    if (isPoint(process, node)) close(states[process][node], relyAt(process, node));
-    todo[node] = states[process][node].reachable;
+    closeAgain(process, node);
+    todo[node] = reachable(process, node);
   }
-  if (exit.join(states[process][model[process].graph->end])) announceEnd(process);
   for (cursor = 0; cursor < todo.size();) {
     NodeId node = cursor++;
     if (!todo[node]) continue;
@@ -139,11 +154,9 @@ void Solver::step(ProcessId process, NodeId id) {
   if (node.kind == NodeKind::Interrupt && action.target != kNoProcess) interrupt(process, id);
   if (node.waits()) stopCallees(process, id);
   if (node.kind == NodeKind::Start && stopped[process]) stopBeforeStart(process);
-  State inside;
   for (const Edge& edge : node.edges) {
     if (edge.stops) {
-      if (!inside.reachable) inside = during(process, id);
-      stop(process, id, edge, inside);
+      stop(process, id, edge);
     } else if (node.kind == NodeKind::Call && action.target != kNoProcess) {
       call(process, id, edge.target);
     } else if (node.kind == NodeKind::Fork) {
@@ -156,36 +169,43 @@ void Solver::step(ProcessId process, NodeId id) {
 
 void Solver::flow(ProcessId process, NodeId id, const Edge& edge) {
   const Process& self = model[process];
-  NodeKind kind = (*self.graph)[id].kind;
-  State state = states[process][id];
-  if (edge.guard != Guard::None)
-    refineAll(state, self.actions[id].conditions, edge.guard == Guard::Holds);
-  if (!state.reachable) return;
-  if (edge.sets) {
-    record(state, process, id);
-    state = after(std::move(state), self, id);
-  }
   // One that its caller has stopped returns to nobody who goes on.
-  if (kind == NodeKind::Interrupted && !interrupted[process]) {
-    if (self.repeats) enter(process, state);
-    return;
+  bool returns = (*self.graph)[id].kind != NodeKind::Interrupted || interrupted[process];
+  const std::vector<State> all = cases(process, id);
+  for (State state : all) {
+    if (edge.guard != Guard::None)
+      refineAll(state, self.actions[id].conditions, edge.guard == Guard::Holds);
+    if (!state.reachable) continue;
+    if (edge.sets) {
+      record(state, process, id);
+      state = after(std::move(state), self, id);
+    }
+    if (returns)
+      arrive(process, edge.target, std::move(state));
+    else if (stoppedEnds[process].add(std::move(state)))
+      announceEnd(process);
   }
-  arrive(process, edge.target, std::move(state));
 }
 
-void Solver::stop(ProcessId process, NodeId id, const Edge& edge, const State& inside) {
+void Solver::stop(ProcessId process, NodeId id, const Edge& edge) {
   const Process& self = model[process];
   const Action& exit = self.actions[edge.target];
   NodeKind kind = (*self.graph)[edge.target].kind;
-  State state = inside;
-  if (kind == NodeKind::InvariantFailure) refineAll(state, exit.conditions, false);
+  bool fails = kind == NodeKind::InvariantFailure;
   if (kind == NodeKind::Interrupted && !mayStop(process)) return;
   if (kind == NodeKind::Outcome && !reachable(exit.leaver, exit.leave)) return;
-  if (!state.reachable) return;
-  // What it has called goes on until it has returned.
-  const Closing& closing = whileCalling[process][id];
-  if (!closing.empty()) close(state, closing);
-  arrive(process, edge.target, std::move(state));
+  State inside = during(process, id);
+  if (fails) refineAll(inside, exit.conditions, false);
+  if (!inside.reachable) return;
+  bool calls = (*self.graph)[id].kind == NodeKind::Call && self.actions[id].target != kNoProcess;
+  if (calls) return stopCall(process, id, edge.target);
+  const std::vector<State> all = cases(process, id);
+  for (const State& before : all) {
+    State state = during(before, process, id);
+    if (fails) refineAll(state, exit.conditions, false);
+    // The branches go on until they have returned.
+    arrive(process, edge.target, during(state, process, id));
+  }
 }
 
 bool Solver::mayStop(ProcessId process) const { return interrupted[process] || stopped[process]; }
@@ -210,7 +230,7 @@ void Solver::stopBeforeStart(ProcessId process) {
   if (self.kind != ProcessKind::Skill) return;
   auto set = [&](VariableKind kind, std::int64_t to) {
     VariableId variable = model.variables().of(kind, self.definition);
-    record(states[process][0], process, model.resolver().constant(variable, to, self.slots));
+    record(before(process, 0), process, model.resolver().constant(variable, to, self.slots));
   };
   set(VariableKind::Status, static_cast<std::int64_t>(Status::Interrupted));
   set(VariableKind::Result, 0);
@@ -227,91 +247,17 @@ void Solver::interrupt(ProcessId process, NodeId id) {
   if (!model.skill(model[target]).interrupt) return;
   VariableId isRunning = model.variables().of(VariableKind::Running, model[target].definition);
   auto slot = model[process].slots.find(isRunning);
-  if (!slot || states[process][id].values[*slot].contains(1)) mark(interrupted, target);
+  if (!slot || before(process, id).values[*slot].contains(1)) mark(interrupted, target);
 }
 
-// Calls -------------------------------------------------------------------------------------------
-
-State Solver::project(const State& state, const Process& from, const Process& to) const {
-  State result{.reachable = state.reachable, .values = {}};
-  if (!state.reachable) return result;
-  for (VariableId variable : to.slots.variables())
-    result.values.push_back(state.values[*from.slots.find(variable)]);
-  return result;
+bool Solver::mayHold(ProcessId process, NodeId node, const Condition& condition) const {
+  return std::ranges::any_of(cases(process, node),
+                             [&](const State& state) { return flow::mayHold(state, condition); });
 }
 
-State Solver::during(ProcessId process, NodeId node) const {
-  State state = states[process][node];
-  const Closing& closing = whileCalling[process][node];
-  if (!closing.empty()) close(state, closing);
-  return state;
-}
-
-State Solver::atCallee(ProcessId caller, NodeId call) const {
-  return project(states[caller][call], model[caller], model[model[caller].actions[call].target]);
-}
-
-void Solver::enter(ProcessId process, const State& state) { arrive(process, 0, state); }
-
-/// After a call that was served: what holds both for all returns of the callee and for whatever may
-/// have happened since this call.
-State Solver::returned(ProcessId process, NodeId id) const {
-  const Process& self = model[process];
-  ProcessId target = self.actions[id].target;
-  const Process& callee = model[target];
-  State entry = atCallee(process, id);
-  refineAll(entry, callee.actions[0].conditions, true);
-  const State& exit = states[target][callee.graph->end];
-  if (!entry.reachable || !exit.reachable) return {};
-  State state = during(process, id);
-  for (Slot slot = 0; slot < callee.slots.size(); ++slot) {
-    Slot mine = *self.slots.find(callee.slots[slot]);
-    ValueSet left = rely[process][mine]->closure(exit.values[slot]);
-    state.values[mine] &= left;
-    if (state.values[mine].empty()) return {};
-  }
-  return state;
-}
-
-State Solver::refused(ProcessId process, NodeId id) const {
-  const Process& self = model[process];
-  const Process& callee = model[self.actions[id].target];
-  if (callee.actions[0].conditions.empty()) return {};
-  State entry = atCallee(process, id);
-  refineAll(entry, callee.actions[0].conditions, false);
-  if (!entry.reachable) return {};
-  State state = states[process][id];
-  for (Slot slot = 0; slot < callee.slots.size(); ++slot)
-    state.values[*self.slots.find(callee.slots[slot])] = entry.values[slot];
-  for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
-    if (auto slot = self.slots.find(model.variables().of(kind, callee.definition)))
-      state.values[*slot] = ValueSet::of(0);
-  return state;
-}
-
-void Solver::call(ProcessId process, NodeId id, NodeId next) {
-  ProcessId target = model[process].actions[id].target;
-  enter(target, atCallee(process, id));
-  arrive(process, next, returned(process, id));
-  arrive(process, next, refused(process, id));
-}
-
-void Solver::fork(ProcessId process, NodeId id, NodeId next) {
-  const Process& self = model[process];
-  const Action& action = self.actions[id];
-  State joined = during(process, id);
-  for (ProcessId branch : action.branches) {
-    const Process& thread = model[branch];
-    enter(branch, project(states[process][id], self, thread));
-    const State& end = states[branch][thread.graph->end];
-    if (!end.reachable) joined.reachable = false;
-    for (Slot slot = 0; joined.reachable && slot < thread.slots.size(); ++slot) {
-      ValueSet& mine = joined.values[*self.slots.find(thread.slots[slot])];
-      mine &= end.values[slot];
-      joined.reachable = !mine.empty();
-    }
-  }
-  arrive(process, next, std::move(joined));
+bool Solver::mayFail(ProcessId process, NodeId node, const Condition& condition) const {
+  return std::ranges::any_of(cases(process, node),
+                             [&](const State& state) { return flow::mayFail(state, condition); });
 }
 
 // Results of steps --------------------------------------------------------------------------------
@@ -358,7 +304,7 @@ void Solver::scheduleReaders(ProcessId writer, VariableId variable) {
 void Solver::arrive(ProcessId process, NodeId node, State state) {
   if (!state.reachable || node == kNoNode) return;
   if (isPoint(process, node)) close(state, relyAt(process, node));
-  if (!states[process][node].join(state)) return;
+  if (!states[process][node].add(std::move(state))) return;
   if (process == running) {
     pending[process][node] = true;
     cursor = std::min(cursor, node);
@@ -375,7 +321,11 @@ void Solver::announceEnd(ProcessId process) {
   for (const Site& site : model.callers(process))
     if (model[site.caller].analysed) schedule(site.caller);
   if (self.parent != kNoProcess) schedule(self.parent);
-  if (self.repeats) enter(process, states[process][self.graph->end]);
+  if (!self.repeats) return;
+  const std::vector<State> ends = cases(process, self.graph->end);
+  for (const State& end : ends) enter(process, end);
+  const std::vector<State> stops = stoppedEnds[process].all();
+  for (const State& end : stops) enter(process, end);
 }
 
 void Solver::summarise() {

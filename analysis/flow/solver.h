@@ -23,12 +23,18 @@ public:
   [[nodiscard]] const System& system() const { return model; }
   [[nodiscard]] const Interference& interference() const { return moves; }
   /// When the process has come to the node, before it does what the node says.
-  [[nodiscard]] const State& before(ProcessId process, NodeId node) const {
-    return states[process][node];
+  [[nodiscard]] const std::vector<State>& cases(ProcessId process, NodeId node) const {
+    return states[process][node].all();
+  }
+  /// The same in one box.
+  [[nodiscard]] State before(ProcessId process, NodeId node) const {
+    return states[process][node].hull();
   }
   [[nodiscard]] bool reachable(ProcessId process, NodeId node) const {
-    return states[process][node].reachable;
+    return states[process][node].reachable();
   }
+  [[nodiscard]] bool mayHold(ProcessId process, NodeId node, const Condition& condition) const;
+  [[nodiscard]] bool mayFail(ProcessId process, NodeId node, const Condition& condition) const;
   /// All that a variable may ever be.
   [[nodiscard]] ValueSet ever(VariableId variable) const { return everything[variable]; }
   /// The values that one step of anybody may change it to.
@@ -37,14 +43,14 @@ public:
   }
   /// It is called, or starts with the program.
   [[nodiscard]] bool started(ProcessId process) const {
-    return !states[process].empty() && states[process].front().reachable;
+    return !states[process].empty() && states[process].front().reachable();
   }
   /// `(x.interrupt)` or the world outside may interrupt it while its caller goes on.
   [[nodiscard]] bool mayBeInterrupted(ProcessId process) const { return interrupted[process]; }
   /// Its caller may stop it because it is stopped itself.
   [[nodiscard]] bool mayBeStopped(ProcessId process) const { return stopped[process]; }
-  /// What the callee of a call may find.
-  [[nodiscard]] State atCallee(ProcessId caller, NodeId call) const;
+  /// What the callee of a call may find, over its own slots.
+  [[nodiscard]] std::vector<State> atCallee(ProcessId caller, NodeId call) const;
   /// While the node waits for what it has called, if it has.
   [[nodiscard]] State during(ProcessId process, NodeId node) const;
   /// After the effects of a node that the text states: where a postcondition is tested.
@@ -60,20 +66,26 @@ private:
   void prepareEvents();
   [[nodiscard]] Closing closingOf(ProcessId process, const Bits& processes);
   [[nodiscard]] Closing closingInside(ProcessId process);
-  void close(State& state, const Closing& closing) const;
+  static void close(State& state, const Closing& closing);
+  void closeAgain(ProcessId process, NodeId node);
 
   void run(ProcessId process);
   void step(ProcessId process, NodeId node);
   void flow(ProcessId process, NodeId node, const Edge& edge);
-  void stop(ProcessId process, NodeId node, const Edge& edge, const State& during);
+  void stop(ProcessId process, NodeId node, const Edge& edge);
+  void stopCall(ProcessId process, NodeId node, NodeId exit);
   void call(ProcessId process, NodeId node, NodeId next);
   void fork(ProcessId process, NodeId node, NodeId next);
   void interrupt(ProcessId process, NodeId node);
   void stopCallees(ProcessId process, NodeId node);
   void stopBeforeStart(ProcessId process);
 
-  [[nodiscard]] State returned(ProcessId process, NodeId node) const;
-  [[nodiscard]] State refused(ProcessId process, NodeId node) const;
+  [[nodiscard]] State during(const State& before, ProcessId process, NodeId node) const;
+  [[nodiscard]] bool entersCall(const State& before, ProcessId process, NodeId node) const;
+  [[nodiscard]] State returned(const State& before, const State& exit, ProcessId process,
+                               NodeId node) const;
+  [[nodiscard]] State refused(const State& before, ProcessId process, NodeId node) const;
+  [[nodiscard]] Cases joined(const State& before, ProcessId process, NodeId node) const;
   [[nodiscard]] bool mayStop(ProcessId process) const;
   [[nodiscard]] State assigned(State before, const Process& process, NodeId node,
                                bool effectsOnly) const;
@@ -92,7 +104,8 @@ private:
 
   const System& model;
   Interference moves;
-  std::vector<std::vector<State>> states;
+  std::vector<std::vector<Cases>> states;
+  std::vector<Cases> stoppedEnds;                 ///< of each skill, when its caller was stopped
   std::vector<Closing> rely;                      ///< of each process
   std::vector<Closing> relyInside;                ///< of each skill while it is running
   std::vector<std::vector<Closing>> whileCalling; ///< of each node that calls or forks

@@ -34,7 +34,7 @@ private:
   std::vector<VariableId> ids;
 };
 
-/// What a process knows at one point of its graph: the values that each of its slots may have.
+/// A box: the values that each slot of a process may have, whatever the others have.
 struct State {
   bool reachable = false;
   std::vector<ValueSet> values; ///< one a slot where reachable
@@ -53,6 +53,25 @@ struct State {
     }
     return grew;
   }
+};
+
+/// What a process knows at one point of its graph: a few boxes, one of which is true. So it stays
+/// known which values go together, such as a result and what the skill has left behind; where the
+/// boxes would be too many, those that differ least are made one. A process without slots has at
+/// most one box.
+class Cases {
+public:
+  /// \return something is new
+  bool add(State box);
+  [[nodiscard]] bool reachable() const { return !boxes.empty(); }
+  [[nodiscard]] const std::vector<State>& all() const { return boxes; }
+  /// All cases in one box.
+  [[nodiscard]] State hull() const;
+
+private:
+  void absorb(State box);
+
+  std::vector<State> boxes;
 };
 
 } // namespace proskill::analysis::flow

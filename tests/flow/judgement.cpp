@@ -246,13 +246,15 @@ private:
 
   [[nodiscard]] bool mayBeRefused(Location place) const {
     bool possible = false;
-    forEachReachedNode(*report, [&](ProcessId id, const Process& process, NodeId node,
-                                    const Node& each) {
-      if (each.kind != NodeKind::Call || report->at(id, node) != place) return;
-      State entry = report->solver.atCallee(id, node);
-      refineAll(entry, report->system()[process.actions[node].target].actions[0].conditions, false);
-      possible |= entry.reachable;
-    });
+    forEachReachedNode(
+        *report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
+          if (each.kind != NodeKind::Call || report->at(id, node) != place) return;
+          for (State entry : report->solver.atCallee(id, node)) {
+            refineAll(entry, report->system()[process.actions[node].target].actions[0].conditions,
+                      false);
+            possible |= entry.reachable;
+          }
+        });
     return possible;
   }
 
@@ -262,10 +264,10 @@ private:
         *report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
           if (!each.outcome || !each.outcome->postcondition) return;
           if (report->system().at(process, each.outcome->postcondition->range) != place) return;
-          State after = report->solver.afterEffects(report->solver.before(id, node), process, node);
           Condition condition =
               report->system().resolver().condition(*each.outcome->postcondition, process.slots);
-          possible |= mayFail(after, condition);
+          for (const State& before : report->solver.cases(id, node))
+            possible |= mayFail(report->solver.afterEffects(before, process, node), condition);
         });
     return possible;
   }
