@@ -1,0 +1,117 @@
+#include "tests/codegen/model_of.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using Catch::Contains;
+
+namespace {
+
+const std::string kWorld = R"(
+  (defsv door :states (Closed Open) :init Closed)
+  (defevent door_opens :effects (door Open))
+  (defevent door_closes :effects (door Closed))
+  (defskill wave :time_interval [2,4] :action (wave) :interrupt (:effects (door Closed)))
+)";
+
+std::map<std::string, std::string> verdicts(const std::string& rest) {
+  return test::verdictsOf(kWorld + rest);
+}
+
+} // namespace
+
+TEST_CASE("the most general environment takes every port at any time") {
+  const auto model = test::modelOf(kWorld + "(defskill mission :body ((wave)))");
+  CHECK(test::printedProcess(model, "basic_environment_test") ==
+        R"(process basic_environment_test [door_opens: sync, door_closes: sync, interrupt_wave: sync] is
+states start_
+from start_
+    select
+        door_opens
+    []
+        door_closes
+    []
+        interrupt_wave
+    end;
+    to start_
+)");
+}
+
+TEST_CASE("an event sets its effects when its port is taken") {
+  const auto model = test::modelOf(kWorld);
+  CHECK(test::printedProcess(model, "event_door_opens_automata") ==
+        R"(process event_door_opens_automata [door_opens: sync] (&door: sv_door) is
+states start_
+from start_
+    door_opens;
+    door := Open;
+    to start_
+)");
+}
+
+TEST_CASE("an environment of the program's own is in a hurry, and says all that happens") {
+  const auto text = test::printed(test::modelOf(kWorld + R"(
+    (defskill mission :body ((wave)))
+    (defenvironment hall :body ((^ 3) (emit door_opens))))"));
+  CHECK_THAT(text, Contains("port door_opens: sync in [0,0]"));
+  CHECK_THAT(text, Contains("[door_opens: sync, door_closes: sync, interrupt_wave: sync] is"));
+  CHECK_THAT(text, Contains("from NS2\n    door_opens;\n    to NS3\n"));
+}
+
+TEST_CASE("what an environment does not do does not happen") {
+  auto found = verdicts(R"(
+    (defskill mission :body ((wave)))
+    (defenvironment hall :body ((^ 3) (emit door_opens)))
+    (defproperty opens (reachable (door Open)))
+    (defproperty at_three (reachable (and (door Open) (running wave))))
+    (defproperty closes (reachable (occurs door_closes))))");
+  CHECK(found.at("opens") == "reachable");
+  CHECK(found.at("at_three") == "reachable");
+  CHECK(found.at("closes") == "unreachable");
+  CHECK(found.at("wave.can_be_interrupted") == "unreachable");
+}
+
+TEST_CASE("an environment interrupts what is running, and goes on where nothing is") {
+  auto found = verdicts(R"(
+    (defskill mission :body ((^ 2) (wave)))
+    (defenvironment hall
+      :body ((wave.interrupt) (emit door_opens) (^ 3) (wave.interrupt) (emit door_opens)))
+    (defproperty interrupted (reachable (and (ended wave interrupted) (door Open))))
+    (defproperty done (reachable (ended wave success)))
+    (defproperty opens_early (reachable (and (door Open) (= wave.status no_status)))))");
+  CHECK(found.at("interrupted") == "reachable");
+  CHECK(found.at("done") == "unreachable");
+  CHECK(found.at("opens_early") == "reachable");
+}
+
+TEST_CASE("an environment may choose, loop and test") {
+  auto found = verdicts(R"(
+    (defskill mission :body ((^ (door Open)) (wave)))
+    (defenvironment hall
+      :body ((while true (^ 1) (choose ((emit door_opens)) ((if (door Open) (emit door_closes)))))))
+    (defproperty closes (reachable (occurs door_closes))))");
+  CHECK(found.at("closes") == "reachable");
+  CHECK(found.at("mission.can_succeed") == "reachable");
+  CHECK(found.at("program.time_progress") == "holds");
+}
+
+TEST_CASE("without a mission any basic skill may be called at any time") {
+  const auto model = test::modelOf(kWorld);
+  CHECK(test::printedProcess(model, "most_general_caller") ==
+        R"(process most_general_caller (&skill: skill_array) is
+states start_
+from start_
+    on (skill[wave].caller = None);
+    wait [0,...[;
+    skill[wave].caller := root;
+    to start_
+)");
+  CHECK(verdicts("").at("wave.can_be_interrupted") == "reachable");
+}
+
+TEST_CASE("in a library a monitor and the most general caller share the skills") {
+  auto found = verdicts("(defskill watch :monitor t :body ((^ (door Open)) (wave)))");
+  CHECK(found.at("watch.can_succeed") == "reachable");
+  CHECK(found.at("watch.never_busy.6") == "violated");
+  CHECK(found.at("program.time_progress") == "holds");
+}
