@@ -17,7 +17,7 @@ def prose(name):
 def anchors(name):
     """The anchors that the headings of a file get, as GitHub makes them."""
     headings = re.findall(r"^#+\s+(.*)$", FENCE.sub("", read(name)), re.M)
-    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-")
+    return {re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
             for heading in headings}
 
 
