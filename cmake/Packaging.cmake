@@ -1,6 +1,9 @@
 # What `cmake --install` copies beside the program, and the Debian package of it.
 include(GNUInstallDirs)
 
+# To install is to copy what is built: only the program, not the tests and benchmarks.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
+
 install(FILES man/proskill.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES completions/proskill.bash
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME proskill)
@@ -26,7 +29,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${PROJECT_DESCRIPTION}
- ProSkill is a Lisp-like language for the skills of robots. This package checks
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "ProSkill is a Lisp-like language for the skills of robots. This package checks
  programs, translates them to Fiacre, verifies them, and draws their automata.")
 include(CPack)

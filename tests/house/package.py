@@ -45,7 +45,7 @@ with tempfile.TemporaryDirectory() as directory:
     names = {line.split()[5].removeprefix("./") for line in run("dpkg-deb", "-c", package).splitlines()}
     complaints = [f"{package.name}: {name} is missing" for name in WANTED if name not in names]
     complaints += [f"{package.name}: {name} is nothing for a user" for name in names
-                   if "node_modules" in name or "/build/" in name or name.endswith((".o", ".a"))]
+                   if "node_modules" in name or "/build/" in name or name.endswith(".o")]
     depends = run("dpkg-deb", "-f", package, "Depends")
     complaints += [f"{package.name}: does not depend on {library}" for library in LIBRARIES
                    if library not in depends]
