@@ -45,15 +45,20 @@ const std::vector<ProgressCheck::Thresholds>& ProgressCheck::thresholds(Signatur
 }
 
 std::optional<StuckMoment> ProgressCheck::find() {
+  // In an urgent state it is plain to see that time has stopped; elsewhere it does so at a bound.
+  if (auto found = findAmong(true)) return found;
+  return findAmong(false);
+}
+
+std::optional<StuckMoment> ProgressCheck::findAmong(bool urgent) {
   Moment moment;
   StateId loaded = kNone;
   for (NodeIndex i = 0; i < graph.nodes.size(); ++i) {
     const ZoneNode& node = graph.nodes[i];
-    if (node.covered) continue;
+    if (node.covered || graph.timing.at(graph.signatureOf[node.state]).urgent != urgent) continue;
     if (node.state != loaded) {
       moment.state.assign(system.words, 0);
-      const Word* stored = graph.states.at(node.state);
-      std::copy(stored, stored + system.storedWords, moment.state.begin());
+      std::copy_n(graph.states.at(node.state), system.storedWords, moment.state.begin());
       graph.enabling.compute(moment.state.data(), moment.enabled);
       moment.signature = graph.signatureOf[node.state];
       loaded = node.state;

@@ -47,6 +47,7 @@ private:
 
   enum class Verdict : std::uint8_t { Unknown, Good, Bad };
 
+  std::optional<StuckMoment> findAmong(bool urgent);
   bool split(const Dbm& zone, std::size_t clock, Moment& moment);
   bool isGood(const Moment& moment);
   [[nodiscard]] bool letsTimePass(const Moment& moment);

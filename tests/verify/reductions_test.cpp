@@ -1,0 +1,126 @@
+#include "tests/support/models.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using namespace proskill::test;
+using verify::Reduction;
+
+namespace {
+
+std::uint64_t classes(Model model, fiacre::Property property, std::set<Reduction> reductions) {
+  model.ask(std::move(property));
+  verify::Options options;
+  options.reductions = std::move(reductions);
+  auto result = model.answers(options);
+  REQUIRE(result.answers[0].truth == verify::Truth::True);
+  return result.exploration.classes;
+}
+
+} // namespace
+
+TEST_CASE("Dead variables: what nobody reads does not tell states apart") {
+  Model model;
+  model.variable("note", range(0, 9), number(0));
+  model.add(
+      process("p", {"a"},
+              {from("a", {wait(1, 1),
+                          ifElse(binary(fiacre::Op::Less, name("note"), number(9)),
+                                 assign(name("note"), number(9)), assign(name("note"), number(3))),
+                          to("a")})}));
+  Model unread;
+  unread.variable("note", range(0, 9), number(0));
+  unread.add(process("p", {"a", "b"},
+                     {from("a", {wait(1, 1), assign(name("note"), number(4)), to("b")}),
+                      from("b", {wait(1, 1), assign(name("note"), number(5)), to("a")})}));
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, progress, {}) == 3);
+  CHECK(classes(unread, progress, {}) == 3);
+  CHECK(classes(unread, progress, {Reduction::DeadVariables}) == 2);
+}
+
+TEST_CASE("Dead variables: a process that can stop time is not left out") {
+  Model model;
+  model.add(process("spinner", {"a"}, {from("a", {now(), to("a")})}));
+  model.add(process("p", {"a", "b"}, {from("a", {wait(1, 1), to("b")})}));
+  CHECK_FALSE(model.reaches(2, "b"));
+}
+
+TEST_CASE("Live variables: a value that is written before it is read again is forgotten") {
+  Model model;
+  model.variable("x", range(0, 9), number(0));
+  model.add(
+      process("p", {"choose", "use", "rest"},
+              {from("choose", {select({sequence({assign(name("x"), number(1)), to("use")}),
+                                       sequence({assign(name("x"), number(2)), to("use")})})}),
+               from("use", {on(binary(fiacre::Op::Less, number(0), name("x"))), to("rest")}),
+               from("rest", {to("choose")})}));
+  const auto stops = plain(fiacre::PatternKind::DeadlockFree);
+  CHECK(classes(model, stops, {}) == 7);
+  CHECK(classes(model, stops, {Reduction::LiveVariables}) == 4);
+}
+
+TEST_CASE("Live variables: a process that can never go on reads nothing") {
+  Model model;
+  model.variable("go", boolean(), truth(false)).variable("x", range(0, 9), number(0));
+  model.add(process("waits", {"a", "b"},
+                    {from("a", {on(name("go")), on(equals(name("x"), number(3))), to("b")})}));
+  model.add(process("writes", {"a"},
+                    {from("a", {select({sequence({assign(name("x"), number(1)), to("a")}),
+                                        sequence({assign(name("x"), number(2)), to("a")})})})}));
+  const auto never = absentState(1, "b");
+  CHECK(classes(model, never, {}) == 3);
+  CHECK(classes(model, never, {Reduction::LiveVariables}) == 1);
+}
+
+TEST_CASE("Safe steps: independent chains of urgent steps are run one after the other") {
+  Model model;
+  for (const char* text : {"p", "q", "r"})
+    model.add(process(text, {"a", "b", "c", "d"},
+                      {from("a", {wait(1, 1), to("b")}), from("b", {now(), to("c")}),
+                       from("c", {now(), to("d")})}));
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, progress, {Reduction::SafeSteps}) < classes(model, progress, {}) / 3);
+}
+
+TEST_CASE("Safe steps: what a question looks at is not skipped") {
+  Model model;
+  model.variable("x", range(0, 2), number(0)).variable("y", range(0, 2), number(0));
+  for (const char* text : {"x", "y"})
+    model.add(process(std::string("p") + text, {"a", "b", "c"},
+                      {from("a", {now(), assign(name(text), number(1)), to("b")}),
+                       from("b", {now(), assign(name(text), number(2)), to("c")})}));
+  const auto both = [](std::int64_t x, std::int64_t y) {
+    return absentValue(
+        binary(fiacre::Op::And, equals(name("x"), number(x)), equals(name("y"), number(y))));
+  };
+  for (std::int64_t x = 0; x <= 2; ++x)
+    for (std::int64_t y = 0; y <= 2; ++y) CHECK(model.isFalse(both(x, y)));
+}
+
+TEST_CASE("Safe steps: a cycle of them does not put others off for ever") {
+  Model model;
+  model.add(
+      process("cycle", {"a", "b"}, {from("a", {now(), to("b")}), from("b", {now(), to("a")})}));
+  model.add(process("p", {"a", "b"}, {from("a", {now(), to("b")})}));
+  CHECK(model.reaches(2, "b"));
+}
+
+TEST_CASE("Inclusion: a smaller zone of the same state is not explored") {
+  Model model;
+  model.add(process(
+      "p", {"a", "b"},
+      {from("a", {select({sequence({wait(0, 5), to("b")}), sequence({wait(2, 5), to("b")})})})}));
+  model.add(process("q", {"a", "b"}, {from("a", {wait(9, 9), to("b")})}));
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, progress, {Reduction::Inclusion}) < classes(model, progress, {}));
+}
+
+TEST_CASE("Extrapolation: how long ago something ripened is forgotten") {
+  Model model;
+  model.add(process("p", {"a", "b"}, {from("a", {wait(1, 100), to("b")})}));
+  model.add(process("q", {"a"}, {from("a", {wait(2, 2), to("a")})}));
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, progress, {Reduction::Inclusion, Reduction::Extrapolation}) <
+        classes(model, progress, {Reduction::Inclusion}) / 3);
+}

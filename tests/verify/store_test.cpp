@@ -1,0 +1,75 @@
+#include "verify/store.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <random>
+
+using namespace proskill::verify;
+
+TEST_CASE("A store of states gives each state one number, for ever") {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<Word> word(0, 40);
+  StateStore store(2);
+  std::map<std::pair<Word, Word>, StateId> expected;
+  for (int i = 0; i < 20'000; ++i) {
+    const Word state[2] = {word(random) << 50, word(random)};
+    auto [known, isNew] = expected.try_emplace({state[0], state[1]}, store.size());
+    auto added = store.add(state);
+    REQUIRE(added.isNew == isNew);
+    REQUIRE(added.id == known->second);
+  }
+  CHECK(store.size() == expected.size());
+  for (const auto& [state, id] : expected) {
+    CHECK(store.at(id)[0] == state.first);
+    CHECK(store.at(id)[1] == state.second);
+  }
+  CHECK(store.bytes() >= expected.size() * 2 * sizeof(Word));
+}
+
+TEST_CASE("A store of zones tells zones of different dimension apart") {
+  ZoneStore store;
+  const ZoneId none = store.add(Dbm(0));
+  const ZoneId one = store.add(Dbm(1));
+  CHECK(none != one);
+  CHECK(store.add(Dbm(1)) == one);
+  Dbm later(1);
+  later.up();
+  const ZoneId moved = store.add(later);
+  CHECK(moved != one);
+  CHECK(store.at(moved, 1, 0) == kInfinite);
+  CHECK(store.zone(moved).dimension() == 2);
+  CHECK(store.size() == 3);
+}
+
+TEST_CASE("A memo calls its function once for each key") {
+  Memo memo;
+  int calls = 0;
+  const auto ask = [&](std::uint32_t a, std::uint32_t d) {
+    return memo.get({a, 2, 3, d}, [&] {
+      ++calls;
+      return a + d;
+    });
+  };
+  for (int round = 0; round < 2; ++round)
+    for (std::uint32_t a = 0; a < 100; ++a) CHECK(ask(a, 100 - a) == 100);
+  CHECK(calls == 100);
+}
+
+TEST_CASE("A set of numbers grows as needed") {
+  Bits set;
+  CHECK(set.empty());
+  set.insert(3);
+  set.insert(200);
+  CHECK(set.contains(200));
+  CHECK_FALSE(set.contains(199));
+  CHECK(set.count() == 2);
+  Bits three;
+  three.insert(3);
+  CHECK(set.meets(three));
+  set.erase(200);
+  CHECK(set == three);
+  set -= three;
+  CHECK(set.empty());
+  CHECK_FALSE(set.meets(three));
+}
