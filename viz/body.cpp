@@ -214,24 +214,27 @@ syntax::Range endOf(const syntax::Block& block) {
   return {end == 0 ? 0 : end - 1, end};
 }
 
-/// The process that looks at the time that a composite skill takes.
+/// The process that looks at the time that a composite skill takes. Without a lower bound it is on
+/// time from the start, without an upper one for ever.
 void drawWatchdog(Builder& builder, const syntax::Interval& interval) {
   const auto range = interval.range;
+  const auto fails = [&](std::size_t from, std::string when, std::string how) {
+    const auto error = builder.node(NodeRole::Error, std::move(how), range);
+    builder.edge({from, error, EdgeRole::Forbidden, std::move(when), {}});
+  };
   builder.enterCluster("watchdog " + builder.seconds(interval), range);
-  const auto start = builder.node(NodeRole::Start, {}, range);
-  const auto early = builder.node(NodeRole::State, "early", range);
-  const auto onTime = builder.node(NodeRole::State, "on time", range);
-  const auto end = builder.node(NodeRole::End, "in time", range);
-  const auto undershoot = builder.node(NodeRole::Error, "undershoot", range);
-  builder.edge({start, early, EdgeRole::Next, "starts", {}});
-  builder.edge({early, onTime, EdgeRole::Next, toString(interval.lower) + " s", {}});
-  builder.edge({early, undershoot, EdgeRole::Forbidden, "ends", {}});
-  builder.edge({onTime, end, EdgeRole::Next, "ends", {}});
-  if (interval.upper) {
-    const auto overshoot = builder.node(NodeRole::Error, "overshoot", range);
-    builder.edge(
-        {onTime, overshoot, EdgeRole::Forbidden, "after " + toString(*interval.upper) + " s", {}});
+  Exits in{{.from = builder.node(NodeRole::Start, {}, range), .label = "starts"}};
+  std::optional<std::size_t> early;
+  if (interval.lower != syntax::Rational{} || interval.lowerOpen) {
+    early = builder.node(NodeRole::State, "early", range);
+    builder.connect(in, *early);
+    in = {{.from = *early, .label = toString(interval.lower) + " s"}};
   }
+  const auto onTime = builder.node(NodeRole::State, "on time", range);
+  builder.connect(in, onTime);
+  builder.edge({onTime, builder.node(NodeRole::End, "in time", range), EdgeRole::Next, "ends", {}});
+  if (early) fails(*early, "ends", "undershoot");
+  if (interval.upper) fails(onTime, "after " + toString(*interval.upper) + " s", "overshoot");
   builder.leaveCluster();
 }
 

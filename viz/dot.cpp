@@ -204,11 +204,12 @@ private:
     return from && from == graph.nodes[edge.to].cluster ? clusters[*from] : root.get();
   }
 
-  /// What a reader follows first is drawn straight.
+  /// What a reader follows first is drawn straight; where ways part or meet, none comes first.
   [[nodiscard]] bool isMainWay(const Edge& edge) const {
+    const auto from = graph.nodes[edge.from].role;
     const auto to = graph.nodes[edge.to].role;
     return (edge.role == EdgeRole::Next || edge.role == EdgeRole::Yes) && edge.from < edge.to &&
-           to != NodeRole::Join && to != NodeRole::End;
+           from != NodeRole::Action && to != NodeRole::Join && to != NodeRole::End;
   }
 
   const Graph& graph;

@@ -48,7 +48,7 @@ constexpr auto kNodes = std::to_array<NodeEntry>({
     {NodeRole::Message, "message", "message", "note", "filled", kGrey},
     {NodeRole::Success, "success", "success", "box", "filled,rounded,bold", kGreen},
     {NodeRole::Failure, "failure", "failure", "box", "filled,rounded,bold", kOrange},
-    {NodeRole::Invariant, "invariant", "invariant fails", "octagon", "filled", kRed},
+    {NodeRole::Invariant, "invariant", "invariant fails", "box", "filled,rounded,dashed", kRed},
     {NodeRole::Error, "error", "error", "octagon", "filled,bold", kRed},
     {NodeRole::Fork, "fork", "parallel branches", "box", "filled", kInk},
     {NodeRole::Join, "join", "", "box", "filled", kInk},

@@ -251,9 +251,43 @@ start -> (s X)
 (s X) -> broken [no]: no
 start -> early: starts
 early -> on time: 2 s
+on time -> in time: ends
 early -> undershoot [forbidden]: ends
+on time -> overshoot [forbidden]: after 5 s
+)");
+}
+
+TEST_CASE("a watchdog shows the bounds that there are") {
+  const auto watchdog = [](const std::string& interval) {
+    return outline(
+        picture(program("(defskill m :time_interval " + interval + " :body ((success done)))"),
+                Kind::Body, "m"));
+  };
+  CHECK(watchdog("[0,5]") == R"(
+start
+success done
+start in watchdog [0,5] s
+state on time in watchdog [0,5] s
+end in time in watchdog [0,5] s
+error overshoot in watchdog [0,5] s
+start -> done
+start -> on time: starts
 on time -> in time: ends
 on time -> overshoot [forbidden]: after 5 s
+)");
+  CHECK(watchdog("]0,...[") == R"(
+start
+success done
+start in watchdog ]0,...[ s
+state early in watchdog ]0,...[ s
+state on time in watchdog ]0,...[ s
+end in time in watchdog ]0,...[ s
+error undershoot in watchdog ]0,...[ s
+start -> done
+start -> early: starts
+early -> on time: 0 s
+on time -> in time: ends
+early -> undershoot [forbidden]: ends
 )");
 }
 
