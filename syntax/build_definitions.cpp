@@ -162,7 +162,9 @@ Include includeOf(Builder& builder, const Node& node) {
   Name head = builder.nameOf(*parts.take());
   if (const Node* path = parts.take(NodeKind::String)) {
     builder.reportSurplus(parts, "the file's name");
-    return {contentOf(builder, *path)};
+    Include include{contentOf(builder, *path)};
+    if (!include.path && !isDamaged(*path)) builder.report(Code::MissingPath, head.range);
+    return include;
   }
   if (!parts.peek() || !isDamaged(*parts.peek())) builder.report(Code::MissingPath, head.range);
   return {{{}, {head.range.end, head.range.end}}};
