@@ -92,8 +92,8 @@ private:
     std::vector<Statement> all{
         sequence({atOnce(), on(std::move(hasEnded)), release(), at(sawEnd(), to("idle"))})};
     if (usesOver)
-      all.push_back(
-          sequence({atOnce(), on(name("over")), assign(name("over"), boolean(false)), to("idle")}));
+      all.push_back(sequence({atOnce(), on(name("over")), assign(name("over"), boolean(false)),
+                              at(origin("turns to the next run"), to("idle"))}));
     if (bounds.upper) {
       const auto words = origin(fmt::format("overshoot: `{}` takes more than {} s", skill.name(),
                                             toString(*seconds.upper)));

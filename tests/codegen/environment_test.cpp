@@ -22,8 +22,9 @@ std::map<std::string, std::string> verdicts(const std::string& rest) {
 
 TEST_CASE("the most general environment takes every port at any time") {
   const auto model = test::modelOf(kWorld + "(defskill mission :body ((wave)))");
-  CHECK(test::printedProcess(model, "basic_environment_test") ==
-        R"(process basic_environment_test [door_opens: sync, door_closes: sync, interrupt_wave: sync] is
+  CHECK(
+      test::printedProcess(model, "basic_environment_test") ==
+      R"(process basic_environment_test [door_opens: sync, door_closes: sync, interrupt_wave: sync] is
 states start_
 from start_
     select

@@ -1,0 +1,154 @@
+#include "fiacre/print.h"
+#include "tests/codegen/model_of.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace proskill;
+using codegen::Expectation;
+using codegen::Weight;
+
+namespace {
+
+const std::string kProgram = R"(
+(defsv battery :states (Good Low) :init Good)
+(defsv level :init 0 :min 0 :max 3)
+(defevent drain :effects (battery Low))
+(defskill wave
+  :precondition (full (battery Good))
+  :invariant (power (:guard (battery Good)))
+  :time_interval [1,2]
+  :action (wave)
+  :interrupt (:effects (level 1))
+  :success done (:postcondition (level 0))
+  :failure tired)
+(defskill mission
+  :time_interval [1,9]
+  :success won
+  :body ((label again)
+         (wave)
+         (if (= wave.res tired) (goto again))
+         (success won)))
+)";
+
+std::vector<std::string> namesOf(const codegen::Model& model) {
+  std::vector<std::string> names;
+  for (const auto& check : model.checks) names.push_back(check.name);
+  return names;
+}
+
+const codegen::Check& checkOf(const codegen::Model& model, const std::string& name) {
+  const auto found = std::ranges::find(model.checks, name, &codegen::Check::name);
+  INFO("no check " << name);
+  REQUIRE(found != model.checks.end());
+  return *found;
+}
+
+/// A property of the program as it is printed.
+std::string patternOf(const std::string& property) {
+  const auto model = test::modelOf(kProgram + "(defproperty wish " + property + ")");
+  const auto& check = checkOf(model, "wish");
+  CHECK(check.kind == "property");
+  return fiacre::printPattern(model.fiacre.properties[check.property].pattern, "main_test");
+}
+
+} // namespace
+
+TEST_CASE("every part of a program has its default properties") {
+  CHECK(namesOf(test::modelOf(kProgram)) ==
+        std::vector<std::string>{
+            "battery.no_forbidden_transition", "level.no_forbidden_transition", "wave.can_run",
+            "wave.can_succeed.done", "wave.postcondition.done", "wave.can_fail.tired",
+            "wave.invariant_may_fail.power", "wave.can_be_interrupted", "mission.can_run",
+            "mission.can_succeed.won", "mission.no_undershoot", "mission.no_overshoot",
+            "mission.never_refused.17", "mission.reachable.17", "mission.reachable.18",
+            "mission.reachable.18:33", "mission.reachable.19", "program.no_deadlock",
+            "program.time_progress"});
+}
+
+TEST_CASE("a check says what is good, how bad the other is, and where it is about") {
+  const auto model = test::modelOf(kProgram);
+  const auto& run = checkOf(model, "wave.can_run");
+  CHECK(run.kind == "can_run");
+  CHECK(run.subject == "wave");
+  CHECK(run.words == "`wave` can run");
+  CHECK(run.good == Expectation::Reachable);
+  CHECK(run.weight == Weight::Warning);
+  CHECK(checkOf(model, "battery.no_forbidden_transition").weight == Weight::Error);
+  CHECK(checkOf(model, "mission.no_overshoot").good == Expectation::Holds);
+  CHECK(checkOf(model, "mission.never_refused.17").weight == Weight::Warning);
+  const auto& origin = model.provenance.origins[checkOf(model, "mission.reachable.19").origin];
+  CHECK(kProgram.substr(origin.begin, origin.end - origin.begin) == "(success won)");
+}
+
+TEST_CASE("names of checks and of properties are unique, whatever the program calls its own") {
+  const auto model = test::modelOf(kProgram + R"(
+    (defproperty program (always true))
+    (defproperty wave (always true)))");
+  std::set<std::string> names;
+  std::set<std::string> properties;
+  for (const auto& check : model.checks) {
+    CHECK(names.insert(check.name).second);
+    CHECK(properties.insert(model.fiacre.properties[check.property].name).second);
+  }
+}
+
+TEST_CASE("what can never happen is asked for all the same") {
+  auto found = test::verdictsOf(R"(
+    (defskill wave :action (wave) :precondition (never false) :success done)
+    (defskill mission :success (won lost) :body ((wave) (success won))))");
+  CHECK(found.at("wave.can_run") == "unreachable");
+  CHECK(found.at("mission.can_succeed.won") == "reachable");
+  CHECK(found.at("mission.can_succeed.lost") == "unreachable");
+  CHECK(found.at("mission.never_refused.3") == "violated");
+}
+
+TEST_CASE("the program's own properties are Fiacre's patterns") {
+  CHECK(patternOf("(always (battery Good))") == "always main_test/value (battery = Good)");
+  CHECK(patternOf("(never (and (running wave) (battery Low)))") ==
+        "absent ((main_test/value skill[wave].inv_active) and (main_test/value (battery = Low)))");
+  CHECK(patternOf("(reachable (occurs drain))") == "absent main_test/event drain");
+  CHECK(patternOf("(deadlockfree)") == "deadlockfree");
+  CHECK(patternOf("(infinitelyoften (battery Good))") ==
+        "infinitelyoften main_test/value (battery = Good)");
+  CHECK(patternOf("(leadsto (battery Low) (called wave) :within [0,1])") ==
+        "(main_test/value (battery = Low)) leadsto "
+        "(main_test/value (not (skill[wave].caller = None))) within [0,1]");
+  CHECK(patternOf("(precedes (= level 1) (value level 2))") ==
+        "(main_test/value (level = 1)) precedes (main_test/value (level = 2))");
+  CHECK(patternOf("(present (ended wave success) :after (battery Low))") ==
+        "present main_test/value ((skill[wave].caller = None) and (skill[wave].status = success))"
+        " after main_test/value (battery = Low)");
+  CHECK(patternOf("(absent (battery Low) :before (ended wave) :for [0,2])") ==
+        "absent main_test/value (battery = Low) before main_test/value ((skill[wave].caller = None)"
+        " and (not (skill[wave].status = no_status))) for interval [0,2]");
+  CHECK(patternOf("(ltl ([] (=> (battery Low) (<> (running wave)))))") ==
+        "ltl [] ((main_test/value (battery = Low)) => "
+        "(<> (main_test/value skill[wave].inv_active)))");
+}
+
+TEST_CASE("at a label is any state of the statement behind it") {
+  CHECK(patternOf("(reachable (at again))") ==
+        "absent ((main_test/5/state NS1) or (main_test/5/state NS1_NS2_sync))");
+}
+
+TEST_CASE("a result is compared by its tag, whatever its status") {
+  CHECK(patternOf("(always (/= wave.res power))") ==
+        "always main_test/value (not (skill[wave].val = wave_failed_inv_power))");
+  CHECK(patternOf("(always (= wave.res no_result))") ==
+        "always main_test/value (skill[wave].val = no_result)");
+}
+
+TEST_CASE("verdicts of the program's own properties") {
+  auto found = test::verdictsOf(kProgram + R"(
+    (defproperty stays (always (battery Good)))
+    (defproperty drains (reachable (occurs drain)))
+    (defproperty not_while_low (never (and (ended wave failed_inv) (battery Good))))
+    (defproperty at_again (reachable (and (at again) (running wave)))))");
+  CHECK(found.at("stays") == "violated");
+  CHECK(found.at("drains") == "reachable");
+  CHECK(found.at("not_while_low") == "holds");
+  CHECK(found.at("at_again") == "reachable");
+}
