@@ -149,38 +149,49 @@ void ProgressCheck::load(StateId id, Moment& moment) {
                                                  (i % kLevelsPerWord * 8));
 }
 
-/// Whether steps without time lead from the moment to one where time passes. Depth first; what lies
-/// on the way to a good moment is good, and where there is no way all that was seen is bad.
+/// Whether steps without time lead from the moment to one where time passes. Depth first, urgent
+/// steps before others, since they are what time waits for. What lies on the way to a good moment
+/// is good, and where there is no way all that was seen is bad.
 bool ProgressCheck::isGood(const Moment& first) {
   Moment moment = first;
   const StateId start = number(moment);
   if (verdicts[start] != Verdict::Unknown) return verdicts[start] == Verdict::Good;
-  std::vector<std::pair<StateId, StateId>> seen{
-      {start, kNone}}; // with the place of the predecessor
+  struct Seen {
+    StateId moment;
+    StateId from; ///< the place of the predecessor
+  };
+  struct Task {
+    StateId place;
+    bool urgentSteps;
+  };
+  std::vector<Seen> seen{{start, kNone}};
+  std::vector<Task> todo{{0, false}, {0, true}};
   metIn[start] = ++searches;
-  std::vector<StateId> todo{0};
   Moment next;
   while (!todo.empty()) {
-    const StateId place = todo.back();
+    const auto [place, urgentSteps] = todo.back();
     todo.pop_back();
-    load(seen[place].first, moment);
+    load(seen[place].moment, moment);
     bool good = false;
     eachIn(moment.enabled, [&](TransitionId transition) {
-      if (good || !canFire(moment, transition) || !fireFrom(moment, transition, next)) return;
+      if (good || system.transitions[transition].urgent != urgentSteps) return;
+      if (!canFire(moment, transition) || !fireFrom(moment, transition, next)) return;
       const StateId id = number(next);
       if (letsTimePass(next)) verdicts[id] = Verdict::Good;
       good = verdicts[id] == Verdict::Good;
       if (good || metIn[id] == searches) return;
       metIn[id] = searches;
-      todo.push_back(static_cast<StateId>(seen.size()));
-      seen.emplace_back(id, place);
+      const auto added = static_cast<StateId>(seen.size());
+      seen.push_back({id, place});
+      todo.push_back({added, false});
+      todo.push_back({added, true});
     });
     if (!good) continue;
-    for (StateId at = place; at != kNone; at = seen[at].second)
-      verdicts[seen[at].first] = Verdict::Good;
+    for (StateId at = place; at != kNone; at = seen[at].from)
+      verdicts[seen[at].moment] = Verdict::Good;
     return true;
   }
-  for (const auto& [id, _] : seen) verdicts[id] = Verdict::Bad;
+  for (const auto& one : seen) verdicts[one.moment] = Verdict::Bad;
   return false;
 }
 
