@@ -57,16 +57,23 @@ Assignment naturalAssignment(Context& context, const syntax::Effect& effect,
           .value = conditional(below, number(low), conditional(above, number(high), value.expr()))};
 }
 
+/// Compact: a tag in the same transition. Expanded, without a test: to Fiacre's compiler a tag
+/// behind a test makes a transition of its own, with a clock of its own, which a timed one must not
+/// have.
 Statement alarm(Context& context, const Actor& actor, const Assignment& assignment) {
   if (isFalse(assignment.forbidden)) return sequence({});
   const auto variable = assignment.effect->variable.text;
   context.alarmed.insert(variable);
   const auto words = fmt::format("makes a forbidden move: `{}`",
                                  context.origins.excerpt(actor.file, assignment.effect->range));
-  auto raise = sequence({tag(context.names.tag({variable, "forbidden"})),
-                         assign(name(context.names.error(variable)), boolean(true))});
-  raise.children[0].origin = context.origins.of(actor, assignment.effect->range, words);
-  return ifThen(assignment.forbidden, std::move(raise));
+  const auto place = context.origins.of(actor, assignment.effect->range, words);
+  const auto error = name(context.names.error(variable));
+  if (context.isExpanded())
+    return at(context.origins.of(actor, assignment.effect->range),
+              assign(error, disjunction({error, assignment.forbidden})));
+  return ifThen(assignment.forbidden,
+                sequence({at(place, tag(context.names.tag({variable, "forbidden"}))),
+                          assign(error, boolean(true))}));
 }
 
 /// One after the other would give a later value what an earlier assignment has changed.

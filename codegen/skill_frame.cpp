@@ -44,9 +44,8 @@ void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
   const auto called = origin(skill.skill().name.range, "is called");
   addState(process, "start_", place(),
            sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
-  if (!isTrue(precondition(context, skill.skill())))
-    endStates.emplace_back("precondition_unsatisfied");
-  if (skill.callerMayStop) endStates.emplace_back("interrupted");
+  if (!isTrue(precondition(context, skill.skill()))) noteEndState("precondition_unsatisfied", {});
+  if (skill.callerMayStop) noteEndState("interrupted", {});
   addState(process, "check_precondition", place(),
            sequence({atOnce(),
                      entry("precondition_satisfied", "precondition_unsatisfied", "interrupted")}));
@@ -115,8 +114,7 @@ Statement SkillFrame::stopEarly(std::string_view next) {
 Statement SkillFrame::end(const Ending& ending) {
   if (!context.isExpanded()) return sequence({outcome(ending), giveBack(), to(restingState())});
   const auto state = stateAfter(ending);
-  if (ending.postcondition) checked.insert(state);
-  endStates.push_back(state);
+  noteEndState(state, ending);
   return sequence({outcome(ending), giveBack(), to(state)});
 }
 
@@ -134,16 +132,20 @@ Statement SkillFrame::happens(const Ending& ending) {
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
 }
 
-/// In the transition of the outcome itself. A state for each answer, in the expanded edition, comes
-/// after it: a timed transition that ended in one of two would be two, each with its own clock.
+/// The tag that says so, in the transition of the outcome itself. Expanded, what was found is kept
+/// for the next state, since to Fiacre's compiler a tag behind a test makes a transition of its
+/// own, with a clock of its own, which a timed one must not have.
 Statement SkillFrame::checkPostcondition(const Ending& ending) {
   auto broken = negation(condition(context, *ending.postcondition));
+  if (context.isExpanded()) return assign(name("broken"), std::move(broken));
+  return ifThen(std::move(broken), postconditionFails(ending));
+}
+
+Statement SkillFrame::postconditionFails(const Ending& ending) {
   const auto words = ending.words + ", but its postcondition does not hold";
   const auto& mark =
       context.names.tag({skill.name(), ending.status, ending.tag.text, "postcondition"});
-  auto fails = at(origin(ending.postcondition->range, words), tag(mark));
-  if (!context.isExpanded()) return ifThen(std::move(broken), std::move(fails));
-  return sequence({assign(name("broken"), broken), ifThen(name("broken"), std::move(fails))});
+  return at(origin(ending.postcondition->range, words), tag(mark));
 }
 
 Statement SkillFrame::report(const Ending& ending) {
@@ -214,20 +216,27 @@ void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
     process.states.push_back({"ended", place()});
 }
 
+void SkillFrame::noteEndState(const std::string& state, const Ending& ending) {
+  if (std::ranges::find(endStates, state, &std::pair<std::string, Ending>::first) ==
+      endStates.end())
+    endStates.emplace_back(state, ending);
+}
+
 void SkillFrame::addEndStates(fiacre::Process& process) {
-  std::set<std::string> added;
-  for (const auto& state : endStates) {
-    if (!added.insert(state).second) continue;
-    if (!checked.contains(state)) {
+  bool checks = false;
+  for (const auto& [state, ending] : endStates) {
+    if (!ending.postcondition) {
       step(process, state, "done", "");
       continue;
     }
+    checks = true;
     const auto broken = failedPostcondition(state);
+    auto fail = sequence({postconditionFails(ending), to(broken)});
     addState(process, state, place(),
-             sequence({atOnce(), ifThenElse(name("broken"), to(broken), to("done"))}));
+             sequence({atOnce(), ifThenElse(name("broken"), std::move(fail), to("done"))}));
     step(process, broken, "done", "");
   }
-  if (!checked.empty())
+  if (checks)
     process.variables.push_back(
         {"broken", boolType(), boolean(false), "the postcondition did not hold"});
 }

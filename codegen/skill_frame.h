@@ -63,11 +63,13 @@ private:
   [[nodiscard]] fiacre::Expr isReady();
   [[nodiscard]] fiacre::Statement happens(const Ending& ending);
   [[nodiscard]] fiacre::Statement checkPostcondition(const Ending& ending);
+  [[nodiscard]] fiacre::Statement postconditionFails(const Ending& ending);
   [[nodiscard]] fiacre::Statement report(const Ending& ending);
   [[nodiscard]] fiacre::Statement setResult(std::string_view status, std::string_view tag);
   [[nodiscard]] fiacre::Statement returnControl();
   [[nodiscard]] fiacre::Statement changeResources(fiacre::Op op);
   [[nodiscard]] static std::string stateAfter(const Ending& ending);
+  void noteEndState(const std::string& state, const Ending& ending);
   void addEndStates(fiacre::Process& process);
   [[nodiscard]] std::string restingState() const;
   void step(fiacre::Process& process, std::string_view from, std::string_view next,
@@ -76,8 +78,7 @@ private:
   Context& context;
   const SkillPlan& skill;
   Actor actor;
-  std::vector<std::string> endStates; ///< expanded: those that are used
-  std::set<std::string> checked;      ///< expanded: those of outcomes with a postcondition
+  std::vector<std::pair<std::string, Ending>> endStates; ///< expanded: those that are used
 };
 
 /// Adds a state with what can happen in it.

@@ -21,9 +21,10 @@ void addExact(Context& context, const Variable& variable, const Actor& actor,
     return;
   }
   const auto words = context.origins.of(actor, variable->name.range, "has made a forbidden move");
-  addState(
-      process, "legal", place,
-      sequence({atOnce(), at(words, on(name(context.names.error(variable.name())))), to("error")}));
+  std::vector<Statement> alarm{atOnce(), at(words, on(name(context.names.error(variable.name()))))};
+  if (context.isExpanded()) alarm.push_back(tag(context.names.tag({variable.name(), "forbidden"})));
+  alarm.push_back(to("error"));
+  addState(process, "legal", place, sequence(std::move(alarm)));
   process.states.push_back({"error", place});
 }
 

@@ -45,6 +45,7 @@ TEST_CASE("expanded, a timed outcome has one target, and its postcondition is to
   CHECK(test::printedState(expanded(), "skill_move", "success_there") == R"(from success_there
     wait [0,0];
     if broken then
+        #move_success_there_postcondition;
         to failed_success_postcondition_there
     else
         to done
