@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Origin {
 struct Watched {
   std::string lvalue;  ///< as the printer prints it: `battery`, `skill[takeoff].status`
   std::string display; ///< `battery`, `takeoff.status`
+  /// What a user calls values that the model calls something else: `Empty`, not `belt_Empty`.
+  std::map<std::string, std::string> values;
 };
 
 /// What a model tells about the program that it was made from.
