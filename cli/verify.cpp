@@ -55,6 +55,7 @@ void onInterrupt(int) {
 const std::map<std::string, verify::Reduction> kReductions{
     {"dead-variables", verify::Reduction::DeadVariables},
     {"live-variables", verify::Reduction::LiveVariables},
+    {"open-variables", verify::Reduction::OpenVariables},
     {"safe-steps", verify::Reduction::SafeSteps},
     {"inclusion", verify::Reduction::Inclusion},
     {"extrapolation", verify::Reduction::Extrapolation}};

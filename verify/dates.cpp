@@ -26,7 +26,8 @@ std::int64_t add(std::int64_t a, std::int64_t b) {
 /// i-th step, and the last the moment at which the evidence is seen.
 class Writer {
 public:
-  Writer(const System& of, const Evidence& from) : system(of), evidence(from), enabling(of) {}
+  Writer(const System& of, const Enabling& with, const Evidence& from)
+      : system(of), enabling(with), evidence(from) {}
 
   std::optional<std::vector<Constraint>> write() {
     std::vector<Word> state = initialState(system);
@@ -75,8 +76,8 @@ private:
   }
 
   const System& system;
+  const Enabling& enabling;
   const Evidence& evidence;
-  Enabling enabling;
   TransitionSet enabled;
   std::vector<std::size_t> since; ///< by clock: the step that started it
   std::vector<Constraint> all;
@@ -125,8 +126,9 @@ std::optional<std::vector<std::int64_t>> earliestRun(const std::vector<Constrain
 
 } // namespace
 
-std::optional<Dating> dated(const System& system, const Evidence& evidence) {
-  auto constraints = Writer(system, evidence).write();
+std::optional<Dating> dated(const System& system, const Enabling& enabling,
+                            const Evidence& evidence) {
+  auto constraints = Writer(system, enabling, evidence).write();
   if (!constraints) return std::nullopt;
   const std::size_t dates = evidence.steps.size() + 2;
   bool strict = std::ranges::any_of(*constraints, [](const auto& c) { return c.limit % 2 == 0; });

@@ -36,14 +36,24 @@ void Enabling::evaluate(std::size_t k, Word candidates, const Word* state,
   }
 }
 
+/// Of the k-th word of transitions, those whose instances are where they need them.
+Word Enabling::here(std::size_t k, const Word* state) const {
+  Word candidates = ~Word{0};
+  for (InstanceId i = 0; i < system.instances.size() && candidates != 0; ++i)
+    candidates &= possible[i][locationOf(i, state)][k];
+  return candidates;
+}
+
 void Enabling::compute(const Word* state, TransitionSet& enabled) const {
-  const std::size_t words = urgent.size();
-  enabled.assign(words, 0);
-  for (std::size_t k = 0; k < words; ++k) {
-    Word candidates = ~Word{0};
-    for (InstanceId i = 0; i < system.instances.size() && candidates != 0; ++i)
-      candidates &= possible[i][locationOf(i, state)][k];
-    evaluate(k, candidates, state, enabled);
+  enabled.assign(urgent.size(), 0);
+  for (std::size_t k = 0; k < enabled.size(); ++k) evaluate(k, here(k, state), state, enabled);
+}
+
+void Enabling::refresh(const TransitionSet& changed, const Word* state,
+                       TransitionSet& enabled) const {
+  for (std::size_t k = 0; k < enabled.size(); ++k) {
+    enabled[k] &= ~changed[k];
+    evaluate(k, changed[k], state, enabled);
   }
 }
 
@@ -71,8 +81,8 @@ bool Enabling::isUrgent(const TransitionSet& enabled) const {
   return false;
 }
 
-SignatureId Enabling::signature(const TransitionSet& enabled, Timing& timing) const {
-  return timing.signature(isUrgent(enabled), enabled, clocked);
+SignatureId Enabling::signature(const TransitionSet& enabled, bool isUrgent, Timing& timing) const {
+  return timing.signature(isUrgent, enabled, clocked);
 }
 
 } // namespace proskill::verify

@@ -2,6 +2,7 @@
 
 #include "verify/evaluate.h"
 #include "verify/live_variables.h"
+#include "verify/open_variables.h"
 #include "verify/place.h"
 #include "verify/safe_steps.h"
 
@@ -62,13 +63,27 @@ void Explorer::start() {
   Current current;
   current.state = initialState(system);
   graph.enabling.compute(current.state.data(), current.enabled);
-  current.signature = graph.enabling.signature(current.enabled, graph.timing);
-  current.zone = graph.timing.initial(current.signature);
   for (std::size_t i = 0; i < goals.size(); ++i)
     if (goals[i].kind == GoalKind::Events && goals[i].initially) found(i);
   noticeState(current);
+  if (reductions.openVariables)
+    passed =
+        reductions.openVariables->normalise(current.state.data(), current.enabled, graph.enabling);
+  current.signature = signatureOf(current);
+  current.zone = graph.timing.initial(current.signature);
   runSafeSteps(current);
-  if (result.failure.empty()) add(current, kNone, kNone);
+  if (result.failure.empty()) add(current, kNone, kNone, 0);
+}
+
+/// What time needs to know of the state: of all choices of values of open variables, where there
+/// are some.
+SignatureId Explorer::signatureOf(const Current& current) {
+  bool urgent = graph.enabling.isUrgent(current.enabled);
+  if (urgent && reductions.openVariables) {
+    trial = current.state;
+    urgent = !reductions.openVariables->calm(trial.data(), current.enabled, graph.enabling);
+  }
+  return graph.enabling.signature(current.enabled, urgent, graph.timing);
 }
 
 void Explorer::load(NodeIndex index) {
@@ -88,6 +103,7 @@ void Explorer::expand(NodeIndex index) {
   load(index);
   expanding = index;
   passed.clear();
+  if (reductions.openVariables) return expandOpen(index);
   bool stopped = true;
   eachIn(loaded.enabled, [&](TransitionId transition) {
     stopped = false;
@@ -96,18 +112,51 @@ void Explorer::expand(NodeIndex index) {
   if (stopped) noticeDeadlock();
 }
 
+/// The state stands for all choices of values of its open variables: each transition is fired from
+/// those that differ for it. There is no deadlock, since the environment can always go on.
+void Explorer::expandOpen(NodeIndex index) {
+  const OpenVariables& open = *reductions.openVariables;
+  std::vector<Word> state = loaded.state;
+  graph.enabling.eachHere(loaded.state.data(), [&](TransitionId transition) {
+    const bool within = open.staysWithin(transition, loaded.state.data());
+    if (within && open.isSilent(transition)) return;
+    std::uint32_t choice = 0;
+    open.eachChoice(open.readBy(transition), state.data(), [&] {
+      if (isEnabled(system, transition, state.data())) stepWith(index, transition, state, choice);
+      ++choice;
+      return false;
+    });
+  });
+}
+
 void Explorer::step(NodeIndex parent, TransitionId transition) {
-  if (!result.failure.empty()) return;
-  if (!graph.timing.isFirable(loaded.zone, loaded.signature, transition)) return;
-  ++result.statistics.transitions;
-  work.state = loaded.state;
-  work.enabled = loaded.enabled;
-  work.signature = loaded.signature;
-  work.zone = loaded.zone;
+  work = loaded;
   passed.clear();
+  follow(parent, transition, 0);
+}
+
+/// A step from the loaded state, with other values of open variables.
+void Explorer::stepWith(NodeIndex parent, TransitionId transition, const std::vector<Word>& state,
+                        std::uint32_t choice) {
+  const OpenVariables& open = *reductions.openVariables;
+  work = loaded;
+  work.state = state;
+  passed = open.between(loaded.state.data(), state.data());
+  if (!passed.empty())
+    for (auto variable : open.readBy(transition))
+      graph.enabling.refresh(open.all()[variable].readers, work.state.data(), work.enabled);
+  follow(parent, transition, choice);
+}
+
+void Explorer::follow(NodeIndex parent, TransitionId transition, std::uint32_t choice) {
+  if (!result.failure.empty()) return;
+  if (!graph.timing.isFirable(work.zone, work.signature, transition)) return;
+  ++result.statistics.transitions;
   if (!advance(work, transition)) return;
+  const OpenVariables* open = reductions.openVariables;
+  if (open && open->staysWithin(transition, loaded.state.data())) return;
   runSafeSteps(work);
-  if (result.failure.empty()) add(work, parent, transition);
+  if (result.failure.empty()) add(work, parent, transition, choice);
 }
 
 /// Fires a transition and notices what it shows. False where it cannot be fired after all.
@@ -123,12 +172,17 @@ bool Explorer::advance(Current& current, TransitionId transition) {
     return false;
   }
   graph.enabling.update(transition, current.state.data(), current.enabled);
-  const SignatureId signature = graph.enabling.signature(current.enabled, graph.timing);
+  Steps back;
+  if (reductions.openVariables)
+    back =
+        reductions.openVariables->normalise(current.state.data(), current.enabled, graph.enabling);
+  const SignatureId signature = signatureOf(current);
   current.zone = graph.timing.after(current.zone, current.signature, transition, signature);
   current.signature = signature;
   if (current.zone == kNone) return false;
   noticeStep(current);
   noticeState(current);
+  passed.insert(passed.end(), back.begin(), back.end());
   return true;
 }
 
@@ -152,33 +206,62 @@ void Explorer::runSafeSteps(Current& current) {
                   [&](TransitionId next) { return advance(current, next); });
 }
 
+/// The way to a node, as it was taken: with the setters that lead to each choice of values and
+/// back, and to one with which time may pass.
 Steps Explorer::pathTo(NodeIndex index) const {
   std::vector<NodeIndex> line;
   for (; index != kNone; index = graph.nodes[index].parent) line.push_back(index);
+  const OpenVariables* open = reductions.openVariables;
   Steps path;
   std::vector<Word> state = initialState(system);
   TransitionSet enabled;
   StepLog ignored;
+  const auto append = [&](const Steps& steps) {
+    path.insert(path.end(), steps.begin(), steps.end());
+  };
+  const auto normalise = [&] {
+    if (open) append(open->normalise(state.data(), enabled, graph.enabling));
+  };
   const auto fireOne = [&](TransitionId transition) {
     path.push_back(transition);
     bool fired = fire(system, transition, state.data(), ignored) == Outcome::Done;
     graph.enabling.update(transition, state.data(), enabled);
+    normalise();
     return fired;
   };
   graph.enabling.compute(state.data(), enabled);
+  normalise();
   followSafeSteps(state, enabled, fireOne);
-  for (std::size_t i = line.size() - 1; i-- > 0;) {
-    const Word* stored = graph.states.at(graph.nodes[line[i + 1]].state);
+  for (std::size_t i = line.size(); i-- > 0;) {
+    const ZoneNode& node = graph.nodes[line[i]];
+    const Word* stored = graph.states.at(node.state);
     state.assign(system.words, 0);
     std::copy(stored, stored + system.storedWords, state.begin());
     graph.enabling.compute(state.data(), enabled);
-    fireOne(graph.nodes[line[i]].transition);
+    const std::vector<Word> here = state;
+    if (open && graph.enabling.isUrgent(enabled) &&
+        open->calm(state.data(), enabled, graph.enabling)) {
+      append(open->between(here.data(), state.data()));
+      append(open->between(state.data(), here.data()));
+      state = here;
+    }
+    if (i == 0) return path;
+    const ZoneNode& next = graph.nodes[line[i - 1]];
+    if (open) {
+      std::uint32_t choice = 0;
+      open->eachChoice(open->readBy(next.transition), state.data(),
+                       [&] { return choice++ == next.choice; });
+      append(open->between(here.data(), state.data()));
+      graph.enabling.compute(state.data(), enabled);
+    }
+    fireOne(next.transition);
     followSafeSteps(state, enabled, fireOne);
   }
   return path;
 }
 
-void Explorer::add(Current& current, NodeIndex parent, TransitionId transition) {
+void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,
+                   std::uint32_t choice) {
   if (reductions.liveVariables) reductions.liveVariables->clean(current.state.data());
   const auto [state, isNew] = graph.states.add(current.state.data());
   if (isNew) {
@@ -188,7 +271,7 @@ void Explorer::add(Current& current, NodeIndex parent, TransitionId transition) 
     return;
   }
   const auto index = static_cast<NodeIndex>(graph.nodes.size());
-  graph.nodes.push_back({state, current.zone, parent, transition, graph.headOf[state]});
+  graph.nodes.push_back({state, current.zone, parent, transition, choice, graph.headOf[state]});
   graph.headOf[state] = index;
 }
 

@@ -27,8 +27,9 @@ struct ZoneNode {
   ZoneId zone = 0;
   NodeIndex parent = kNone;
   TransitionId transition = kNone;
-  NodeIndex next = kNone; ///< in the list of the state's nodes
-  bool covered = false;   ///< within a later zone: not expanded any more
+  std::uint32_t choice = 0; ///< of the values of open variables, from the parent
+  NodeIndex next = kNone;   ///< in the list of the state's nodes
+  bool covered = false;     ///< within a later zone: not expanded any more
 };
 
 /// What was explored so far.
@@ -73,10 +74,15 @@ private:
   void start();
   void load(NodeIndex index);
   void expand(NodeIndex index);
+  void expandOpen(NodeIndex index);
   void step(NodeIndex parent, TransitionId transition);
+  void stepWith(NodeIndex parent, TransitionId transition, const std::vector<Word>& state,
+                std::uint32_t choice);
+  void follow(NodeIndex parent, TransitionId transition, std::uint32_t choice);
+  SignatureId signatureOf(const Current& current);
   bool advance(Current& current, TransitionId transition);
   void runSafeSteps(Current& current);
-  void add(Current& current, NodeIndex parent, TransitionId transition);
+  void add(Current& current, NodeIndex parent, TransitionId transition, std::uint32_t choice);
   bool isCovered(StateId state, ZoneId zone);
   void noticeStep(const Current& after);
   void noticeState(const Current& current);
@@ -107,6 +113,7 @@ private:
   Current loaded;           ///< the node that is expanded
   Current work;             ///< its successor
   std::vector<Word> before; ///< the state before the last step
+  std::vector<Word> trial;  ///< a state with other values of open variables
   Steps passed;             ///< from the node that is expanded to `work`
   StepLog log;
 };

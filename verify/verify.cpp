@@ -3,6 +3,7 @@
 #include "verify/compile.h"
 #include "verify/dead_variables.h"
 #include "verify/live_variables.h"
+#include "verify/open_variables.h"
 #include "verify/place.h"
 #include "verify/safe_steps.h"
 #include "verify/search.h"
@@ -40,17 +41,20 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   const System system = placed(compiled->system, relevance.cells);
   const SafeSteps safeSteps(system, compiled->goals, relevance.dropped);
   const LiveVariables liveVariables(system, compiled->goals, relevance.dropped);
+  const OpenVariables openVariables(system, compiled->goals, relevance.dropped);
+  const bool open = takes(Reduction::OpenVariables) && !openVariables.none();
   const Reductions reductions{.inclusion = takes(Reduction::Inclusion),
                               .safeSteps = takes(Reduction::SafeSteps) ? &safeSteps : nullptr,
                               .liveVariables =
                                   takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
+                              .openVariables = open ? &openVariables : nullptr,
                               .dropped = relevance.dropped};
   const auto forgetting =
       takes(Reduction::Extrapolation) ? Forgetting::LowerUpper : Forgetting::Least;
   auto found = search(system, compiled->goals, reductions, forgetting, limits);
   if (found.failure) return std::unexpected(*found.failure);
   const System whole = placed(std::move(compiled->system));
-  const Witness witness(whole, reductions.dropped, provenance);
+  const Witness witness(whole, reductions, provenance);
   Result result;
   for (std::size_t i = 0; i < questions.size(); ++i)
     result.answers.push_back(

@@ -63,6 +63,7 @@ struct Answer {
 enum class Reduction : std::uint8_t {
   DeadVariables, ///< variables that nothing reads, and processes that only watch
   LiveVariables, ///< a variable that is written before it is read again counts as 0
+  OpenVariables, ///< one of the values that the environment may set at any time stands for all
   SafeSteps,     ///< one safe urgent step at a time
   Inclusion,     ///< a zone within another of the same marking is not explored
   Extrapolation, ///< bounds beyond the largest constants are forgotten (LU)
@@ -84,8 +85,8 @@ struct Progress {
 
 struct Options {
   std::set<Reduction> reductions{Reduction::DeadVariables, Reduction::LiveVariables,
-                                 Reduction::SafeSteps, Reduction::Inclusion,
-                                 Reduction::Extrapolation};
+                                 Reduction::OpenVariables, Reduction::SafeSteps,
+                                 Reduction::Inclusion,     Reduction::Extrapolation};
   Limits limits;
   unsigned jobs = 1;
   const std::atomic<bool>* cancelled = nullptr;

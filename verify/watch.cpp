@@ -20,11 +20,13 @@ std::vector<std::string> cut(const std::string& lvalue) {
   return parts;
 }
 
-std::vector<std::string> valueWords(const Type& type) {
+std::vector<std::string> valueWords(const Type& type, const fiacre::Watched& watched) {
   std::vector<std::string> words;
   if (type.kind == TypeKind::Bool) words = {"false", "true"};
   if (type.kind == TypeKind::Union)
     for (const auto& member : type.members) words.push_back(member.name);
+  for (auto& word : words)
+    if (auto known = watched.values.find(word); known != watched.values.end()) word = known->second;
   return words;
 }
 
@@ -44,7 +46,7 @@ public:
       if (!follow(parts[i], type, offset)) return std::nullopt;
     const auto& node = system.nodes[root->second.parts.at(offset)];
     if (types.scalars(*type) != 1 || node.op != NodeOp::Cell) return std::nullopt;
-    return WatchedCell{watched.display, node.a, valueWords(*type)};
+    return WatchedCell{watched.display, node.a, valueWords(*type, watched)};
   }
 
 private:

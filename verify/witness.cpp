@@ -10,14 +10,27 @@
 
 namespace proskill::verify {
 
-Witness::Witness(const System& whole, const Bits& leftOut, const fiacre::Provenance& origins)
-    : system(whole), dropped(leftOut), provenance(origins) {}
+Witness::Witness(const System& whole, const Reductions& used, const fiacre::Provenance& origins)
+    : system(whole),
+      enabling(whole, used.dropped),
+      all(whole),
+      dropped(used.dropped),
+      provenance(origins) {
+  if (used.openVariables) open.emplace(*used.openVariables, whole);
+}
+
+/// Dates and replays the evidence. Says what is wrong with it, nothing where it stands.
+std::string Witness::check(const Goal& goal, const Evidence& evidence,
+                           std::optional<Dating>& dating) const {
+  dating = dated(system, all, evidence);
+  if (!dating) return "the steps have no dates";
+  return replay(system, goal, evidence.steps, *dating);
+}
 
 std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evidence) const {
-  evidence.steps = completed(goal, evidence.steps);
-  auto dating = dated(system, evidence);
-  if (!dating) return std::unexpected("the steps have no dates");
-  std::string wrong = replay(system, goal, evidence.steps, *dating);
+  evidence = tidied(goal, evidence);
+  std::optional<Dating> dating;
+  std::string wrong = check(goal, evidence, dating);
   if (!wrong.empty()) return std::unexpected(wrong);
 
   Trace made{.scale = dating->scale};
@@ -42,15 +55,61 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
   return made;
 }
 
+/// The evidence on the whole system, with as few steps of the environment as will do.
+Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
+  Evidence whole{completed(goal, evidence.steps), evidence.clocks};
+  if (!open) return whole;
+  std::optional<Dating> dating;
+  Evidence better{completed(goal, lazily(evidence.steps)), evidence.clocks};
+  if (!check(goal, better, dating).empty()) return whole;
+  constexpr std::size_t kLong = 400;
+  for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
+    if (!open->isSetter(better.steps[i])) continue;
+    Evidence shorter = better;
+    shorter.steps.erase(shorter.steps.begin() + static_cast<std::ptrdiff_t>(i));
+    if (check(goal, shorter, dating).empty()) better = std::move(shorter);
+  }
+  return better;
+}
+
+/// The search sets open variables before each step and back after it. Here they are set only when a
+/// step reads them, or when time may have to pass and could not as they are.
+Steps Witness::lazily(const Steps& steps) const {
+  Steps made;
+  StepLog log;
+  std::vector<Word> there = initialState(system); // as the search had it
+  std::vector<Word> here = there;
+  const auto urgent = [&](const std::vector<Word>& state) {
+    TransitionSet enabled;
+    enabling.compute(state.data(), enabled);
+    return enabling.isUrgent(enabled);
+  };
+  const auto take = [&](TransitionId id) {
+    made.push_back(id);
+    return fire(system, id, here.data(), log) == Outcome::Done;
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const TransitionId step = steps[i];
+    if (open->isSetter(step) && i + 1 < steps.size()) {
+      if (fire(system, step, there.data(), log) != Outcome::Done) return steps;
+    } else {
+      for (auto setter : open->between(here.data(), there.data(), open->readBy(step))) take(setter);
+      if (!take(step) || fire(system, step, there.data(), log) != Outcome::Done) return steps;
+    }
+    if (urgent(here) && !urgent(there))
+      for (auto setter : open->between(here.data(), there.data())) take(setter);
+  }
+  return made;
+}
+
 /// The steps with those of the dropped processes put in where they have to happen: at once.
-std::vector<TransitionId> Witness::completed(const Goal& goal,
-                                             const std::vector<TransitionId>& steps) const {
+Steps Witness::completed(const Goal& goal, const Steps& steps) const {
   if (dropped.empty()) return steps;
-  std::vector<TransitionId> all;
+  Steps made;
   std::vector<Word> state = initialState(system);
   StepLog log;
   const auto take = [&](TransitionId id) {
-    all.push_back(id);
+    made.push_back(id);
     return fire(system, id, state.data(), log) == Outcome::Done;
   };
   const auto settle = [&](bool alsoLater) {
@@ -67,7 +126,7 @@ std::vector<TransitionId> Witness::completed(const Goal& goal,
     if (!take(step)) return steps;
   }
   if (goal.kind == GoalKind::Deadlock) settle(true);
-  return all;
+  return made;
 }
 
 /// As frac names transitions; of a synchronisation the later member comes first.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "verify/dates.h"
 #include "verify/goals.h"
+#include "verify/open_variables.h"
 #include "verify/search.h"
 
 namespace proskill::verify {
@@ -8,23 +10,28 @@ namespace proskill::verify {
 /// Makes a trace of evidence: on the system with nothing reduced, with dates, replayed.
 class Witness {
 public:
-  /// \param whole the system with every cell kept \param dropped transitions that the search left
-  /// out
-  Witness(const System& whole, const Bits& dropped, const fiacre::Provenance& provenance);
+  /// \param whole the system with every cell kept \param reductions those that the search used
+  Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance);
 
   /// The trace, or why the evidence does not stand: a mistake of the engine.
   [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal, Evidence evidence) const;
 
 private:
-  [[nodiscard]] std::vector<TransitionId> completed(const Goal& goal,
-                                                    const std::vector<TransitionId>& steps) const;
+  [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
+                                  std::optional<Dating>& dating) const;
+  [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
+  [[nodiscard]] Steps lazily(const Steps& steps) const;
+  [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps) const;
   [[nodiscard]] std::string nameOf(TransitionId transition, const StepLog& log) const;
   [[nodiscard]] std::vector<fiacre::OriginId> tellingLast(const StepLog& log) const;
   [[nodiscard]] std::vector<Change> changes(const std::vector<Word>& before,
                                             const std::vector<Word>& after) const;
 
   const System& system;
+  Enabling enabling; ///< of what the search looked at
+  Enabling all;
   const Bits& dropped;
+  std::optional<OpenVariables> open; ///< as the search used them
   const fiacre::Provenance& provenance;
 };
 

@@ -49,11 +49,9 @@ const std::vector<std::pair<std::string, Options>>& settings() {
     made.emplace_back("all reductions", Options{});
     made.emplace_back("no reduction", Options{.reductions = {}});
     const std::vector<std::pair<std::string, Reduction>> names{
-        {"dead variables", Reduction::DeadVariables},
-        {"live variables", Reduction::LiveVariables},
-        {"safe steps", Reduction::SafeSteps},
-        {"inclusion", Reduction::Inclusion},
-        {"extrapolation", Reduction::Extrapolation}};
+        {"dead variables", Reduction::DeadVariables}, {"live variables", Reduction::LiveVariables},
+        {"open variables", Reduction::OpenVariables}, {"safe steps", Reduction::SafeSteps},
+        {"inclusion", Reduction::Inclusion},          {"extrapolation", Reduction::Extrapolation}};
     for (const auto& [name, reduction] : names) {
       made.emplace_back("without " + name, Options{});
       made.back().second.reductions.erase(reduction);

@@ -106,6 +106,71 @@ TEST_CASE("Safe steps: a cycle of them does not put others off for ever") {
   CHECK(model.reaches(2, "b"));
 }
 
+namespace {
+
+/// `weather` is set to 0, 1 or 2 at any time; it starts with 3, which nobody sets.
+Model weather() {
+  Model model;
+  model.variable("weather", range(0, 3), number(3)).variable("x", range(0, 3), number(0));
+  for (std::int64_t value = 0; value < 3; ++value) {
+    const std::string text = "to" + std::to_string(value);
+    model.channel(text);
+    model.add(process("event_" + text, {"a"},
+                      {from("a", {port(text), assign(name("weather"), number(value)), to("a")})}));
+  }
+  std::vector<fiacre::Statement> any;
+  for (std::int64_t value = 0; value < 3; ++value)
+    any.push_back(port("to" + std::to_string(value)));
+  model.add(process("environment", {"a"}, {from("a", {select(any), to("a")})}));
+  return model;
+}
+
+} // namespace
+
+TEST_CASE("Open variables: one value stands for all that the environment may set") {
+  Model model = weather();
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {on(equals(name("weather"), number(2))), to("b")}),
+                     from("b", {wait(1, 1), to("a")})}));
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, progress, {}) == 3 * 2 + 1);
+  CHECK(classes(model, progress, {Reduction::OpenVariables}) == 2 + 1);
+}
+
+TEST_CASE("Open variables: each value, and the first one, leads where it leads") {
+  Model model = weather();
+  std::vector<fiacre::Statement> choices;
+  for (std::int64_t value = 0; value <= 3; ++value)
+    choices.push_back(sequence({on(equals(name("weather"), number(value))), wait(0, 0),
+                                to("saw" + std::to_string(value))}));
+  model.add(process("p", {"a", "saw0", "saw1", "saw2", "saw3"}, {from("a", {select(choices)})}));
+  for (std::int64_t value = 0; value <= 3; ++value)
+    CHECK(model.reaches(5, "saw" + std::to_string(value)));
+}
+
+TEST_CASE("Open variables: time passes if it may for one of the values") {
+  Model model = weather();
+  model.add(process(
+      "p", {"a", "b", "c"},
+      {from("a", {select({sequence({now(), on(binary(fiacre::Op::Less, name("weather"), number(2))),
+                                    to("c")}),
+                          sequence({wait(3, 3), to("b")})})})}));
+  CHECK(model.reaches(5, "b"));
+  auto trace = model.answer(absentState(5, "b")).trace.value();
+  CHECK(trace.steps.size() == 1); // the weather may stay as it is
+}
+
+TEST_CASE("Open variables: a trace sets what it needs, and no more") {
+  Model model = weather();
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {wait(1, 1), to("b")}),
+                     from("b", {on(equals(name("weather"), number(1))), to("c")})}));
+  auto trace = model.answer(absentState(5, "c")).trace.value();
+  REQUIRE(trace.steps.size() == 3);
+  CHECK_THAT(trace.steps[0].transitions.at(0) + trace.steps[1].transitions.at(0),
+             Catch::Contains("event_to1"));
+}
+
 TEST_CASE("Inclusion: a smaller zone of the same state is not explored") {
   Model model;
   model.add(process(
