@@ -31,7 +31,7 @@ std::optional<Duration> Durations::of(ProcessId process) {
   busy[process] = true;
   std::optional<Duration> result;
   Date least = earliest(process)[system[process].graph->end];
-  if (least) result = Duration{*least, latestEnd(process)};
+  if (least) result = Duration{*least, latestExit(process)};
   busy[process] = false;
   known[process] = result;
   return result;
@@ -72,10 +72,10 @@ Duration Durations::ofCall(ProcessId process, NodeId node) {
 Duration Durations::ofFork(ProcessId process, NodeId node) {
   Duration all{{0, 1}, Rational{0, 1}};
   for (ProcessId branch : system[process].actions[node].branches) {
-    auto one = of(branch);
-    if (!one) continue; // it ends the whole skill, or never ends
-    all.least = std::max(all.least, one->least);
-    all.most = all.most && one->most ? Date(std::max(*all.most, *one->most)) : std::nullopt;
+    // One that ends the whole skill, or never ends, has no end of its own.
+    if (auto one = of(branch)) all.least = std::max(all.least, one->least);
+    Date last = latestExit(branch);
+    all.most = all.most && last ? Date(std::max(*all.most, *last)) : std::nullopt;
   }
   return all;
 }
@@ -123,8 +123,9 @@ std::vector<Durations::Date> Durations::earliest(ProcessId process) {
   return dates;
 }
 
-/// The longest way to the end; nothing where there is none that is longest.
-Durations::Date Durations::latestEnd(ProcessId process) {
+/// The longest way to the end, or to where a branch ends its skill; nothing where there is none
+/// that is longest.
+Durations::Date Durations::latestExit(ProcessId process) {
   const Graph& graph = *system[process].graph;
   auto reached = [&](NodeId node) { return solver.reachable(process, node); };
   if (!loopsOf(graph, reached).empty()) return std::nullopt;
@@ -144,7 +145,12 @@ Durations::Date Durations::latestEnd(ProcessId process) {
       }
     }
   }
-  return dates[graph.end];
+  Date last;
+  for (NodeId node = 0; node < graph.nodes.size(); ++node) {
+    bool exits = node == graph.end || graph[node].kind == NodeKind::Leave;
+    if (exits && dates[node]) last = std::max(last, dates[node]);
+  }
+  return last;
 }
 
 } // namespace proskill::analysis::flow

@@ -32,7 +32,7 @@ private:
   [[nodiscard]] bool mayEndEarly(ProcessId callee) const;
   [[nodiscard]] bool mayBeAwaited(ProcessId caller, ProcessId callee) const;
   std::vector<Date> earliest(ProcessId process);
-  [[nodiscard]] Date latestEnd(ProcessId process);
+  [[nodiscard]] Date latestExit(ProcessId process);
 
   const Solver& solver;
   const System& system;

@@ -104,8 +104,9 @@ Term Resolver::term(const Expr& expr, const Domain* beside, const Slots& slots) 
 
 Condition Resolver::compare(Comparison comparison, const Expr& left, const Expr& right,
                             const Slots& slots) const {
+  // The first that is a variable with words tells what the other word means.
   const Domain* leftWords = wordsOf(left);
-  const Domain* rightWords = wordsOf(right);
+  const Domain* rightWords = leftWords ? nullptr : wordsOf(right);
   Condition condition{.kind = Condition::Kind::Compare, .comparison = comparison};
   condition.terms = {term(left, rightWords, slots), term(right, leftWords, slots)};
   for (const Term& each : condition.terms) {

@@ -152,7 +152,6 @@ void Solver::step(ProcessId process, NodeId id) {
   const Node& node = (*model[process].graph)[id];
   const Action& action = model[process].actions[id];
   if (node.kind == NodeKind::Interrupt && action.target != kNoProcess) interrupt(process, id);
-  if (node.waits()) stopCallees(process, id);
   if (node.kind == NodeKind::Start && stopped[process]) stopBeforeStart(process);
   for (const Edge& edge : node.edges) {
     if (edge.stops) {
@@ -165,6 +164,7 @@ void Solver::step(ProcessId process, NodeId id) {
       flow(process, id, edge);
     }
   }
+  if (node.waits()) stopCallees(process, id);
 }
 
 void Solver::flow(ProcessId process, NodeId id, const Edge& edge) {
@@ -180,7 +180,9 @@ void Solver::flow(ProcessId process, NodeId id, const Edge& edge) {
       record(state, process, id);
       state = after(std::move(state), self, id);
     }
-    if (returns)
+    if (edge.target == kNoNode) {
+      if (self.repeats) enter(process, state);
+    } else if (returns)
       arrive(process, edge.target, std::move(state));
     else if (stoppedEnds[process].add(std::move(state)))
       announceEnd(process);
@@ -228,12 +230,15 @@ void Solver::stopCallees(ProcessId process, NodeId id) {
 void Solver::stopBeforeStart(ProcessId process) {
   const Process& self = model[process];
   if (self.kind != ProcessKind::Skill) return;
-  auto set = [&](VariableKind kind, std::int64_t to) {
+  State state = before(process, 0);
+  auto set = [&](VariableKind kind, unsigned to) {
     VariableId variable = model.variables().of(kind, self.definition);
-    record(before(process, 0), process, model.resolver().constant(variable, to, self.slots));
+    record(state, process, model.resolver().constant(variable, to, self.slots));
+    if (auto slot = self.slots.find(variable)) state.values[*slot] = ValueSet::of(to);
   };
-  set(VariableKind::Status, static_cast<std::int64_t>(Status::Interrupted));
+  set(VariableKind::Status, static_cast<unsigned>(Status::Interrupted));
   set(VariableKind::Result, 0);
+  if (self.repeats) enter(process, state);
 }
 
 void Solver::mark(std::vector<bool>& flags, ProcessId process) {
