@@ -199,7 +199,9 @@ void addVerify(CLI::App& app, int& exitCode) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, ShowTraces>{
           {"failed", ShowTraces::Failed}, {"all", ShowTraces::All}, {"none", ShowTraces::None}}));
   addColour(*command, arguments->colour);
-  command->add_option("--jobs", arguments->jobs, "Threads to explore with")
+  command
+      ->add_option("--jobs", arguments->jobs,
+                   "Threads to explore with; this version explores with one")
       ->check(CLI::Range(1U, 256U));
   command->add_option("--time-limit", arguments->timeLimit, "Seconds; what is open is inconclusive")
       ->check(CLI::PositiveNumber);
