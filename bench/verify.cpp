@@ -19,7 +19,7 @@ using namespace proskill::bench;
 
 namespace {
 
-constexpr double kLongest = 20; ///< seconds of one exploration, where it does not end before
+constexpr double kLongest = 10; ///< seconds of one exploration, where it does not end before
 
 codegen::Model modelOf(const std::string& text) {
   auto model = codegen::generate(test::programOfText(text));

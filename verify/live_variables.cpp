@@ -17,16 +17,34 @@ bool grow(Bits& set, const Bits& more) {
   return !(set == before);
 }
 
+void intersect(Bits& set, const Bits& other) {
+  Bits outside = set;
+  outside -= other;
+  set -= outside;
+}
+
 } // namespace
 
 LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
     : system(of), keyMask(of.storedWords), keys(of.storedWords) {
   for (const auto& goal : goals) addReads(system, goal.condition, always);
   for (const auto& instance : system.instances) always.insert(instance.location);
+  Bits used;
+  for (TransitionId i = 0; i < system.transitions.size(); ++i)
+    if (!dropped.contains(i))
+      for (auto part : system.transitions[i].parts) used.insert(part);
+  Bits allCells;
+  for (CellId i = 0; i < system.cells.size(); ++i) allCells.insert(i);
+  PathsOf paths(system.instances.size());
+  for (PathId i = 0; i < system.paths.size(); ++i) {
+    written.push_back(surelyWritten(system.paths[i], allCells));
+    if (used.contains(i)) paths[system.paths[i].instance].push_back(i);
+  }
   Bits tells;
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
-    findPlaces(i, dropped);
     tells.insert(system.instances[i].location);
+    findNeeded(paths, i);
+    findLive(paths[i], places[i]);
     for (const auto& place : places[i])
       for (auto node : place.needed) addReads(system, node, tells);
   }
@@ -36,54 +54,61 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
   });
 }
 
-void LiveVariables::findPlaces(InstanceId instance, const Bits& dropped) {
+/// The conditions that all paths of a location have in common, of one cell each.
+void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
   auto& all = places.emplace_back(system.instances[instance].locations.size());
-  std::vector<PathId> own;
-  for (TransitionId i = 0; i < system.transitions.size(); ++i)
-    for (auto part : system.transitions[i].parts)
-      if (!dropped.contains(i) && system.paths[part].instance == instance &&
-          std::ranges::find(own, part) == own.end())
-        own.push_back(part);
-  Bits allCells;
-  for (CellId i = 0; i < system.cells.size(); ++i) allCells.insert(i);
-  std::vector<std::map<std::uint32_t, Bits>> written;
-  for (auto id : own) written.push_back(surelyWritten(system.paths[id], allCells));
+  std::vector<std::optional<std::vector<NodeId>>> common(all.size());
+  for (auto id : paths[instance]) {
+    auto& needed = common[system.paths[id].location];
+    auto conjuncts = conjunctsOf(system, system.paths[id].guard);
+    if (!needed) needed = conjuncts;
+    std::erase_if(*needed, [&](NodeId node) {
+      Bits cells;
+      addReads(system, node, cells);
+      return cells.count() != 1 || std::ranges::find(conjuncts, node) == conjuncts.end();
+    });
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (common[i]) all[i].needed = *common[i];
+    findRewritten(paths, instance, all[i]);
+  }
+}
+
+void LiveVariables::findRewritten(const PathsOf& paths, InstanceId instance, Place& place) {
+  Bits conditions;
+  for (auto node : place.needed) addReads(system, node, conditions);
+  for (auto node : place.needed) {
+    Bits& cells = place.rewritten.emplace_back();
+    for (CellId i = 0; i < system.cells.size(); ++i) cells.insert(i);
+    cells -= conditions;
+    for (InstanceId other = 0; other < system.instances.size(); ++other)
+      for (auto id : paths[other])
+        if (other != instance && mayMakeTrue(system, system.paths[id], node))
+          for (const auto& [_, sure] : written[id]) intersect(cells, sure);
+  }
+}
+
+void LiveVariables::findLive(const std::vector<PathId>& own, std::vector<Place>& all) {
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      const Path& path = system.paths[own[i]];
-      Place& from = all[path.location];
+    for (auto id : own) {
+      const Path& path = system.paths[id];
       Bits live = path.guardReads;
       live |= path.reads;
       Bits later = path.writes;
-      for (const auto& [target, sure] : written[i]) {
-        Bits beyond = all[target].live;
+      for (const auto& [target, sure] : written[id]) {
+        const Place& next = all[target];
+        Bits beyond = next.live;
         beyond -= sure;
+        for (std::size_t i = 0; i < next.needed.size(); ++i)
+          if (makesFalse(system, path, sure, next.needed[i])) beyond -= next.rewritten[i];
         live |= beyond;
-        later |= all[target].later;
+        later |= next.later;
       }
-      changed = grow(from.live, live) || changed;
-      changed = grow(from.later, later) || changed;
+      changed = grow(all[path.location].live, live) || changed;
+      changed = grow(all[path.location].later, later) || changed;
     }
   }
-  std::vector<std::optional<std::vector<NodeId>>> common(all.size());
-  for (auto id : own) {
-    auto& needed = common[system.paths[id].location];
-    auto conjuncts = conjunctsOf(system, system.paths[id].guard);
-    if (needed)
-      std::erase_if(*needed, [&](NodeId node) {
-        return std::ranges::find(conjuncts, node) == conjuncts.end();
-      });
-    else
-      needed = conjuncts;
-  }
-  const auto isOfOneCell = [&](NodeId node) {
-    Bits cells;
-    addReads(system, node, cells);
-    return cells.count() == 1;
-  };
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (common[i]) std::ranges::copy_if(*common[i], std::back_inserter(all[i].needed), isOfOneCell);
 }
 
 void LiveVariables::clean(Word* state) const {
@@ -130,7 +155,11 @@ std::vector<Word> LiveVariables::maskOf(const Word* state) const {
   Bits live = always;
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
     auto location = static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
-    live |= needs[i].empty() ? places[i][location].live : needs[i];
+    const Place& place = places[i][location];
+    Bits own = needs[i].empty() ? place.live : needs[i];
+    for (std::size_t k = 0; k < place.needed.size() && needs[i].empty(); ++k)
+      if (!holds(system, place.needed[k], state)) own -= place.rewritten[k];
+    live |= own;
   }
   std::vector<Word> mask(system.storedWords);
   live.each([&](CellId id) {

@@ -3,6 +3,8 @@
 #include "verify/goals.h"
 #include "verify/store.h"
 
+#include <map>
+
 namespace proskill::verify {
 
 /// Gives one value to every variable that will be written before it is read again, so that states
@@ -22,16 +24,24 @@ private:
   struct Place {
     Bits live;                  ///< it may read them before it writes them
     Bits later;                 ///< it may write them, now or later
-    std::vector<NodeId> needed; ///< no path goes on where one of them is false
+    std::vector<NodeId> needed; ///< conditions on one cell each; no path goes on where one is false
+    /// By needed condition: what whoever makes it true surely writes, apart from cells of
+    /// conditions.
+    std::vector<Bits> rewritten;
   };
 
-  void findPlaces(InstanceId instance, const Bits& dropped);
+  using PathsOf = std::vector<std::vector<PathId>>; ///< by instance
+
+  void findNeeded(const PathsOf& paths, InstanceId instance);
+  void findRewritten(const PathsOf& paths, InstanceId instance, Place& place);
+  void findLive(const std::vector<PathId>& own, std::vector<Place>& all);
   [[nodiscard]] std::vector<Word> maskOf(const Word* state) const;
   [[nodiscard]] std::vector<Bits> frozenNeeds(const Word* state) const;
 
   const System& system;
-  std::vector<std::vector<Place>> places; ///< by instance and location
-  Bits always;                            ///< cells that goals look at, and locations
+  std::vector<std::vector<Place>> places;             ///< by instance and location
+  std::vector<std::map<std::uint32_t, Bits>> written; ///< by path: surelyWritten
+  Bits always;                                        ///< cells that goals look at, and locations
   std::vector<Word>
       keyMask; ///< the part of a state that tells which cells are dead: locations and needed cells
   mutable StateStore keys;

@@ -1,5 +1,10 @@
 #include "verify/path_facts.h"
 
+#include "verify/evaluate.h"
+#include "verify/nodes.h"
+
+#include <algorithm>
+
 namespace proskill::verify {
 
 std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCells) {
@@ -34,6 +39,27 @@ std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCel
     if (i + 1 < path.code.size()) meet(before[i + 1], written);
   }
   return atEnd;
+}
+
+bool mayMakeTrue(const System& system, const Path& path, NodeId condition) {
+  Bits cells;
+  addReads(system, condition, cells);
+  if (!path.writes.meets(cells)) return false;
+  if (cells.count() != 1) return true;
+  std::vector<Word> trial(system.words);
+  return std::ranges::any_of(path.assignments, [&](const Assignment& assignment) {
+    if (!cells.contains(assignment.target)) return false;
+    const Node& value = system.nodes[assignment.value];
+    if (value.op != NodeOp::Number) return true;
+    writeCell(system, assignment.target, value.number, trial.data());
+    return holds(system, condition, trial.data());
+  });
+}
+
+bool makesFalse(const System& system, const Path& path, const Bits& sure, NodeId condition) {
+  Bits cells;
+  addReads(system, condition, cells);
+  return cells.count() == 1 && sure.meets(cells) && !mayMakeTrue(system, path, condition);
 }
 
 } // namespace proskill::verify

@@ -3,6 +3,7 @@
 #include "verify/conjuncts.h"
 #include "verify/evaluate.h"
 #include "verify/nodes.h"
+#include "verify/path_facts.h"
 
 #include <algorithm>
 
@@ -70,30 +71,16 @@ void SafeSteps::findDependence(const Bits& dropped) {
   }
 }
 
-/// Those that can help a condition to become true. A transition that only ever writes constants to
-/// the one cell that the condition reads helps only if one of them makes it true.
-TransitionSet SafeSteps::helpersOf(NodeId node, const Bits& dropped) const {
-  Bits cells;
-  addReads(system, node, cells);
-  std::vector<Word> trial(system.words);
-  const auto mayMakeTrue = [&](const Path& path) {
-    if (!path.writes.meets(cells)) return false;
-    if (cells.count() != 1) return true;
-    return std::ranges::any_of(path.assignments, [&](const Assignment& assignment) {
-      if (!cells.contains(assignment.target)) return false;
-      const Node& value = system.nodes[assignment.value];
-      if (value.op != NodeOp::Number) return true;
-      writeCell(system, assignment.target, value.number, trial.data());
-      return holds(system, node, trial.data());
-    });
-  };
-  TransitionSet helpers = none;
+/// Those that can help a condition to become true.
+const TransitionSet& SafeSteps::helpersOf(NodeId node, const Bits& dropped) {
+  auto [entry, isNew] = helpers.try_emplace(node, none);
+  if (!isNew) return entry->second;
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
     if (!dropped.contains(i) && std::ranges::any_of(system.transitions[i].parts, [&](PathId part) {
-          return mayMakeTrue(system.paths[part]);
+          return mayMakeTrue(system, system.paths[part], node);
         }))
-      insert(helpers, i);
-  return helpers;
+      insert(entry->second, i);
+  return entry->second;
 }
 
 void SafeSteps::findNeeds(const Bits& dropped) {
@@ -105,7 +92,7 @@ void SafeSteps::findNeeds(const Bits& dropped) {
     if (dropped.contains(i)) continue;
     for (auto part : transition.parts)
       for (auto node : conjunctsOf(system, system.paths[part].guard))
-        made.conditions.push_back({node, helpersOf(node, dropped)});
+        made.conditions.push_back({node, &helpersOf(node, dropped)});
     if (!made.tentative) continue;
     made.anyHelper = none;
     for (TransitionId j = 0; j < system.transitions.size(); ++j)
@@ -115,29 +102,39 @@ void SafeSteps::findNeeds(const Bits& dropped) {
 }
 
 void SafeSteps::findWays(const Bits& dropped) {
-  for (InstanceId instance = 0; instance < system.instances.size(); ++instance) {
-    const auto count = system.instances[instance].locations.size();
-    struct Move {
-      TransitionId transition;
-      std::uint32_t from;
-      std::uint32_t to;
-    };
-    std::vector<Move> moves;
-    std::vector<Bits> reached(count);
-    for (std::uint32_t i = 0; i < count; ++i) reached[i].insert(i);
-    for (TransitionId i = 0; i < system.transitions.size(); ++i)
-      for (auto part : system.transitions[i].parts)
-        for (const auto& instruction : system.paths[part].code)
-          if (!dropped.contains(i) && system.paths[part].instance == instance &&
-              instruction.kind == InstructionKind::To)
-            moves.push_back({i, system.paths[part].location, instruction.last});
-    for (std::size_t round = 0; round < count; ++round)
-      for (const auto& move : moves) reached[move.from] |= Bits(reached[move.to]);
-    auto& all = ways.emplace_back(count, std::vector<TransitionSet>(count, none));
-    for (const auto& move : moves)
-      reached[move.to].each(
-          [&](std::uint32_t target) { insert(all[move.from][target], move.transition); });
+  for (const auto& instance : system.instances) {
+    moves.emplace_back(instance.locations.size());
+    auto& all = reached.emplace_back(instance.locations.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i].insert(i);
   }
+  for (TransitionId i = 0; i < system.transitions.size(); ++i)
+    for (auto part : system.transitions[i].parts) {
+      const Path& path = system.paths[part];
+      for (const auto& instruction : path.code)
+        if (instruction.kind == InstructionKind::To && !dropped.contains(i))
+          moves[path.instance][path.location].push_back({i, instruction.last});
+    }
+  for (InstanceId instance = 0; instance < system.instances.size(); ++instance) {
+    auto& all = reached[instance];
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t from = all.size(); from-- > 0;) {
+        const Bits before = all[from];
+        for (const auto& move : moves[instance][from]) all[from] |= Bits(all[move.to]);
+        changed = changed || !(all[from] == before);
+      }
+    }
+  }
+}
+
+/// The transitions by which an instance may leave where it is for the target in the end.
+const TransitionSet& SafeSteps::waysTo(InstanceId instance, std::uint32_t from,
+                                       std::uint32_t target) const {
+  auto [entry, isNew] = ways.try_emplace({instance, from, target}, none);
+  if (isNew)
+    for (const auto& move : moves[instance][from])
+      if (reached[instance][move.to].contains(target)) insert(entry->second, move.transition);
+  return entry->second;
 }
 
 /// Urgent transitions that no goal sees, that start or stop no clock of another process by what
@@ -238,10 +235,15 @@ const TransitionSet* SafeSteps::reasonFor(TransitionId transition, const Word* s
   for (const auto& [instance, location] : needed.locations) {
     auto now =
         static_cast<std::uint32_t>(readCell(system, system.instances[instance].location, state));
-    if (now != location) consider(ways[instance][now][location]);
+    if (now == location) continue;
+    const bool all = std::ranges::all_of(moves[instance][now], [&](const Move& move) {
+      return contains(stubborn, move.transition);
+    });
+    if (all) return &none; // whatever the instance does next is in the set
+    consider(waysTo(instance, now, location));
   }
   for (const auto& condition : needed.conditions)
-    if (!holds(system, condition.node, state)) consider(condition.helpers);
+    if (!holds(system, condition.node, state)) consider(*condition.helpers);
   if (needed.tentative) consider(needed.anyHelper);
   return best;
 }

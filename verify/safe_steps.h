@@ -3,6 +3,9 @@
 #include "verify/enabled.h"
 #include "verify/goals.h"
 
+#include <map>
+#include <tuple>
+
 namespace proskill::verify {
 
 /// Partial order reduction by stubborn sets of which one transition is enabled: an urgent one that
@@ -21,7 +24,7 @@ private:
   /// A condition of a guard, and who may make it true.
   struct Condition {
     NodeId node = 0;
-    TransitionSet helpers;
+    const TransitionSet* helpers = nullptr;
   };
 
   /// What has to be known of a transition to tell why it is disabled.
@@ -36,7 +39,9 @@ private:
   void findCandidates(const std::vector<Goal>& goals, const Bits& dropped);
   void findNeeds(const Bits& dropped);
   void findWays(const Bits& dropped);
-  [[nodiscard]] TransitionSet helpersOf(NodeId node, const Bits& dropped) const;
+  const TransitionSet& helpersOf(NodeId node, const Bits& dropped);
+  [[nodiscard]] const TransitionSet& waysTo(InstanceId instance, std::uint32_t from,
+                                            std::uint32_t target) const;
   [[nodiscard]] bool isStubbornAlone(TransitionId transition, const Word* state,
                                      const TransitionSet& enabled) const;
   [[nodiscard]] const TransitionSet* reasonFor(TransitionId transition, const Word* state,
@@ -48,9 +53,15 @@ private:
   TransitionSet candidates;             ///< that may ever be safe
   std::vector<TransitionSet> dependent; ///< by candidate
   std::vector<Needs> needs;             ///< by transition
-  /// By instance, location and target: the transitions by which the instance may leave for the
-  /// target in the end.
-  std::vector<std::vector<std::vector<TransitionSet>>> ways;
+  std::map<NodeId, TransitionSet> helpers;
+
+  struct Move {
+    TransitionId transition;
+    std::uint32_t to;
+  };
+  std::vector<std::vector<std::vector<Move>>> moves; ///< by instance and location
+  std::vector<std::vector<Bits>> reached;            ///< by instance and location: locations
+  mutable std::map<std::tuple<InstanceId, std::uint32_t, std::uint32_t>, TransitionSet> ways;
 };
 
 } // namespace proskill::verify
