@@ -89,8 +89,8 @@ void Names::reportGlobal(Code code, const Name& name, const Suggestion& suggesti
 }
 
 void Names::offerAll(Suggestion& suggestion, SymbolKind kind, SymbolId owner) const {
-  for (const Symbol& symbol : context.symbols.all())
-    if (symbol.kind == kind && symbol.owner == owner) suggestion.offer(symbol.name);
+  for (SymbolId member : context.symbols.members(kind, owner))
+    suggestion.offer(context.symbols[member].name);
 }
 
 void Names::useResult(const Name& tag, SymbolId skill) {

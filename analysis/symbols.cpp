@@ -62,6 +62,12 @@ SymbolId SymbolTable::find(SymbolKind kind, std::string_view name, SymbolId owne
   return found == byName.end() ? kNoSymbol : found->second;
 }
 
+std::span<const SymbolId> SymbolTable::members(SymbolKind kind, SymbolId owner) const {
+  auto found = byPlace.find({kind, owner, {}});
+  if (found == byPlace.end()) return {};
+  return found->second;
+}
+
 SymbolId SymbolTable::findResult(std::string_view tag, SymbolId skill) const {
   for (SymbolKind kind : {SymbolKind::SuccessTag, SymbolKind::FailureTag, SymbolKind::InvariantTag})
     if (SymbolId found = find(kind, tag, skill); found != kNoSymbol) return found;
@@ -80,6 +86,7 @@ SymbolId SymbolTable::define(Symbol symbol) {
     auto [place, isNew] = byName.try_emplace({symbol.kind, symbol.owner, symbol.name}, id);
     if (!isNew) twice.push_back({place->second, id});
   }
+  byPlace[{symbol.kind, symbol.owner, {}}].push_back(id);
   symbols.push_back(symbol);
   return id;
 }

@@ -64,6 +64,8 @@ public:
   [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols[id]; }
   [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name,
                               SymbolId owner = kNoSymbol) const;
+  /// All of a kind and an owner, in the order of the program, second ones of a name included.
+  [[nodiscard]] std::span<const SymbolId> members(SymbolKind kind, SymbolId owner) const;
   /// What may follow `skill.res`: an outcome's tag, or that of an invariant that failed.
   [[nodiscard]] SymbolId findResult(std::string_view tag, SymbolId skill) const;
   /// All labels of a name, whatever the skill that they stand in.
@@ -98,6 +100,7 @@ private:
   std::vector<Symbol> symbols;
   std::vector<SymbolId> definitions[kTopLevelKinds];
   std::unordered_map<Key, SymbolId, Hash> byName;
+  std::unordered_map<Key, std::vector<SymbolId>, Hash> byPlace; ///< without a name
   std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
   std::vector<Duplicate> twice;
 };

@@ -70,7 +70,7 @@ std::size_t characterLength(std::string_view text) {
 }
 
 DisplayedLine::DisplayedLine(std::string_view line) {
-  const Utf8Locale locale;
+  static const Utf8Locale locale; // slow to make
   std::size_t column = 0;
   columns.reserve(line.size() + 1);
   while (!line.empty()) {
