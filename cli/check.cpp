@@ -3,7 +3,9 @@
 #include "cli/check_report.h"
 #include "cli/choice.h"
 #include "cli/disk.h"
+#include "cli/fix.h"
 #include "cli/render.h"
+#include "cli/settings.h"
 
 #include <algorithm>
 #include <iostream>
@@ -27,6 +29,8 @@ struct Arguments {
   Format format = Format::Text;
   ColourChoice colour = ColourChoice::Auto;
   bool fragment = false;
+  bool fix = false;
+  bool style = false;
 };
 
 /// The programs of the files given. One that another one includes is seen in that one's context.
@@ -51,16 +55,19 @@ public:
     return true;
   }
 
-  std::vector<CheckedProgram> check() && {
+  std::vector<CheckedProgram> check() {
     for (std::size_t i = 0; i < roots.size(); ++i) roots[i].included = includedByOther(i);
     std::vector<CheckedProgram> checked;
     for (Root& root : roots) {
       if (root.included) continue;
-      auto diagnostics = analysis::check(root.program);
+      auto diagnostics = analysis::flow::inspect(root.program, settings(root.canonical));
       checked.push_back({std::move(root.program), std::move(diagnostics)});
     }
     return checked;
   }
+
+  /// A file of settings was read and understood, wherever there was one.
+  [[nodiscard]] bool understood() const { return !mistaken; }
 
 private:
   struct Root {
@@ -69,6 +76,15 @@ private:
     analysis::Program program;
     bool included = false;
   };
+
+  analysis::flow::Settings settings(const fs::path& root) {
+    auto found = settingsFor(root);
+    if (!found) std::cerr << "error: " << found.error() << '\n';
+    mistaken |= !found;
+    auto result = found.value_or(analysis::flow::Settings{});
+    result.style |= arguments.style;
+    return result;
+  }
 
   /// Of two files that include each other the later one stays.
   [[nodiscard]] bool includedByOther(std::size_t i) const {
@@ -80,6 +96,7 @@ private:
   const Arguments& arguments;
   DiskFileSystem disk;
   std::vector<Root> roots;
+  bool mistaken = false;
 };
 
 /// What two programs share is told once.
@@ -120,12 +137,32 @@ void write(const Arguments& arguments, const std::vector<CheckedProgram>& progra
   }
 }
 
-int run(const Arguments& arguments) {
+/// \return all files could be read
+bool load(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
   Loader loader(arguments);
   bool readable = true;
   for (const std::string& file : arguments.files) readable &= loader.add(file);
-  auto programs = std::move(loader).check();
+  programs = loader.check();
   if (programs.size() > 1) removeRepeated(programs);
+  return readable && loader.understood();
+}
+
+/// Mends what can be mended, and looks again. \return all files could be read and written
+bool fix(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
+  auto fixed = applyFixes(programs);
+  if (!fixed) {
+    std::cerr << "error: " << fixed.error() << '\n';
+    return false;
+  }
+  std::cerr << "fixed " << counted(fixed->findings, "finding") << " in "
+            << counted(fixed->files, "file") << '\n';
+  return fixed->findings == 0 || load(arguments, programs);
+}
+
+int run(const Arguments& arguments) {
+  std::vector<CheckedProgram> programs;
+  bool readable = load(arguments, programs);
+  if (readable && arguments.fix) readable = fix(arguments, programs);
   write(arguments, programs);
   std::cout.flush();
   if (!std::cout) {
@@ -153,6 +190,9 @@ void addCheck(CLI::App& app, int& exitCode) {
                     "How findings are printed");
   command->add_flag("--fragment", arguments->fragment,
                     "The files are parts of programs: names defined elsewhere are only hints");
+  command->add_flag("--style", arguments->style, "Tell hints of style too");
+  command->add_flag("--fix", arguments->fix,
+                    "Mend in the files what one edit mends; report the rest");
   addColour(*command, arguments->colour);
   command->footer("Exit code: 0 clean, or hints alone; 1 errors or warnings; 2 a mistake in the "
                   "command, or a file that cannot be read.");

@@ -11,6 +11,7 @@ void checkInterrupts(Report& report) {
     if (each.kind != NodeKind::Interrupt || target == kNoProcess) return;
     const System& system = report.system();
     if (!system.skill(system[target]).interrupt) return; // PS0424 has said so
+    if (!report.solver.started(target)) return;          // why nobody calls it is told there
     VariableId running = report.variables().of(VariableKind::Running, system[target].definition);
     auto slot = process.slots.find(running);
     if (!slot || report.solver.before(id, node).values[*slot].contains(1)) return;

@@ -16,6 +16,7 @@ using syntax::Code;
 /// All that an assignment of the text may do, over all the nodes that make it.
 struct Assigned {
   VariableId variable = 0;
+  std::size_t order = 0; ///< in which the program comes to them
   Location at;
   const syntax::Effect* effect = nullptr;
   bool byEvent = false;
@@ -35,9 +36,12 @@ public:
     forEachReachedNode(report, [this](ProcessId id, const Process& process, NodeId node,
                                       const Node& each) { visit(id, process, node, each); });
     if (report.system().hasFreeEvents()) visitEvents();
-    for (const auto& [key, assigned] : found) {
-      if (!assigned.forbidden.empty()) reportForbidden(assigned);
-      if (assigned.fallsShort || assigned.overshoots) reportRange(assigned);
+    std::vector<const Assigned*> inOrder;
+    for (const auto& [key, assigned] : found) inOrder.push_back(&assigned);
+    std::ranges::sort(inOrder, {}, &Assigned::order);
+    for (const Assigned* assigned : inOrder) {
+      if (!assigned->forbidden.empty() && !follows(*assigned)) reportForbidden(*assigned);
+      if (assigned->fallsShort || assigned->overshoots) reportRange(*assigned);
     }
   }
 
@@ -81,7 +85,7 @@ private:
   void note(std::pair<const void*, VariableId> key, const Assignment& assignment,
             const State& state, Location at, bool byEvent) {
     const Variable& variable = report.variables()[assignment.variable];
-    Assigned& here = found[key];
+    Assigned& here = found.try_emplace(key, Assigned{.order = found.size()}).first->second;
     here.variable = assignment.variable;
     here.at = at;
     here.effect = assignment.source;
@@ -100,7 +104,18 @@ private:
     here.broken = here.broken - here.clean;
   }
 
+  /// A certain mistake explains those that come of it, and the others from the same values.
+  bool follows(const Assigned& it) {
+    if (it.from != it.broken) return false;
+    ValueSet& known = explained[it.variable];
+    bool toldBefore = it.from.within(known);
+    known |= it.from;
+    for (const auto& [index, targets] : it.forbidden) known |= targets;
+    return toldBefore;
+  }
+
   void reportForbidden(const Assigned& it) {
+    report.told.insert(it.variable);
     ValueSet from;
     ValueSet to;
     for (const auto& [index, targets] : it.forbidden) from |= ValueSet::of(index), to |= targets;
@@ -143,6 +158,7 @@ private:
   Report& report;
   Origins origins;
   std::map<std::pair<const void*, VariableId>, Assigned> found;
+  std::map<VariableId, ValueSet> explained; ///< values whose wrong moves have been told
 };
 
 } // namespace

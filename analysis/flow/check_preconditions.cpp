@@ -64,7 +64,7 @@ private:
     for (const auto& each : skill->preconditions) parts.push_back({each.tag, each.range});
     if (reportConflict(report, Code::ContradictoryPreconditions, skill, parts,
                        unknown(report, process), process.actions[0].conditions))
-      contradictory.insert(report.system().ofSkill(index));
+      contradictory.insert(report.system().ofSkill(index)), blameSkill(report, index);
   }
 
   void checkCall(ProcessId id, NodeId nodeId, const Node& node) {
@@ -80,7 +80,7 @@ private:
       entry.join(one);
     }
     report.explain(id, nodeId);
-    refusedAlways.insert({id, nodeId});
+    blameSkill(report, callee.definition);
     if (contradictory.contains(target)) return;
     const auto& skill = report.program.skills.all[callee.definition];
     const syntax::Precondition& precondition = skill->preconditions[conflict];
@@ -94,7 +94,6 @@ private:
 
   Report& report;
   std::set<ProcessId> contradictory;
-  std::set<std::pair<ProcessId, NodeId>> refusedAlways;
 };
 
 /// Guards that exclude each other, or that the skill's own start makes false.

@@ -82,7 +82,7 @@ private:
 
   void reportNever(std::size_t resource, std::size_t holder, std::size_t wanter, Location call) {
     const auto& skills = report.program.skills.all;
-    if (!told.insert({resource, call.file, call.range.begin}).second) return;
+    if (!never.insert({resource, holder}).second) return;
     report.findings
         .report(Code::ResourceHeldByCaller, call, report.program.resources.all[resource].name(),
                 skills[wanter].name(), skills[holder].name())
@@ -115,6 +115,7 @@ private:
   std::vector<std::vector<std::size_t>> needs; ///< of each skill
   std::vector<Nesting> nestings;
   std::set<std::tuple<std::size_t, FileId, syntax::Offset>> told;
+  std::set<std::pair<std::size_t, std::size_t>> never; ///< resource and holder
 };
 
 } // namespace

@@ -29,6 +29,7 @@ void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
   bool always = !report.solver.mayFail(id, nodeId, conditions.front());
   if (!never && !always) return;
   report.explain(id, nodeId);
+  if (isBlamed(report, process, conditions)) return;
   bool loops = node.statement->kind == StatementKind::While;
   Code code = always  ? Code::TestAlwaysHolds
               : loops ? Code::LoopNeverEntered

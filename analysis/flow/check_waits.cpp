@@ -15,6 +15,7 @@ void checkWait(Report& report, ProcessId id, NodeId nodeId) {
   Location at = report.system().at(process, node.statement->condition.range);
   if (!report.solver.mayHold(id, nodeId, conditions.front())) {
     report.explain(id, nodeId);
+    if (isBlamed(report, process, conditions)) return;
     Finding finding = report.findings.report(syntax::Code::WaitNeverEnds, at);
     addValues(finding, report, process, before, conditions);
   } else if (!report.solver.mayFail(id, nodeId, conditions.front()) &&

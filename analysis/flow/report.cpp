@@ -1,5 +1,6 @@
 #include "analysis/flow/report.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace proskill::analysis::flow {
@@ -23,6 +24,19 @@ void collectSlots(const Condition& condition, std::set<Slot>& slots) {
   if (condition.kind == Condition::Kind::Member) slots.insert(condition.slot);
   slots.insert(condition.slots.begin(), condition.slots.end());
   for (const Condition& operand : condition.operands) collectSlots(operand, slots);
+}
+
+void blameSkill(Report& report, std::size_t skill) {
+  for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
+    report.blamed.insert(report.variables().of(kind, skill));
+}
+
+bool isBlamed(const Report& report, const Process& process,
+              const std::vector<Condition>& conditions) {
+  std::set<Slot> slots;
+  for (const Condition& condition : conditions) collectSlots(condition, slots);
+  return std::ranges::any_of(
+      slots, [&](Slot slot) { return report.blamed.contains(process.slots[slot]); });
 }
 
 void addValues(Finding& finding, Report& report, const Process& process, const State& state,

@@ -21,6 +21,8 @@ struct Report {
   std::set<std::pair<ProcessId, NodeId>> explained{};
   /// Variables whose values have been told already.
   std::set<VariableId> told{};
+  /// Statuses and results of skills of which it was told that they cannot start.
+  std::set<VariableId> blamed{};
 
   [[nodiscard]] const System& system() const { return solver.system(); }
   [[nodiscard]] const Variables& variables() const { return solver.system().variables(); }
@@ -43,6 +45,12 @@ void addValues(Finding& finding, Report& report, const Process& process, const S
 
 /// The variables that a condition reads.
 void collectSlots(const Condition& condition, std::set<Slot>& slots);
+
+/// What is said about a skill that cannot start also explains its status and its result.
+void blameSkill(Report& report, std::size_t skill);
+/// Some variable of the conditions has been blamed.
+[[nodiscard]] bool isBlamed(const Report& report, const Process& process,
+                            const std::vector<Condition>& conditions);
 
 /// Calls `visit(id, process, nodeId, node)` for each node of each process that somebody starts.
 template <class Visit> void forEachNode(const Report& report, Visit&& visit) {

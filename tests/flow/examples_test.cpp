@@ -1,6 +1,6 @@
 #include "tests/flow/analysed.h"
 
-#include "analysis/flow/flow.h"
+#include "analysis/flow/inspect.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@ using namespace proskill;
 
 namespace {
 
-bool isOfFlow(const syntax::CodeInfo& info) { return info.id >= "PS0500" && info.id < "PS1200"; }
+bool isOfFlow(const syntax::CodeInfo& info) { return info.id >= "PS0500" && info.id < "PS1300"; }
 
 } // namespace
 
@@ -25,7 +25,7 @@ TEST_CASE(
       INFO(each.message);
       CHECK(each.severity != syntax::Severity::Error);
     }
-    auto found = analysis::flow::checkFlow(program, analysis.index);
+    auto found = analysis::flow::inspect(program, analysis, {.style = true});
     CHECK(std::ranges::count(found, info.code, &syntax::Diagnostic::code) == 1);
     for (const auto& each : found) {
       INFO(syntax::info(each.code).id << ": " << each.message);

@@ -1,0 +1,51 @@
+#include "analysis/flow/inspect.h"
+
+#include "analysis/findings.h"
+#include "analysis/flow/flow.h"
+#include "analysis/flow/ignores.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Diagnostic;
+using syntax::Severity;
+
+bool isError(const Diagnostic& diagnostic) { return diagnostic.severity == Severity::Error; }
+
+bool isStyle(const Diagnostic& diagnostic) {
+  return syntax::info(diagnostic.code).id.starts_with("PS11");
+}
+
+bool isFatal(const Diagnostic& diagnostic) {
+  return isError(diagnostic) && syntax::info(diagnostic.code).id < "PS0500";
+}
+
+/// \return it is told
+bool weigh(Diagnostic& diagnostic, const Settings& settings) {
+  auto found = settings.severities.find(diagnostic.code);
+  if (found == settings.severities.end()) return settings.style || !isStyle(diagnostic);
+  if (isFatal(diagnostic)) return true;
+  if (found->second) diagnostic.severity = *found->second;
+  return found->second.has_value();
+}
+
+} // namespace
+
+std::vector<Diagnostic> inspect(const Program& program, const Analysis& analysis,
+                                const Settings& settings) {
+  std::vector<Diagnostic> all = analysis.diagnostics;
+  if (program.extent == Extent::Whole && std::ranges::none_of(all, isError))
+    std::ranges::move(checkFlow(program, analysis.index), std::back_inserter(all));
+  std::erase_if(all, [&](Diagnostic& each) { return !weigh(each, settings); });
+  return withoutIgnored(program, std::move(all));
+}
+
+std::vector<Diagnostic> inspect(const Program& program, const Settings& settings) {
+  return inspect(program, analyse(program), settings);
+}
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "analysis/index.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+/// How findings are weighed.
+struct Settings {
+  /// Instead of the severity of the table; nothing: not told at all. Errors of form, names and
+  /// types stay what they are.
+  std::map<syntax::Code, std::optional<syntax::Severity>> severities;
+  bool style = false; ///< tell the hints of PS11xx too, where `severities` does not say
+};
+
+/// Everything that can be said about a program: what `check` says and, where that has no errors and
+/// the program is whole, what its flow tells; weighed as `settings` say, without what comments ask
+/// to ignore, in the order of the files.
+[[nodiscard]] std::vector<syntax::Diagnostic>
+inspect(const Program& program, const Analysis& analysis, const Settings& settings = {});
+[[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
+                                                      const Settings& settings = {});
+
+} // namespace proskill::analysis::flow

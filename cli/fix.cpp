@@ -1,0 +1,65 @@
+#include "cli/fix.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <vector>
+
+namespace proskill::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Edit {
+  syntax::Range range;
+  std::string text;
+};
+
+struct Edited {
+  const std::string* before = nullptr;
+  std::vector<Edit> edits;
+};
+
+bool isForPerson(const syntax::Diagnostic& diagnostic) {
+  return syntax::info(diagnostic.code).id.starts_with("PS05");
+}
+
+bool touch(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
+
+std::string apply(const Edited& file) {
+  std::string text = *file.before;
+  for (auto edit = file.edits.rbegin(); edit != file.edits.rend(); ++edit)
+    text.replace(edit->range.begin, edit->range.length(), edit->text);
+  return text;
+}
+
+} // namespace
+
+std::expected<FixCount, std::string> applyFixes(std::span<const CheckedProgram> programs) {
+  std::map<fs::path, Edited> files;
+  FixCount count;
+  for (const CheckedProgram& checked : programs)
+    for (const syntax::Diagnostic& diagnostic : checked.diagnostics) {
+      if (diagnostic.fixes.size() != 1 || isForPerson(diagnostic)) continue;
+      const syntax::Fix& fix = diagnostic.fixes.front();
+      const analysis::File& file = checked.program.files[fix.location.file];
+      Edited& edited = files[file.path];
+      edited.before = &file.document.text();
+      auto clashes = [&](const Edit& other) { return touch(other.range, fix.location.range); };
+      if (std::ranges::any_of(edited.edits, clashes)) continue;
+      edited.edits.push_back({fix.location.range, fix.text});
+      ++count.findings;
+    }
+  for (auto& [path, edited] : files) {
+    std::ranges::sort(edited.edits, {}, [](const Edit& edit) { return edit.range.begin; });
+    std::ofstream out(path, std::ios::binary | std::ios::trunc);
+    out << apply(edited);
+    out.close();
+    if (!out) return std::unexpected("cannot write `" + path.generic_string() + "`");
+    ++count.files;
+  }
+  return count;
+}
+
+} // namespace proskill::cli
