@@ -8,6 +8,7 @@
 #include "cli/emit.h"
 #include "cli/explain.h"
 #include "cli/graph.h"
+#include "cli/lsp.h"
 #include "cli/verify.h"
 
 #include <CLI/CLI.hpp>
@@ -64,7 +65,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
   app.failure_message(failureMessage);
-  for (auto add : {addCheck, addEmit, addExplain, addGraph, addVerify}) add(app, exitCode);
+  for (auto add : {addCheck, addEmit, addExplain, addGraph, addLsp, addVerify}) add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknown(app, word);
   try {

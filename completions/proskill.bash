@@ -8,7 +8,7 @@ _proskill_values() {
     'graph --format') echo 'dot svg png' ;;
     'graph --kind') echo 'sv skill body calls' ;;
     'verify --traces') echo 'failed all none' ;;
-    'verify --reduce') echo 'all none dead-variables live-variables safe-steps inclusion extrapolation' ;;
+    'verify --reduce') echo 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation' ;;
     'verify --graph') echo 'counts' ;;
     *' --sv-automata') echo 'exact paper' ;;
     *' --color') echo 'auto always never' ;;
@@ -17,13 +17,14 @@ _proskill_values() {
 
 _proskill_options() {
   case "$1" in
-    check) echo '--format --fragment --color --help' ;;
+    check) echo '--format --fragment --style --fix --color --help' ;;
     explain) echo '--list --markdown --color --help' ;;
     emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
             --class-limit --reduce --graph --strict --expanded --sv-automata --color --help' ;;
     graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
+    lsp) echo '--stdio --port --log --debounce --help' ;;
     *) echo '--help --version' ;;
   esac
 }
@@ -40,7 +41,7 @@ _proskill() {
   local command="${COMP_WORDS[1]}" words
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check explain emit verify graph $(_proskill_options)"
+    words="check explain emit verify graph lsp $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ "$previous" = --save-traces ] || [ "$previous" = --out-dir ]; then

@@ -22,11 +22,14 @@ complete -c proskill -n __fish_use_subcommand -a explain -d 'explain a code of a
 complete -c proskill -n __fish_use_subcommand -a emit -d 'print the model that a program means'
 complete -c proskill -n __fish_use_subcommand -a verify -d 'decide the properties of a program'
 complete -c proskill -n __fish_use_subcommand -a graph -d 'draw a part of a program'
+complete -c proskill -n __fish_use_subcommand -a lsp -d 'serve an editor'
 complete -c proskill -n '__fish_seen_subcommand_from check emit verify graph' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre hfiacre'
 
 __proskill_option check format 'how to print' -x -a 'text short json sarif'
 __proskill_option check fragment 'the files are parts of programs'
+__proskill_option check style 'hints of style too'
+__proskill_option check fix 'mend what one edit mends'
 __proskill_option explain list 'all codes, a line each'
 __proskill_option explain markdown 'all of them as a page'
 __proskill_option 'emit graph' output 'write there' -r
@@ -45,7 +48,7 @@ __proskill_option verify jobs threads -x
 __proskill_option verify time-limit seconds -x
 __proskill_option verify memory-limit MiB -x
 __proskill_option verify class-limit classes -x
-__proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables safe-steps inclusion extrapolation'
+__proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation'
 __proskill_option verify graph 'size of the graph of classes' -x -a counts
 __proskill_option verify strict 'warnings count'
 __proskill_option graph kind 'what to draw' -x -a 'sv skill body calls'
@@ -54,3 +57,7 @@ __proskill_option graph format 'how to print' -x -a 'dot svg png'
 __proskill_option graph dark 'for a dark page'
 __proskill_option graph forbidden 'forbidden moves, too'
 __proskill_option graph out-dir 'each picture into a file there' -x -a '(__fish_complete_directories)'
+__proskill_option lsp stdio 'standard input and output'
+__proskill_option lsp port 'of the loopback interface' -x
+__proskill_option lsp log 'a line for each request' -r
+__proskill_option lsp debounce 'milliseconds before diagnostics are sent' -x

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lsp/rpc.h"
+#include "lsp/scheduler.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -14,8 +15,12 @@ namespace proskill::lsp {
 
 /// The client has gone.
 struct EndOfStream {};
-/// Bytes that are no message; `id` as in MalformedMessage.
-using Incident = std::variant<Message, MalformedMessage, EndOfStream>;
+/// A message; of a request, the token that its cancellation sets from the moment it was read.
+struct Received {
+  Message message;
+  Cancellation cancellation;
+};
+using Incident = std::variant<Received, MalformedMessage, EndOfStream>;
 
 /// What waits for the main thread: from the reading thread, in order.
 class Inbox {

@@ -13,9 +13,11 @@ namespace proskill::lsp {
 /// cancellation, whichever comes first.
 class Pending {
 public:
-  Cancellation begin(const Json& id) {
+  /// The request's token; nothing where a request of the same identifier waits already.
+  std::optional<Cancellation> begin(const Json& id) {
     std::lock_guard lock(mutex);
-    return requests[id] = Cancellation();
+    auto [entry, isNew] = requests.try_emplace(id);
+    return isNew ? std::optional(entry->second) : std::nullopt;
   }
 
   /// Whether the request still waits for an answer; the caller gives it.

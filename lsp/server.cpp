@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <thread>
 
 namespace proskill::lsp {
@@ -58,53 +57,68 @@ int Server::run() {
   return phase == Phase::ShutDown ? 0 : 1;
 }
 
-/// Cancels on the spot: a cancellation must not wait behind what it cancels.
 void Server::readStream() {
   FrameReader frames;
   for (auto bytes = connection.read(); !bytes.empty(); bytes = connection.read()) {
     frames.feed(bytes);
-    while (auto next = frames.next()) {
-      if (const auto* error = std::get_if<FramingError>(&*next)) {
-        inbox.put(MalformedMessage{{ErrorCode::ParseError, error->message}, {}});
-        continue;
-      }
-      auto message = parseMessage(std::get<std::string>(*next));
-      if (!message) {
-        inbox.put(message.error());
-      } else if (message->method == "$/cancelRequest") {
-        auto id = idOf(message->params);
-        if (pending.cancel(id))
-          outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
-      } else {
-        if (message->kind == MessageKind::Request) pending.begin(message->id);
-        inbox.put(std::move(*message));
-      }
-    }
+    while (auto next = frames.next()) receive(*next);
   }
   inbox.put(EndOfStream{});
+}
+
+void Server::receive(const Frame& frame) {
+  if (const auto* error = std::get_if<FramingError>(&frame))
+    return inbox.put(MalformedMessage{{ErrorCode::ParseError, error->message}, {}});
+  auto message = parseMessage(std::get<std::string>(frame));
+  if (!message) return inbox.put(message.error());
+  receive(std::move(*message));
+}
+
+/// Cancels on the spot: a cancellation must not wait behind what it cancels.
+void Server::receive(Message message) {
+  if (message.kind == MessageKind::Notification && message.method == "$/cancelRequest") {
+    auto id = idOf(message.params);
+    if (pending.cancel(id)) outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
+    return;
+  }
+  if (message.kind != MessageKind::Request) return inbox.put(Received{std::move(message), {}});
+  auto cancellation = pending.begin(message.id);
+  if (!cancellation)
+    return inbox.put(
+        MalformedMessage{{ErrorCode::InvalidRequest, "`id` is that of a request that waits"},
+                         std::move(message.id)});
+  inbox.put(Received{std::move(message), std::move(*cancellation)});
 }
 
 /// False where the server's life ends here.
 bool Server::handle(Incident& incident) {
   if (std::holds_alternative<EndOfStream>(incident)) return false;
-  if (auto* message = std::get_if<Message>(&incident)) return handleMessage(*message);
+  if (auto* received = std::get_if<Received>(&incident)) return handleMessage(*received);
   const auto& malformed = std::get<MalformedMessage>(incident);
   log("malformed message: " + malformed.error.message);
   outbox.send(replyError(malformed.id, malformed.error));
   return true;
 }
 
-bool Server::handleMessage(Message& message) {
-  switch (message.kind) {
-  case MessageKind::Request: handleRequest(message); return true;
-  case MessageKind::Notification: return handleNotification(message);
-  case MessageKind::Response: return true; // to our registrations; nothing depends on them
+/// What a message does to this thread is that message's error, and nobody's end.
+bool Server::handleMessage(Received& received) {
+  auto& message = received.message;
+  try {
+    switch (message.kind) {
+    case MessageKind::Request: handleRequest(received); return true;
+    case MessageKind::Notification: return handleNotification(message);
+    case MessageKind::Response: return true; // to our registrations; nothing depends on them
+    }
+  } catch (const std::exception& error) {
+    failed(message.method, message.params, error);
+    if (pending.finish(message.id))
+      outbox.send(replyError(message.id, {ErrorCode::InternalError, error.what()}));
   }
-  assert(false);
   return true;
 }
 
-void Server::handleRequest(Message& message) {
+void Server::handleRequest(Received& received) {
+  const auto& message = received.message;
   auto refuse = [&](ErrorCode code, std::string why) {
     if (pending.finish(message.id)) outbox.send(replyError(message.id, {code, std::move(why)}));
   };
@@ -127,7 +141,7 @@ void Server::handleRequest(Message& message) {
   auto method = registry.methods.find(message.method);
   if (method == registry.methods.end())
     return refuse(ErrorCode::MethodNotFound, "there is no method " + message.method);
-  dispatch(message, method->second);
+  dispatch(received, method->second);
 }
 
 bool Server::handleNotification(const Message& message) {
@@ -195,11 +209,11 @@ void Server::initialized() {
   scheduleDiagnostics();
 }
 
-void Server::dispatch(Message& message, const Method& method) {
-  auto cancellation = pending.begin(message.id);
+void Server::dispatch(Received& received, const Method& method) {
   scheduler.post(method.priority,
-                 [this, message = std::move(message), &method, snapshot = workspace.snapshot(),
-                  cancellation] { answer(message, method, *snapshot, cancellation); });
+                 [this, received = std::move(received), &method, snapshot = workspace.snapshot()] {
+                   answer(received.message, method, *snapshot, received.cancellation);
+                 });
 }
 
 /// A bug in a handler is that request's error, and no other's.
@@ -211,8 +225,7 @@ void Server::answer(const Message& message, const Method& method, const ide::Sna
   try {
     result = method.handler({message.params, snapshot, client, cancellation});
   } catch (const std::exception& error) {
-    log(fmt::format("{} failed: {}; its parameters: {}", message.method, error.what(),
-                    message.params.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    failed(message.method, message.params, error);
     result = std::unexpected(RpcError{ErrorCode::InternalError, error.what()});
   }
   auto latency = std::chrono::steady_clock::now() - start;
@@ -235,20 +248,33 @@ void Server::pushDiagnostics() {
   auto snapshot = workspace.snapshot();
   std::map<std::filesystem::path, std::string> now;
   for (const auto& [path, text] : snapshot->open()) now[path] = text.uri;
-  for (const auto& [path, uri] : std::exchange(published, now))
-    if (!now.contains(path))
-      outbox.send(notification("textDocument/publishDiagnostics",
-                               {{"uri", uri}, {"diagnostics", Json::array()}}));
+  {
+    const std::lock_guard lock(publishing);
+    for (const auto& [path, uri] : std::exchange(published, now))
+      if (!now.contains(path))
+        outbox.send(notification("textDocument/publishDiagnostics",
+                                 {{"uri", uri}, {"diagnostics", Json::array()}}));
+  }
   for (const auto& [path, uri] : now)
-    scheduler.post(Priority::Background, [this, snapshot, path, asked = revision.load()] {
-      if (asked != revision) return;
-      const auto& text = snapshot->open().at(path);
-      auto list = diagnosticsOf(*snapshot, path, client);
-      if (asked != revision) return;
-      outbox.send(notification(
-          "textDocument/publishDiagnostics",
-          {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}}));
+    scheduler.post(Priority::Background, [this, snapshot, path = path, asked = revision.load()] {
+      publish(*snapshot, path, asked);
     });
+}
+
+void Server::publish(const ide::Snapshot& snapshot, const std::filesystem::path& path,
+                     std::uint64_t asked) {
+  if (asked != revision) return;
+  const auto& text = snapshot.open().at(path);
+  try {
+    auto list = diagnosticsOf(snapshot, path, client);
+    const std::lock_guard lock(publishing);
+    if (asked != revision) return;
+    outbox.send(notification(
+        "textDocument/publishDiagnostics",
+        {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}}));
+  } catch (const std::exception& error) {
+    failed("textDocument/publishDiagnostics", {{"uri", text.uri}}, error);
+  }
 }
 
 Json Server::status() const {
@@ -260,6 +286,12 @@ Json Server::status() const {
 
 void Server::log(std::string_view line) const {
   if (options.log) options.log(line);
+}
+
+void Server::failed(std::string_view method, const Json& params,
+                    const std::exception& error) const {
+  log(fmt::format("{} failed: {}; its parameters: {}", method, error.what(),
+                  params.dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
 void Server::showError(std::string_view message) {

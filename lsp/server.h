@@ -36,20 +36,25 @@ private:
   using Time = std::chrono::steady_clock::time_point;
 
   void readStream();
+  void receive(const Frame& frame);
+  void receive(Message message);
   bool handle(Incident& incident);
-  bool handleMessage(Message& message);
-  void handleRequest(Message& message);
+  bool handleMessage(Received& received);
+  void handleRequest(Received& received);
   bool handleNotification(const Message& message);
   void handleText(const Message& message);
   void handleWatchedFiles(const Json& params);
 
   Json initialize(const Json& params);
   void initialized();
-  void dispatch(Message& message, const Method& method);
+  void dispatch(Received& received, const Method& method);
   void answer(const Message& message, const Method& method, const ide::Snapshot& snapshot,
               const Cancellation& cancellation);
   void scheduleDiagnostics();
   void pushDiagnostics();
+  void publish(const ide::Snapshot& snapshot, const std::filesystem::path& path,
+               std::uint64_t asked);
+  void failed(std::string_view method, const Json& params, const std::exception& error) const;
   Json status() const;
   void log(std::string_view line) const;
   void showError(std::string_view message);
@@ -68,7 +73,8 @@ private:
   std::optional<Time> diagnosticsDue;
   std::map<std::filesystem::path, std::string> published; ///< paths with their client's URI
   std::atomic<std::uint64_t> revision{0};                 ///< of the texts
-  Scheduler scheduler; ///< last: its threads use all of the above
+  std::mutex publishing; ///< between a look at the revision and the sending
+  Scheduler scheduler;   ///< last: its threads use all of the above
 };
 
 } // namespace proskill::lsp

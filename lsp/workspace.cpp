@@ -29,6 +29,12 @@ std::optional<EditorPosition> editorPosition(const Json& json) {
   return EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
 }
 
+/// 0 where the client gives none: `null` is allowed.
+std::int64_t versionOf(const Json& document) {
+  auto found = document.find("version");
+  return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
+}
+
 /// The bytes that a change replaces; nothing where its range is none of the text.
 std::optional<syntax::Range> changedRange(const syntax::Document& document, const Json& range,
                                           Encoding encoding) {
@@ -66,9 +72,9 @@ Workspace::Outcome Workspace::open(const Json& params) {
   const auto& document = params["textDocument"];
   if (!document.contains("text") || !document["text"].is_string())
     return std::unexpected("`textDocument.text` is missing");
-  texts.insert_or_assign(*path, ide::OpenText{document["uri"].get<std::string>(),
-                                              document.value("version", std::int64_t{0}),
-                                              syntax::Document::parse(document["text"])});
+  texts.insert_or_assign(*path,
+                         ide::OpenText{document["uri"].get<std::string>(), versionOf(document),
+                                       syntax::Document::parse(document["text"])});
   refresh();
   return *path;
 }
@@ -81,7 +87,7 @@ Workspace::Outcome Workspace::change(const Json& params) {
   const auto& changes = params.contains("contentChanges") ? params["contentChanges"] : Json();
   auto applied = apply(*path, found->second, changes);
   if (applied)
-    found->second.version = params["textDocument"].value("version", std::int64_t{0});
+    found->second.version = versionOf(params["textDocument"]);
   else
     texts.erase(found);
   refresh();
@@ -112,19 +118,13 @@ void Workspace::readFiles(const std::vector<fs::path>& paths) {
     auto document = disk->document(path);
     if (!document) {
       known.erase(path);
-      includes.erase(path);
+      if (!texts.contains(path)) includes.erase(path);
       continue;
     }
     known.insert(path);
-    noteIncludes(path, *document);
+    if (!texts.contains(path)) noteIncludes(path, *document);
   }
   // Whatever was analysed with the file's old text is out of date: nothing is taken over.
-  current = std::make_shared<ide::Snapshot>(disk, texts, includes);
-}
-
-void Workspace::forgetFile(const fs::path& path) {
-  known.erase(path);
-  includes.erase(path);
   current = std::make_shared<ide::Snapshot>(disk, texts, includes);
 }
 

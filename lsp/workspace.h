@@ -27,7 +27,6 @@ public:
 
   /// Files on disk that changed or are known now; those that are open are not read.
   void readFiles(const std::vector<std::filesystem::path>& paths);
-  void forgetFile(const std::filesystem::path& path);
 
   [[nodiscard]] std::shared_ptr<const ide::Snapshot> snapshot() const { return current; }
   [[nodiscard]] const std::set<std::filesystem::path>& files() const { return known; }

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "lsp/server.h"
+#include "tests/support/memory_files.h"
+
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace proskill::test {
+
+/// The server's end of a stream that lives in memory.
+class Pipe : public lsp::Connection {
+public:
+  [[nodiscard]] std::string read() override;
+  bool write(std::string_view bytes) override;
+  void close() override;
+
+  /// The client's end.
+  void send(std::string bytes);
+  void hangUp();
+  /// The next message of the server; fails the test where none comes.
+  [[nodiscard]] lsp::Json receive();
+  /// Whether a message has come that was not received.
+  [[nodiscard]] bool hasMore();
+
+private:
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::deque<std::string> toServer;
+  std::deque<lsp::Json> toClient;
+  lsp::FrameReader frames;
+  bool closed = false;
+};
+
+/// A server in this process and the client that talks to it.
+class Session {
+public:
+  struct Options {
+    std::shared_ptr<const analysis::FileSystem> disk = std::make_shared<MemoryFiles>();
+    std::string encoding = "utf-16";
+    bool pull = false; ///< the client asks for diagnostics instead of being told
+    std::chrono::milliseconds debounce{0};
+  };
+
+  Session() : Session(Options()) {}
+  explicit Session(Options options);
+  /// Hangs up where the server still runs.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void initialize();
+  void sendRaw(std::string bytes) { pipe.send(std::move(bytes)); }
+  void sendBody(std::string_view body) { pipe.send(lsp::frame(body)); }
+  void notify(std::string_view method, const lsp::Json& params);
+  /// Sends, and gives the identifier.
+  int send(std::string_view method, const lsp::Json& params);
+  /// The whole answer to a request. Notifications that come before are kept.
+  lsp::Json answer(int id);
+  lsp::Json ask(std::string_view method, const lsp::Json& params) {
+    return answer(send(method, params));
+  }
+  /// The result of a request that succeeds.
+  lsp::Json result(std::string_view method, const lsp::Json& params);
+  /// The next notification of that method.
+  lsp::Json notified(std::string_view method);
+  /// The next message, whatever it is.
+  lsp::Json receive() { return pipe.receive(); }
+  [[nodiscard]] bool hasMore() { return pipe.hasMore(); }
+  void hangUp() { pipe.hangUp(); }
+  /// The server's exit code, when it has ended.
+  int exitCode() { return running.get(); }
+
+  void open(const std::string& uri, const std::string& text, int version = 1);
+  /// Replaces what lies between two positions, given as line and column each.
+  void change(const std::string& uri, int version, lsp::Json range, const std::string& text);
+  void close(const std::string& uri);
+  /// `result` of a request about a place.
+  lsp::Json at(std::string_view method, const std::string& uri, unsigned line, unsigned character,
+               lsp::Json more = lsp::Json::object());
+
+private:
+  Options options;
+  Pipe pipe;
+  lsp::Server server;
+  std::future<int> running;
+  std::deque<lsp::Json> notifications;
+  int lastId = 0;
+};
+
+[[nodiscard]] lsp::Json rangeOf(unsigned line, unsigned from, unsigned to);
+
+} // namespace proskill::test
