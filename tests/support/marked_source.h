@@ -10,7 +10,7 @@
 namespace proskill::test {
 
 /// A program with places marked in it: `^` is a point, `[[` and `]]` are around a range. The `^` of
-/// a wait, which follows its parenthesis directly, is no mark.
+/// a wait, which stands between a parenthesis and a space, is no mark.
 struct MarkedSource {
   std::string text; ///< without the marks
   std::vector<syntax::Offset> points;
@@ -18,6 +18,9 @@ struct MarkedSource {
 
   explicit MarkedSource(std::string_view marked) {
     std::vector<std::size_t> open;
+    auto isWait = [&](std::size_t i) {
+      return text.ends_with('(') && i + 1 < marked.size() && marked[i + 1] == ' ';
+    };
     for (std::size_t i = 0; i < marked.size(); ++i) {
       auto two = marked.substr(i, 2);
       auto here = static_cast<syntax::Offset>(text.size());
@@ -30,7 +33,7 @@ struct MarkedSource {
           open.pop_back();
         }
         ++i;
-      } else if (marked[i] == '^' && !text.ends_with('(')) {
+      } else if (marked[i] == '^' && !isWait(i)) {
         points.push_back(here);
       } else {
         text += marked[i];
