@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/snapshot.h"
+#include "ide/verdicts.h"
 #include "lsp/client.h"
 #include "lsp/rpc.h"
 #include "lsp/scheduler.h"
@@ -19,6 +20,8 @@ struct Request {
   const ide::Snapshot& snapshot;
   const ClientFeatures& client;
   Cancellation cancellation;
+  /// The last verdicts of every program; never null.
+  std::shared_ptr<const ide::Verdicts> verdicts = std::make_shared<const ide::Verdicts>();
 };
 
 using Answer = std::expected<Json, RpcError>;
