@@ -70,16 +70,15 @@ private:
   /// An event strikes whatever the state of affairs is.
   void visitEvents() {
     const System& system = report.system();
-    for (std::size_t event = 0; event < report.program.events.all.size(); ++event) {
-      const Process& process = system[system.ofEvent(event)];
-      State state{.reachable = true, .values = {}};
-      for (VariableId variable : process.slots.variables())
-        state.values.push_back(report.solver.ever(variable));
-      for (const Assignment& each : process.actions[0].assignments)
+    const Process& process = system[system.ofEvents()];
+    State state{.reachable = true, .values = {}};
+    for (VariableId variable : process.slots.variables())
+      state.values.push_back(report.solver.ever(variable));
+    for (NodeId event = 0; event < process.actions.size(); ++event)
+      for (const Assignment& each : process.actions[event].assignments)
         if (each.slot && report.variables()[each.variable].restricted)
-          note({each.source, each.variable}, each, state, system.at(process, each.source->range),
-               true);
-    }
+          note({each.source, each.variable}, each, state,
+               report.program.events.all[event].at(each.source->range), true);
   }
 
   void note(std::pair<const void*, VariableId> key, const Assignment& assignment,

@@ -138,7 +138,7 @@ std::vector<VariableId> writesOf(const System& system, const Process& process) {
       if (auto variable = system.resolver().stateVariable(effect.variable.text))
         writes.push_back(*variable);
   };
-  if (process.kind == ProcessKind::Event) return writes;
+  if (process.kind == ProcessKind::Events) return writes;
   for (const Node& node : process.graph->nodes) add(effectsOf(system, node));
   if (process.kind == ProcessKind::Skill)
     for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Running})
@@ -147,9 +147,10 @@ std::vector<VariableId> writesOf(const System& system, const Process& process) {
 }
 
 void compileActions(const System& system, Process& process) {
-  if (process.kind == ProcessKind::Event) {
-    const syntax::Effects& effects = system.program().events.all[process.definition]->effects;
-    process.actions[0].assignments = system.resolver().assignments(effects, process.slots);
+  if (process.kind == ProcessKind::Events) {
+    for (std::size_t event = 0; event < process.actions.size(); ++event)
+      process.actions[event].assignments =
+          system.resolver().assignments(system.program().events.all[event]->effects, process.slots);
     return;
   }
   for (NodeId id = 0; id < process.graph->nodes.size(); ++id)

@@ -64,7 +64,8 @@ private:
   void follow(ProcessId id) {
     const Process& process = system[id];
     if (!process.graph) {
-      isLock &= !frees(*write(id, 0)) && !takes(*write(id, 0));
+      for (NodeId event = 0; event < process.actions.size(); ++event)
+        if (const Write* made = write(id, event)) isLock &= !frees(*made) && !takes(*made);
       return;
     }
     std::vector<bool> held(process.graph->nodes.size(), true);

@@ -12,20 +12,21 @@ constexpr std::size_t kMostOrigins = 3;
 } // namespace
 
 Origins::Origins(const Report& report) : report(report), writes(report.variables().size()) {
-  const System& system = report.system();
   forEachReachedNode(report,
                      [this](ProcessId, const Process& process, NodeId node, const Node& each) {
-                       if (each.kind != NodeKind::Emit) add(process, process.actions[node]);
+                       if (each.kind != NodeKind::Emit)
+                         add(this->report.system().at(process, {}).file, process.actions[node]);
                      });
-  for (std::size_t event = 0; event < report.program.events.all.size(); ++event)
-    add(system[system.ofEvent(event)], system[system.ofEvent(event)].actions[0]);
+  const auto& events = report.program.events.all;
+  for (std::size_t event = 0; event < events.size(); ++event)
+    add(events[event].file, report.system()[report.system().ofEvents()].actions[event]);
 }
 
-void Origins::add(const Process& process, const Action& action) {
+void Origins::add(FileId file, const Action& action) {
   for (const Assignment& each : action.assignments) {
     if (!each.source || each.value.kind != Term::Kind::Number) continue;
     const Domain& domain = report.variables()[each.variable].domain;
-    Write write{report.system().at(process, each.source->range),
+    Write write{{file, each.source->range},
                 domain.saturated({each.value.number, each.value.number})};
     auto same = [&](const Write& other) { return other.at == write.at; };
     auto& known = writes[each.variable];

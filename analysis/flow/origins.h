@@ -26,7 +26,7 @@ private:
     Location at;
     ValueSet to;
   };
-  void add(const Process& process, const Action& action);
+  void add(FileId file, const Action& action);
 
   const Report& report;
   std::vector<std::vector<Write>> writes; ///< by variable

@@ -84,13 +84,11 @@ void Solver::prepare() {
 
 void Solver::prepareEvents() {
   if (!model.hasFreeEvents()) return;
-  for (std::size_t event = 0; event < model.program().events.all.size(); ++event) {
-    ProcessId id = model.ofEvent(event);
-    State anything{.reachable = true, .values = {}};
-    for (VariableId variable : model[id].slots.variables())
-      anything.values.push_back(model.variables()[variable].domain.all());
-    record(anything, id, 0);
-  }
+  ProcessId id = model.ofEvents();
+  State anything{.reachable = true, .values = {}};
+  for (VariableId variable : model[id].slots.variables())
+    anything.values.push_back(model.variables()[variable].domain.all());
+  for (NodeId event = 0; event < model[id].actions.size(); ++event) record(anything, id, event);
 }
 
 // Steps -------------------------------------------------------------------------------------------

@@ -21,10 +21,10 @@ System::System(const Program& program) : source(program), shared(program), names
 
 Location System::at(const Process& process, syntax::Range range) const {
   switch (process.kind) {
-  case ProcessKind::Event: return source.events.all[process.definition].at(range);
   case ProcessKind::Environment: return source.environments.all[process.definition].at(range);
   case ProcessKind::Skill:
-  case ProcessKind::Branch: break;
+  case ProcessKind::Branch:
+  case ProcessKind::Events: break;
   }
   return source.skills.all[process.definition].at(range);
 }
@@ -49,16 +49,14 @@ void System::addProcesses() {
   for (std::size_t i = 0; i < source.environments.all.size(); ++i)
     addThreads(graphs.emplace_back(buildGraph(*source.environments.all[i].node)),
                ProcessKind::Environment, i);
-  firstEvent = static_cast<ProcessId>(processes.size());
-  for (std::size_t i = 0; i < source.events.all.size(); ++i) {
-    processes.push_back({.kind = ProcessKind::Event, .definition = i, .root = hasFreeEvents()});
-    processes.back().actions.resize(1);
-  }
+  eventProcess = static_cast<ProcessId>(processes.size());
+  processes.push_back({.kind = ProcessKind::Events, .root = hasFreeEvents()});
+  processes.back().actions.resize(source.events.all.size());
 }
 
 void System::link() {
   sites.resize(processes.size());
-  for (ProcessId id = 0; id < firstEvent; ++id)
+  for (ProcessId id = 0; id < eventProcess; ++id)
     for (NodeId node = 0; node < processes[id].graph->nodes.size(); ++node) linkNode(id, node);
 }
 
@@ -139,7 +137,7 @@ void System::findConcurrency() {
     forEach(activities[a], [&](std::size_t id) { others[id].insertAll(activities[b]); });
   };
   std::vector<ProcessId> roots;
-  for (ProcessId id = 0; id < firstEvent; ++id)
+  for (ProcessId id = 0; id < eventProcess; ++id)
     if (processes[id].root) roots.push_back(id);
   auto alternatives = [this](ProcessId a, ProcessId b) {
     return std::ranges::count(candidates, a) > 0 && std::ranges::count(candidates, b) > 0;
@@ -153,9 +151,7 @@ void System::findConcurrency() {
         for (ProcessId b : action.branches)
           if (a != b) beside(a, b);
   for (ProcessId id = 0; id < processes.size(); ++id) {
-    if (hasFreeEvents())
-      for (ProcessId event = firstEvent; event < processes.size(); ++event)
-        others[id].insert(event);
+    if (hasFreeEvents()) others[id].insert(eventProcess);
     others[id].erase(id);
   }
 }
@@ -183,10 +179,10 @@ void System::chooseSlots() {
 Bits System::readsOf(ProcessId id) const {
   const Process& process = processes[id];
   std::vector<VariableId> reads;
-  if (process.kind == ProcessKind::Event)
-    addReads(source.events.all[process.definition]->effects, names, shared, reads);
-  else
+  if (process.graph)
     addReads(*this, process, reads);
+  else
+    for (const auto& event : source.events.all) addReads(event->effects, names, shared, reads);
   Bits set(shared.size());
   for (VariableId variable : reads) set.insert(variable);
   return set;
@@ -195,11 +191,11 @@ Bits System::readsOf(ProcessId id) const {
 void System::compile() {
   for (Process& process : processes) compileActions(*this, process);
   std::unordered_map<const syntax::Statement*, std::pair<ProcessId, NodeId>> leaves;
-  for (ProcessId id = 0; id < firstEvent; ++id)
+  for (ProcessId id = 0; id < eventProcess; ++id)
     for (NodeId node = 0; node < processes[id].graph->nodes.size(); ++node)
       if ((*processes[id].graph)[node].kind == NodeKind::Leave)
         leaves[(*processes[id].graph)[node].statement] = {id, node};
-  for (ProcessId id = 0; id < firstEvent; ++id)
+  for (ProcessId id = 0; id < eventProcess; ++id)
     for (NodeId node = 0; node < processes[id].graph->nodes.size(); ++node) {
       const Node& each = (*processes[id].graph)[node];
       auto found = leaves.find(each.statement);

@@ -12,7 +12,7 @@ namespace proskill::analysis::flow {
 using ProcessId = std::uint32_t;
 constexpr ProcessId kNoProcess = ~ProcessId{0};
 
-enum class ProcessKind : std::uint8_t { Skill, Branch, Environment, Event };
+enum class ProcessKind : std::uint8_t { Skill, Branch, Environment, Events };
 
 /// What the transitions of a node do, over the slots of its process.
 struct Action {
@@ -27,15 +27,14 @@ struct Action {
 /// A thread of the model: it does one step at a time, in between of those of others.
 struct Process {
   ProcessKind kind = ProcessKind::Skill;
-  std::size_t definition =
-      0; ///< in the program's table: the skill (of a branch too), environment, event
-  const Graph* graph = nullptr;  ///< null for an event: it has one step, at any time
+  std::size_t definition = 0; ///< in the program's table: the skill (of a branch too), environment
+  const Graph* graph = nullptr;  ///< null for the events: each is a step at any time
   ProcessId parent = kNoProcess; ///< of a branch: where it was forked
   bool root = false;             ///< starts with the program
   bool repeats = false;          ///< called again and again by whoever uses the library
   bool analysed = false;         ///< some root starts it, directly or not
   Slots slots;
-  std::vector<Action> actions; ///< one a node; of an event just one
+  std::vector<Action> actions; ///< one a node, or an event
 };
 
 /// Who calls whom, and where.
@@ -56,9 +55,8 @@ public:
   [[nodiscard]] const Process& operator[](ProcessId id) const { return processes[id]; }
   [[nodiscard]] const std::vector<Process>& all() const { return processes; }
   [[nodiscard]] ProcessId ofSkill(std::size_t skill) const { return skillProcess[skill]; }
-  [[nodiscard]] ProcessId ofEvent(std::size_t event) const {
-    return firstEvent + static_cast<ProcessId>(event);
-  }
+  /// The process of all events: they come one after the other, in any order.
+  [[nodiscard]] ProcessId ofEvents() const { return eventProcess; }
   /// The calls of a skill's process.
   [[nodiscard]] const std::vector<Site>& callers(ProcessId id) const { return sites[id]; }
   /// A process, its branches, all that these call, and so on.
@@ -73,6 +71,7 @@ public:
   [[nodiscard]] const syntax::Skill& skill(const Process& process) const {
     return *source.skills.all[process.definition].node;
   }
+  /// \pre the process has a graph
   [[nodiscard]] Location at(const Process& process, syntax::Range range) const;
 
 private:
@@ -94,7 +93,7 @@ private:
   std::deque<SkillGraph> graphs;
   std::vector<Process> processes;
   std::vector<ProcessId> skillProcess;
-  ProcessId firstEvent = 0;
+  ProcessId eventProcess = 0;        ///< the last
   std::vector<ProcessId> candidates; ///< each may be the main skill, one is
   std::vector<std::vector<Site>> sites;
   std::vector<Bits> activities;
