@@ -92,6 +92,26 @@ std::string printInstance(const Instance& instance) {
   return out;
 }
 
+bool synchronisesOnAll(const Instance& instance) { return !instance.synchronised; }
+
+/// `a, b -> ` before an instance; nothing where it synchronises on nothing.
+std::string printSynchronised(const Instance& instance) {
+  if (!instance.synchronised) return "* -> ";
+  return instance.synchronised->empty() ? "" : join(*instance.synchronised, ", ") + " -> ";
+}
+
+/// `par * in` where that is so for all of them.
+void printComposition(Output& out, const std::vector<Instance>& instances) {
+  const bool onAll = std::ranges::all_of(instances, synchronisesOnAll);
+  out.writer.line(0, onAll ? "par * in" : "par");
+  for (std::size_t i = 0; i < instances.size(); ++i)
+    out.writer.line(0,
+                    (i == 0 ? "    " : "||  ") + (onAll ? "" : printSynchronised(instances[i])) +
+                        printInstance(instances[i]),
+                    {}, 8);
+  out.writer.line(0, "end");
+}
+
 void printPriorities(Output& out, const std::vector<Priority>& priorities) {
   if (priorities.empty()) return;
   std::vector<std::string> parts;
@@ -150,10 +170,7 @@ void printComponent(Output& out, const Component& component) {
   printItems(out, 0, "port ", component.ports, [](const Port& port) { return printPort(port); });
   printPriorities(out, component.priorities);
   printInit(out, component.init);
-  writer.line(0, "par * in");
-  for (std::size_t i = 0; i < component.instances.size(); ++i)
-    writer.line(0, (i == 0 ? "    " : "||  ") + printInstance(component.instances[i]), {}, 8);
-  writer.line(0, "end");
+  printComposition(out, component.instances);
 }
 
 } // namespace proskill::fiacre

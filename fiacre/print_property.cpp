@@ -83,6 +83,7 @@ std::string printScope(const Pattern& pattern, const std::string& main) {
   if (pattern.before) out += " before " + plain(*pattern.before, main);
   if (pattern.within) out += " within " + printInterval(*pattern.within);
   if (pattern.forInterval) out += " for interval " + printInterval(*pattern.forInterval);
+  if (pattern.forDuration) out += fmt::format(" for duration {}", *pattern.forDuration);
   if (pattern.lasting) out += fmt::format(" lasting {}", *pattern.lasting);
   return out;
 }
@@ -135,6 +136,7 @@ void printProperty(Output& out, const Property& property, const std::string& mai
       fmt::format("property {} is {}", property.name, printPattern(property.pattern, main));
   if (property.pattern.kind == PatternKind::Progress) return writer.comment(0, text);
   writer.line(0, text);
+  if (!property.asserted) return;
   writer.line(0, fmt::format("{} {}", options.prove ? "prove" : "assert", property.name));
 }
 

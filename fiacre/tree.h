@@ -29,6 +29,7 @@ struct Member {
   std::string name;
   std::vector<Type> type; ///< none or one
   std::string comment;
+  friend bool operator==(const Member&, const Member&) = default;
 };
 
 struct Type {
@@ -39,6 +40,7 @@ struct Type {
   std::vector<Member> members; ///< Record, Union
   std::int64_t size = 0;       ///< Array, Queue
   std::vector<Type> element;   ///< Array, Queue: one
+  friend bool operator==(const Type&, const Type&) = default;
 };
 
 enum class ExprKind : std::uint8_t {
@@ -124,6 +126,7 @@ struct Statement {
   Interval interval;
   std::vector<Statement> children;
   std::vector<std::size_t> priorityGroups;
+  friend bool operator==(const Statement&, const Statement&) = default;
 };
 
 struct Variable {
@@ -131,6 +134,7 @@ struct Variable {
   Type type;
   std::optional<Expr> init;
   std::string comment;
+  friend bool operator==(const Variable&, const Variable&) = default;
 };
 
 /// What crosses a port; `sync` is no value at all.
@@ -141,17 +145,20 @@ struct Port {
   bool out = false;
   std::optional<Interval> interval; ///< in components; nothing: [0,...[
   std::string comment;
+  friend bool operator==(const Port&, const Port&) = default;
 };
 
 struct Parameter {
   std::string name;
   Type type;
   bool reference = false;
+  friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
 struct State {
   std::string name;
   OriginId origin = 0;
+  friend bool operator==(const State&, const State&) = default;
 };
 
 /// What can happen in a state: each path through the statement is one atomic transition.
@@ -159,6 +166,7 @@ struct From {
   std::string state;
   Statement statement;
   std::string comment; ///< the lines above, naming the program's line
+  friend bool operator==(const From&, const From&) = default;
 };
 
 struct Process {
@@ -171,6 +179,7 @@ struct Process {
   std::vector<Variable> variables;
   std::optional<Statement> init;
   std::vector<From> transitions;
+  friend bool operator==(const Process&, const Process&) = default;
 };
 
 struct Function {
@@ -180,6 +189,7 @@ struct Function {
   Type result;
   std::vector<Variable> variables;
   Statement body;
+  friend bool operator==(const Function&, const Function&) = default;
 };
 
 /// `P[ports](arguments)` in a component; an argument that is a reference is a plain variable's
@@ -189,14 +199,18 @@ struct Instance {
   std::vector<std::string> ports;
   std::vector<Expr> arguments;
   std::vector<bool> references; ///< which arguments are passed by reference
+  /// The component's ports on which it waits for the others; nothing: all that it is given.
+  std::optional<std::vector<std::string>> synchronised;
+  friend bool operator==(const Instance&, const Instance&) = default;
 };
 
 struct Priority {
   std::vector<std::string> higher;
   std::vector<std::string> lower;
+  friend bool operator==(const Priority&, const Priority&) = default;
 };
 
-/// A parallel composition; every instance synchronises on every port that it shares (`par * in`).
+/// A parallel composition. An instance that does not synchronise on a port passes it alone.
 struct Component {
   std::string name;
   std::string comment;
@@ -207,6 +221,7 @@ struct Component {
   std::vector<Priority> priorities;
   std::optional<Statement> init;
   std::vector<Instance> instances;
+  friend bool operator==(const Component&, const Component&) = default;
 };
 
 enum class ObservableKind : std::uint8_t {
@@ -230,6 +245,7 @@ struct Observable {
   std::string name;
   Expr value;
   std::vector<Observable> operands;
+  friend bool operator==(const Observable&, const Observable&) = default;
 };
 
 enum class PatternKind : std::uint8_t {
@@ -251,6 +267,7 @@ struct Ltl {
   LtlKind kind = LtlKind::Atom;
   Observable atom;
   std::vector<Ltl> operands;
+  friend bool operator==(const Ltl&, const Ltl&) = default;
 };
 
 struct Pattern {
@@ -262,8 +279,10 @@ struct Pattern {
   std::optional<Observable> before;
   std::optional<Interval> within;
   std::optional<Interval> forInterval;
+  std::optional<std::int64_t> forDuration;
   std::optional<std::int64_t> lasting;
   Ltl ltl;
+  friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 
 struct Property {
@@ -271,24 +290,29 @@ struct Property {
   Pattern pattern;
   OriginId origin = 0;
   std::string comment;
+  bool asserted = true; ///< it is asked for, not only given a name
+  friend bool operator==(const Property&, const Property&) = default;
 };
 
 struct TypeDeclaration {
   std::string name;
   Type type;
   std::string comment;
+  friend bool operator==(const TypeDeclaration&, const TypeDeclaration&) = default;
 };
 
 struct Constant {
   std::string name;
   Type type;
   Expr value;
+  friend bool operator==(const Constant&, const Constant&) = default;
 };
 
 /// H-Fiacre: a port that a function of C offers.
 struct EventPort {
   Port port;
   std::string function;
+  friend bool operator==(const EventPort&, const EventPort&) = default;
 };
 
 /// H-Fiacre: a function of C that runs in a thread of its own.
@@ -297,6 +321,7 @@ struct Task {
   std::vector<Type> parameters;
   Type result;
   std::string function;
+  friend bool operator==(const Task&, const Task&) = default;
 };
 
 /// H-Fiacre: a function of C that is called within a transition.
@@ -305,6 +330,7 @@ struct Extern {
   std::vector<Type> parameters;
   Type result;
   std::string function;
+  friend bool operator==(const Extern&, const Extern&) = default;
 };
 
 /// Printed in this order.
@@ -320,6 +346,7 @@ struct Program {
   std::vector<Component> components;
   std::string main; ///< the component that is the model
   std::vector<Property> properties;
+  friend bool operator==(const Program&, const Program&) = default;
 };
 
 } // namespace proskill::fiacre

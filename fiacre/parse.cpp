@@ -1,0 +1,138 @@
+#include "fiacre/parse.h"
+
+#include "fiacre/parser.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace proskill::fiacre {
+namespace {
+
+constexpr auto kDeclarations = std::to_array<std::string_view>(
+    {"const", "type", "channel", "event", "task", "extern", "function", "process", "component",
+     "property", "assert", "prove"});
+
+} // namespace
+
+bool Parser::isAtDeclaration() const {
+  if (peek().kind == TokenKind::End) return true;
+  return std::ranges::any_of(kDeclarations, [&](auto word) { return isAt(word); });
+}
+
+/// Whether what lies ahead ends a name that stands alone.
+bool Parser::endsEntry(std::size_t ahead) const {
+  return peek(ahead).kind == TokenKind::End || isAt("property", ahead) || isAt("assert", ahead) ||
+         isAt("prove", ahead);
+}
+
+Parsed Parser::program() {
+  while (peek().kind != TokenKind::End) {
+    const auto before = at;
+    try {
+      actor.clear();
+      constantsOnly = false;
+      declaration();
+    } catch (const CannotRead&) {
+      resume();
+    }
+    if (at == before) ++at; // an unreadable word that the next declaration begins with
+  }
+  finish();
+  return std::move(parsed);
+}
+
+void Parser::declaration() {
+  if (accept("const")) return constant();
+  if (accept("type")) return typeDeclaration();
+  if (accept("channel")) return channel();
+  if (accept("event")) return eventPort();
+  if (accept("task")) return task();
+  if (accept("extern")) return external();
+  if (accept("function")) return function();
+  if (accept("process")) return process();
+  if (accept("component")) return component();
+  if (accept("property")) return property();
+  if (accept("assert") || accept("prove")) return assertion();
+  if (isAtName()) return entry();
+  fail("a declaration is missing, such as `process` or `property`");
+}
+
+/// Goes on at the next declaration. `type` and the like are no words of statements.
+void Parser::resume() {
+  while (!isAtDeclaration()) ++at;
+}
+
+void Parser::constant() {
+  const auto declared = names("the name of a constant");
+  expect(":");
+  const Type shared = type();
+  expect("is");
+  const Expr given = expr();
+  for (const auto& each : declared) {
+    if (const auto number = value(given)) constants[each] = *number;
+    parsed.program.constants.push_back({each, shared, given});
+  }
+}
+
+void Parser::typeDeclaration() {
+  TypeDeclaration result{.name = name("the name of a type")};
+  expect("is");
+  result.type = type();
+  parsed.program.types.push_back(std::move(result));
+}
+
+void Parser::channel() {
+  const auto declared = name("the name of a channel");
+  expect("is");
+  portType(channels[declared]);
+}
+
+void Parser::eventPort() {
+  EventPort result{.port = {.name = name("the name of a port")}};
+  expect(":");
+  portType(result.port);
+  expect("is");
+  result.function = name("the name of a function of C");
+  parsed.program.eventPorts.push_back(std::move(result));
+}
+
+void Parser::task() {
+  Task result{.name = name("the name of a task")};
+  result.parameters = typesInParentheses();
+  expect(":");
+  result.result = type();
+  expect("is");
+  result.function = name("the name of a function of C");
+  parsed.program.tasks.push_back(std::move(result));
+}
+
+void Parser::external() {
+  Extern result{.name = name("the name of a function")};
+  result.parameters = typesInParentheses();
+  expect(":");
+  result.result = type();
+  expect("is");
+  result.function = name("the name of a function of C");
+  parsed.program.externs.push_back(std::move(result));
+}
+
+void Parser::entry() {
+  if (!endsEntry(1)) fail(fmt::format("`{}` begins no declaration", peek().text));
+  if (!parsed.program.main.empty())
+    report(fmt::format("the model is `{}` already", parsed.program.main), peek());
+  parsed.program.main = name("the name of a component");
+}
+
+void Parser::finish() {
+  for (const auto& [begins, token] : paths)
+    if (begins != parsed.program.main && !parsed.program.main.empty())
+      report(fmt::format("the path begins with `{}`, and the model is `{}`", begins,
+                         parsed.program.main),
+             token);
+  std::ranges::stable_sort(parsed.problems, {}, &SyntaxProblem::begin);
+}
+
+Parsed parse(std::string_view text) { return Parser(text).program(); }
+
+} // namespace proskill::fiacre

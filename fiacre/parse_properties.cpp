@@ -1,0 +1,223 @@
+#include "fiacre/parser.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace proskill::fiacre {
+namespace {
+
+struct Connective {
+  std::string_view word;
+  LtlKind ltl;
+  std::optional<ObservableKind> observable; ///< nothing: of time
+};
+
+/// From the loosest to the tightest.
+constexpr auto kConnectives = std::to_array<Connective>({
+    {"=>", LtlKind::Implies, ObservableKind::Implies},
+    {"or", LtlKind::Or, ObservableKind::Or},
+    {"and", LtlKind::And, ObservableKind::And},
+    {"until", LtlKind::Until, {}},
+});
+
+bool isAtom(const Ltl& ltl) { return ltl.kind == LtlKind::Atom; }
+
+/// What joins formulas of one moment is itself one of a moment.
+Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
+  if (!connective.observable || !std::ranges::all_of(operands, isAtom))
+    return {.kind = connective.ltl, .operands = std::move(operands)};
+  Ltl result{.kind = LtlKind::Atom, .atom = {.kind = *connective.observable}};
+  for (auto& operand : operands) result.atom.operands.push_back(std::move(operand.atom));
+  return result;
+}
+
+Ltl negated(Ltl inner) {
+  if (!isAtom(inner)) return {.kind = LtlKind::Not, .operands = {std::move(inner)}};
+  return {.kind = LtlKind::Atom,
+          .atom = {.kind = ObservableKind::Not, .operands = {std::move(inner.atom)}}};
+}
+
+} // namespace
+
+Ltl Parser::formula() {
+  const Deeper deeper(*this);
+  return formulaChain(0);
+}
+
+/// `a => b => c` is `a => (b => c)`; the others are joined as many as there are.
+Ltl Parser::formulaChain(std::size_t level) {
+  if (level == kConnectives.size()) return formulaPrefix();
+  const auto& connective = kConnectives[level];
+  std::vector<Ltl> operands{formulaChain(level + 1)};
+  const bool toTheRight = connective.ltl == LtlKind::Implies || connective.ltl == LtlKind::Until;
+  while (accept(connective.word)) {
+    operands.push_back(formulaChain(toTheRight ? level : level + 1));
+    if (toTheRight) break;
+  }
+  return operands.size() == 1 ? std::move(operands[0]) : joined(connective, std::move(operands));
+}
+
+Ltl Parser::formulaPrefix() {
+  const Deeper deeper(*this);
+  if (accept("not")) return negated(formulaPrefix());
+  const auto temporal = [&](LtlKind kind, std::size_t tokens) {
+    at += tokens;
+    return Ltl{.kind = kind, .operands = {formulaPrefix()}};
+  };
+  if (isAtPair("[", "]")) return temporal(LtlKind::Globally, 2);
+  if (isAtPair("(", ")")) return temporal(LtlKind::Next, 2);
+  if (isAt("<>")) return temporal(LtlKind::Finally, 1);
+  for (auto [word, kind] :
+       {std::pair{"enter", ObservableKind::Enter}, {"leave", ObservableKind::Leave}}) {
+    if (!accept(word)) continue;
+    Ltl inner = formulaPrefix();
+    if (!isAtom(inner)) fail(fmt::format("`{}` takes no formula of time", word));
+    return {.kind = LtlKind::Atom, .atom = {.kind = kind, .operands = {std::move(inner.atom)}}};
+  }
+  return formulaPrimary();
+}
+
+Ltl Parser::formulaPrimary() {
+  if (accept("(")) {
+    Ltl inner = formula();
+    expect(")");
+    return inner;
+  }
+  if (isAtName() && !isAt("/", 1)) {
+    if (const auto named = formulas.find(peek().text); named != formulas.end()) {
+      ++at;
+      return named->second;
+    }
+    fail(fmt::format("`{}` is the name of no formula; a path begins `NAME/`", peek().text));
+  }
+  return {.kind = LtlKind::Atom, .atom = atom()};
+}
+
+/// A formula of one moment.
+Observable Parser::observable() {
+  const Token first = peek();
+  Ltl result = formula();
+  if (isAtom(result)) return std::move(result.atom);
+  report("a formula of time stands where one of a moment is needed", first);
+  throw CannotRead();
+}
+
+/// `main/1/2/state idle`
+Observable Parser::atom() {
+  const Token first = peek();
+  Observable result;
+  paths.emplace_back(name("a path such as `main/1/state idle`"), first);
+  expect("/");
+  while (peek().kind == TokenKind::Number) {
+    const auto place = number().number;
+    if (place < 1 || place > std::int64_t{1} << 31) fail("places in `par` count from 1");
+    result.path.push_back(static_cast<std::uint32_t>(place));
+    expect("/");
+  }
+  if (accept("value")) {
+    constexpr std::size_t kEquality = 2;
+    result.kind = ObservableKind::Value;
+    result.value = binary(kEquality);
+    return result;
+  }
+  for (auto [word, kind] : {std::pair{"state", ObservableKind::State},
+                            {"tag", ObservableKind::Tag},
+                            {"event", ObservableKind::Event}}) {
+    if (!accept(word)) continue;
+    result.kind = kind;
+    result.name = name(fmt::format("the name of a {}", word));
+    return result;
+  }
+  fail("`state`, `value`, `tag` or `event` is missing in the path");
+}
+
+Pattern Parser::pattern() {
+  Pattern result;
+  if (accept("deadlockfree")) return {.kind = PatternKind::DeadlockFree};
+  if (accept("ltl")) return {.kind = PatternKind::Ltl, .ltl = formula()};
+  for (auto [word, kind] : {std::pair{"infinitelyoften", PatternKind::InfinitelyOften},
+                            {"mortal", PatternKind::Mortal},
+                            {"present", PatternKind::Present},
+                            {"absent", PatternKind::Absent},
+                            {"always", PatternKind::Always}}) {
+    if (!accept(word)) continue;
+    result.kind = kind;
+    result.operands.push_back(observable());
+    scopes(result);
+    return result;
+  }
+  result.operands.push_back(observable());
+  if (accept("leadsto"))
+    result.kind = PatternKind::LeadsTo;
+  else if (accept("precedes"))
+    result.kind = PatternKind::Precedes;
+  else
+    fail("a pattern is missing, such as `absent …` or `… leadsto …`");
+  if (isAt("first")) fail("`leadsto first` is not read yet");
+  result.operands.push_back(observable());
+  scopes(result);
+  return result;
+}
+
+void Parser::scopes(Pattern& pattern) {
+  for (;;) {
+    if (accept("after")) {
+      pattern.after = observable();
+    } else if (accept("before")) {
+      pattern.before = observable();
+    } else if (accept("within")) {
+      pattern.within = interval();
+    } else if (accept("lasting")) {
+      pattern.lasting = time();
+    } else if (accept("for")) {
+      if (accept("duration")) {
+        pattern.forDuration = time();
+      } else {
+        expect("interval");
+        pattern.forInterval = interval();
+      }
+    } else {
+      if (isAt("between") || isAt("until")) fail(fmt::format("`{}` is not read yet", peek().text));
+      return;
+    }
+  }
+}
+
+/// A property that is a formula of its own has a name that later ones use.
+void Parser::property() {
+  const auto begin = peek().begin;
+  Property result{.name = name("the name of a property"), .asserted = false};
+  actor = "property " + result.name;
+  expect("is");
+  const auto start = at;
+  const auto problems = parsed.problems.size();
+  try {
+    Ltl plain = formula();
+    if (!isAt("leadsto") && !isAt("precedes")) {
+      formulas[result.name] = std::move(plain);
+      return;
+    }
+  } catch (const CannotRead&) {
+  }
+  at = start;
+  parsed.problems.resize(problems);
+  result.pattern = pattern();
+  result.origin = origin(begin);
+  parsed.program.properties.push_back(std::move(result));
+}
+
+/// `assert p`, with texts for its verdicts, which are not kept.
+void Parser::assertion() {
+  const Token token = peek();
+  auto asked = name("the name of a property");
+  while (isAt("-") && peek(1).kind == TokenKind::Name && peek(2).kind == TokenKind::String) at += 3;
+  const auto found = std::ranges::find(parsed.program.properties, asked, &Property::name);
+  if (found != parsed.program.properties.end())
+    found->asserted = true;
+  else
+    report(fmt::format("the property `{}` is not declared above", asked), token);
+}
+
+} // namespace proskill::fiacre

@@ -1,0 +1,216 @@
+#include "fiacre/parse.h"
+
+#include "codegen/model.h"
+#include "fiacre/check.h"
+#include "fiacre/print.h"
+#include "tests/support/canonical.h"
+#include "tests/support/random_model.h"
+#include "tests/support/random_program.h"
+#include "tests/support/texts.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using codegen::Edition;
+
+namespace {
+
+std::string problemsOf(const fiacre::Parsed& parsed, std::string_view text) {
+  std::string all;
+  for (const auto& problem : parsed.problems)
+    all += "`" + std::string(text.substr(problem.begin, problem.end - problem.begin)) +
+           "`: " + problem.message + "\n";
+  return all;
+}
+
+std::string problemsOf(std::string_view text) { return problemsOf(fiacre::parse(text), text); }
+
+/// The text that is printed is read as the tree that it was printed from.
+void comesBack(const fiacre::Program& program) {
+  const auto text = fiacre::print(program);
+  const auto parsed = fiacre::parse(text);
+  INFO(text);
+  REQUIRE(problemsOf(parsed, text) == "");
+  const auto wanted = test::canonical(program);
+  const auto got = test::canonical(parsed.program);
+  CHECK(fiacre::print(got) == fiacre::print(wanted));
+  CHECK(got == wanted);
+}
+
+std::string repeated(std::string_view part, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += part;
+  return all;
+}
+
+fiacre::Process processOf(std::string_view body) {
+  const auto text =
+      "process P [p: in out nat, q: sync] (&x: nat, y: 0..3) is\n" + std::string(body);
+  auto parsed = fiacre::parse(text);
+  INFO(text);
+  REQUIRE(problemsOf(parsed, text) == "");
+  REQUIRE(parsed.program.processes.size() == 1);
+  return test::canonical(parsed.program).processes[0];
+}
+
+} // namespace
+
+TEST_CASE("what is printed of random models is read as it was") {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) comesBack(test::randomModel(seed));
+}
+
+TEST_CASE("what is printed of the models of random programs is read as it was") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto program = test::programOfText(test::textOf(test::randomProgram(seed)));
+    for (auto edition : {Edition::Offline, Edition::Expanded, Edition::Runtime}) {
+      codegen::Options options;
+      options.edition = edition;
+      const auto model = codegen::generate(program, options);
+      INFO(seed);
+      if (model) comesBack(model->fiacre);
+    }
+  }
+}
+
+TEST_CASE("operators bind as in Fiacre") {
+  const auto same = [](std::string_view text, std::string_view grouped) {
+    INFO(text);
+    const auto read = fiacre::parseExpr(text);
+    REQUIRE(read.has_value());
+    CHECK(read == fiacre::parseExpr(grouped));
+  };
+  same("a or b and c", "a or (b and c)");
+  same("not a = b", "(not a) = b");
+  same("a = b < c", "a = (b < c)");
+  same("a - b - c", "(a - b) - c");
+  same("a + b * c % d", "a + ((b * c) % d)");
+  same("-1 + -x", "(-1) + (-x)");
+  same("not empty q and full r", "(not (empty q)) and (full r)");
+  same("a[i].f[j + 1]", "((a[i]).f)[j + 1]");
+  same("(a ? b : c)", "a ? b : c");
+  CHECK_FALSE(fiacre::parseExpr("a +"));
+  CHECK_FALSE(fiacre::parseExpr("a b"));
+  CHECK_FALSE(fiacre::parseExpr("99999999999999999999"));
+}
+
+TEST_CASE("statements are read") {
+  const auto process = processOf(R"(
+states idle, busy
+var a, b: nat := 1, f: queue 2 of bool := {||}
+init a := 2; to busy
+from idle
+  select
+    p ? x where x < 3; to busy
+  [] p ! x + 1; a, b := b, a; to busy
+  unless q; #done; loop
+  end
+from busy
+  if x = 0 then null elsif x = 1 then wait ]2,...[ else on a > b end;
+  case y of 0 -> to idle | any -> while a < 3 do a := a + 1 end; to busy end
+)");
+  CHECK(process.variables.size() == 3);
+  CHECK(process.variables[1].init == fiacre::parseExpr("1"));
+  REQUIRE(process.transitions.size() == 2);
+  const auto& select = process.transitions[0].statement;
+  CHECK(select.children.size() == 3);
+  CHECK(select.priorityGroups == std::vector<std::size_t>{2});
+  CHECK(select.children[0].children[0].kind == fiacre::StatementKind::Receive);
+  CHECK(select.children[1].children[1].targets.size() == 2);
+  CHECK(select.children[2].children[0].kind == fiacre::StatementKind::Send);
+  const auto& busy = process.transitions[1].statement;
+  CHECK(busy.children[0].children[1].kind == fiacre::StatementKind::If);
+  CHECK(busy.children[1].values[2].name == "any");
+}
+
+TEST_CASE("constants are put into types and times, channels into ports") {
+  const auto parsed = fiacre::parse(R"(
+const N: nat is 2 * 3
+type cell is 0..N - 1
+type cells is array N of cell
+channel link is in 0..3 # bool
+process P [p: link] (c: cell) is states s from s wait [N, 2 * N[; to s
+)");
+  CHECK(parsed.problems.empty());
+  CHECK(parsed.program.types[0].type.high == 5);
+  CHECK(parsed.program.types[1].type.size == 6);
+  const auto& process = parsed.program.processes[0];
+  CHECK(process.ports[0].in);
+  CHECK(process.ports[0].values.size() == 2);
+  const auto& wait = process.transitions[0].statement.children[0];
+  CHECK(fiacre::printInterval(wait.interval) == "[6,12[");
+}
+
+TEST_CASE("instances synchronise on what is said") {
+  const auto instances = [](std::string_view composition) {
+    const auto text = "component C is port a, b: sync " + std::string(composition);
+    const auto parsed = fiacre::parse(text);
+    REQUIRE(problemsOf(parsed, text) == "");
+    return parsed.program.components[0].instances;
+  };
+  using Ports = std::vector<std::string>;
+  CHECK_FALSE(instances("par * in P[a] || Q[b] end")[1].synchronised);
+  CHECK(instances("par P[a] || Q[b] end")[1].synchronised == Ports{});
+  CHECK(instances("par a, b in P[a] || Q[b] end")[1].synchronised == Ports{"a", "b"});
+  CHECK(instances("par a -> P[a] || Q[b] end")[0].synchronised == Ports{"a"});
+  CHECK(instances("par a -> P[a] || Q[b] end")[1].synchronised == Ports{});
+}
+
+TEST_CASE("properties are read, and formulas that others name") {
+  constexpr std::string_view text = R"(
+process P is states s, t var x: nat from s to t
+component main is par * in P || P end
+main
+property both is main/1/state s and main/2/value x = 3
+property seldom is ltl [] (both => <> main/1/tag done)
+property soon is main/1/state s leadsto main/2/event p within [0,3[
+property far is absent (enter main/1/state t) after main/2/state s for interval ]1,2]
+assert seldom
+prove far
+)";
+  const auto parsed = fiacre::parse(text);
+  CHECK(problemsOf(parsed, text) == "");
+  REQUIRE(parsed.program.properties.size() == 3);
+  CHECK(parsed.program.properties[0].asserted);
+  CHECK_FALSE(parsed.program.properties[1].asserted);
+  CHECK(parsed.program.properties[2].asserted);
+  CHECK(fiacre::printPattern(parsed.program.properties[0].pattern, "main") ==
+        "ltl [] (((main/1/state s) and (main/2/value (x = 3))) => (<> (main/1/tag done)))");
+  CHECK(parsed.program.properties[1].pattern.within->upperOpen);
+}
+
+TEST_CASE("a mistake is told at its place, and the rest is read") {
+  CHECK(problemsOf("process P is states s from s wait [0,0] to s") ==
+        "`to`: `;` is missing before `to`\n");
+  CHECK(problemsOf("process P is states s from s to from s loop\nprocess Q is states t") ==
+        "`from`: the name of a state is missing: `from` means something to Fiacre\n");
+  CHECK(problemsOf("const c: nat is\ntype t is bool") ==
+        "`type`: an expression is missing: `type` means something to Fiacre\n");
+  CHECK(problemsOf("process P is states s from s wait [0.5,1]; to s") ==
+        "`.`: times are whole numbers: choose a smaller unit, and say which in a comment\n");
+  CHECK(problemsOf("/* no end") == "`/*`: the comment has no end: `*/` is missing\n");
+  CHECK(problemsOf("type a is 0..n") == "`n`: the upper bound is no number known here\n");
+  CHECK(problemsOf("@@ type a is bool") == "`@@`: this is no sign of Fiacre\n");
+  const auto parsed = fiacre::parse("process P is states s, t from s to; from t to s");
+  CHECK(parsed.program.processes.at(0).transitions.size() == 1);
+}
+
+TEST_CASE("an origin is the text's own range") {
+  constexpr std::string_view text = "process P is states s from s x := 1; to s";
+  const auto parsed = fiacre::parse(text);
+  const auto& statement = parsed.program.processes[0].transitions[0].statement.children[0];
+  const auto& origin = parsed.provenance.origins[statement.origin];
+  CHECK(text.substr(origin.begin, origin.end - origin.begin) == "x := 1");
+  CHECK(origin.words == "x := 1");
+  CHECK(origin.actor == "P");
+}
+
+TEST_CASE("whatever the text, reading ends") {
+  const auto text = fiacre::print(test::randomModel(7));
+  for (std::size_t length = 0; length < text.size(); length += 7)
+    (void)fiacre::parse(text.substr(0, length));
+  for (std::size_t at = 0; at + 9 < text.size(); at += 11)
+    (void)fiacre::parse(text.substr(0, at) + text.substr(at + 9));
+  for (const auto* part : {"(", "[", "if x then ", "select ", "not ", "{|", "-", "par "})
+    CHECK_FALSE(fiacre::parse("process P is states s from s x := " + repeated(part, 100'000))
+                    .problems.empty());
+}
