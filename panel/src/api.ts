@@ -247,6 +247,8 @@ export interface News {
   caret: Location;
   /** The text changed: pictures are asked for again. */
   edited: Record<string, never>;
+  /** The host has ended: what is here stays, nothing new comes. */
+  gone: Record<string, never>;
 }
 
 // ---- messages --------------------------------------------------------------------------------

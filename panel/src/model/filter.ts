@@ -1,0 +1,62 @@
+import type { Step, Trace } from '../api.ts';
+
+/** Which steps of a trace are shown. Empty sets and texts leave everything. */
+export interface Filter {
+  actors: ReadonlySet<string>;
+  /** Only steps that change one of these. */
+  variables: ReadonlySet<string>;
+  /** Only steps that change something. */
+  changing: boolean;
+}
+export const everything: Filter = { actors: new Set(), variables: new Set(), changing: false };
+
+export const isFiltering = (filter: Filter): boolean =>
+  filter.actors.size > 0 || filter.variables.size > 0 || filter.changing;
+
+export function passes(step: Step, filter: Filter): boolean {
+  if (filter.actors.size > 0 && !filter.actors.has(step.actor)) return false;
+  if (filter.changing && step.changes.length === 0) return false;
+  return filter.variables.size === 0 || step.changes.some((change) => filter.variables.has(change.variable));
+}
+
+/** The indices of the steps that are shown. */
+export function select(trace: Trace, filter: Filter): number[] {
+  const out: number[] = [];
+  trace.steps.forEach((step, index) => passes(step, filter) && out.push(index));
+  return out;
+}
+
+const plain = (text: string): string => text.replaceAll('`', '').toLowerCase();
+
+/** Whether a step says what is searched for: words of it, its actor, or a value that changes. */
+export function matches(step: Step, needle: string): boolean {
+  const text = [
+    step.actor,
+    step.words,
+    ...step.changes.map((change) => `${change.variable} ${change.before} ${change.after}`),
+  ].join('\n');
+  return plain(text).includes(plain(needle));
+}
+
+export function search(trace: Trace, needle: string): number[] {
+  if (needle.trim() === '') return [];
+  const out: number[] = [];
+  trace.steps.forEach((step, index) => matches(step, needle.trim()) && out.push(index));
+  return out;
+}
+
+/** Steps one after the other by the same actor. */
+export interface Group {
+  actor: string;
+  steps: number[];
+}
+export function groups(trace: Trace, shown: readonly number[]): Group[] {
+  const out: Group[] = [];
+  for (const index of shown) {
+    const actor = trace.steps[index]!.actor;
+    const last = out.at(-1);
+    if (last?.actor === actor) last.steps.push(index);
+    else out.push({ actor, steps: [index] });
+  }
+  return out;
+}

@@ -1,0 +1,161 @@
+import type { ActorKind, Trace } from '../api.ts';
+import { actorsOf } from './actors.ts';
+
+/** How a lane's bar is coloured: a value of a variable, or what became of a skill. */
+export type Tone = 'running' | 'success' | 'failure' | 'interrupted' | 'value';
+
+/** Between two steps. `to` is that of the end of the trace where it is still open. */
+export interface Bar {
+  from: number;
+  to: number;
+  open: boolean;
+  label: string;
+  tone: Tone;
+}
+export interface Lane {
+  name: string;
+  kind: ActorKind | 'variable';
+  bars: Bar[];
+  /** Steps by this actor, or that change this variable. */
+  marks: number[];
+}
+
+const starts = /^starts$|^starts its action|^sees it start$/;
+const failing = /^fails|^undershoot|^overshoot/;
+
+/** What became of whom these words are said, by them and by what its status is now. */
+function endOf(words: string, status: string | undefined, hasStatus: boolean): Tone | null {
+  if (status === 'success') return 'success';
+  if (status === 'failure' || status === 'failed_inv') return 'failure';
+  if (status === 'interrupted') return 'interrupted';
+  if (/^succeeds|^ends$|^sees it end$/.test(words)) return 'success';
+  if (failing.test(words)) return 'failure';
+  if (hasStatus) return null; // it is only about to end
+  if (/^invariant /.test(words)) return 'failure';
+  return /^is interrupted|^is stopped/.test(words) ? 'interrupted' : null;
+}
+
+/** From its start to its end, as often as it runs; what it does without a start is a mark. */
+function skillLane(trace: Trace, name: string, kind: ActorKind): Lane {
+  const lane: Lane = { name, kind, bars: [], marks: [] };
+  const variable = `${name}.status`;
+  const hasStatus = variable in trace.initial;
+  let running: Bar | null = null;
+  trace.steps.forEach((step, index) => {
+    const status = step.changes.find((change) => change.variable === variable)?.after;
+    const mine = step.actor === name;
+    if (mine) lane.marks.push(index);
+    const ended = mine || status ? endOf(mine ? step.words : '', status, hasStatus) : null;
+    if (running && ended) {
+      Object.assign(running, { to: index, open: false, tone: ended });
+      running = null;
+    } else if (mine && !running && starts.test(step.words)) {
+      running = { from: index, to: trace.steps.length - 1, open: true, label: name, tone: 'running' };
+      lane.bars.push(running);
+    }
+  });
+  return lane;
+}
+
+/** A bar for each value that it has. */
+function variableLane(trace: Trace, name: string): Lane {
+  const lane: Lane = { name, kind: 'variable', bars: [], marks: [] };
+  const value = (label: string, from: number): Bar => ({
+    from, to: trace.steps.length - 1, open: true, label, tone: 'value',
+  });
+  lane.bars.push(value(trace.initial[name] ?? '', 0));
+  trace.steps.forEach((step, index) => {
+    const change = step.changes.find((it) => it.variable === name);
+    if (!change) return;
+    Object.assign(lane.bars.at(-1)!, { to: index, open: false });
+    lane.bars.push(value(change.after, index));
+    lane.marks.push(index);
+  });
+  return lane;
+}
+
+/** What a skill's status and result are is seen in its own lane. */
+const isOfSkill = (variable: string): boolean => /\.(status|res)$/.test(variable);
+
+const order: { [K in Lane['kind']]: number } = {
+  skill: 0, branch: 0, watchdog: 1, event: 2, environment: 2, variable: 3,
+};
+
+/** The lanes of a trace: skills with their branches, watchdogs, events, and the variables that change. */
+export function lanesOf(trace: Trace): Lane[] {
+  const lanes: Lane[] = [];
+  for (const actor of actorsOf(trace)) {
+    if (actor.kind === 'skill' || actor.kind === 'branch' || actor.kind === 'watchdog') {
+      lanes.push(skillLane(trace, actor.name, actor.kind));
+    } else {
+      const marks: number[] = [];
+      trace.steps.forEach((step, index) => step.actor === actor.name && marks.push(index));
+      lanes.push({ name: actor.name, kind: actor.kind, bars: [], marks });
+    }
+  }
+  const changed = new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)));
+  for (const name of Object.keys(trace.initial))
+    if (changed.has(name) && !isOfSkill(name)) lanes.push(variableLane(trace, name));
+  return lanes
+    .map((lane, index) => ({ lane, index }))
+    .sort((a, b) => order[a.lane.kind] - order[b.lane.kind] || a.index - b.index)
+    .map(({ lane }) => lane);
+}
+
+/** Where each step stands on the axis: its date, or its number. */
+export function axisOf(trace: Trace, by: 'date' | 'step'): Float64Array {
+  return Float64Array.from(trace.steps, (step, index) => (by === 'date' ? step.date.seconds : index));
+}
+
+export interface Drawn {
+  x: number;
+  width: number;
+  bar: Bar | null; // null: several that are too narrow to be told apart
+  count: number;
+}
+
+/**
+ * The bars of a lane that are in view, in pixels, for a stretch of the axis drawn this wide. Bars
+ * narrower than a pixel are drawn together, so that there are never more than pixels.
+ */
+export function drawBars(lane: Lane, axis: Float64Array, from: number, to: number, width: number): Drawn[] {
+  const scale = width / (to - from || 1);
+  const end = axis.at(-1) ?? 0;
+  const out: Drawn[] = [];
+  for (const bar of lane.bars) {
+    const begin = axis[bar.from] ?? 0;
+    const stop = bar.open ? Math.max(end, to) : (axis[bar.to] ?? end);
+    if (stop < from || begin > to) continue;
+    const x = Math.max((begin - from) * scale, -4);
+    const right = Math.min((stop - from) * scale, width + 4);
+    const last = out.at(-1);
+    if (last && right - x < 1.5 && x - (last.x + last.width) < 1 && last.width < 3) {
+      last.width = Math.max(last.width, right - last.x);
+      last.bar = null;
+      ++last.count;
+    } else out.push({ x, width: Math.max(right - x, 0), bar, count: 1 });
+  }
+  return out;
+}
+
+/** Marks in view, one a pixel at most: its place and the first step there. */
+export function drawMarks(lane: Lane, axis: Float64Array, from: number, to: number, width: number): { x: number; step: number; count: number }[] {
+  const scale = width / (to - from || 1);
+  const out: { x: number; step: number; count: number }[] = [];
+  for (const step of lane.marks) {
+    const x = ((axis[step] ?? 0) - from) * scale;
+    if (x < -4 || x > width + 4) continue;
+    const last = out.at(-1);
+    if (last && x - last.x < 2) ++last.count;
+    else out.push({ x, step, count: 1 });
+  }
+  return out;
+}
+
+/** The step of a lane's actor, or of all, that stands nearest to a place on the axis. */
+export function nearest(steps: readonly number[], axis: Float64Array, at: number): number | null {
+  let best: number | null = null;
+  for (const step of steps)
+    if (best === null || Math.abs(axis[step]! - at) < Math.abs(axis[best]! - at)) best = step;
+  return best;
+}

@@ -1,0 +1,37 @@
+import type { Moment, Step } from '../api.ts';
+
+/** `1`, `[1, 2]`, `]1, 2[`, `[1, …[`: when a step happens, over all runs through the same steps. */
+export function windowOf(step: Step): string {
+  const { earliest, latest } = step;
+  if (latest && !earliest.strict && !latest.strict && earliest.exact === latest.exact) return earliest.exact;
+  const left = earliest.strict ? ']' : '[';
+  return latest
+    ? `${left}${earliest.exact}, ${latest.exact}${latest.strict ? '[' : ']'}`
+    : `${left}${earliest.exact}, …[`;
+}
+
+/** In words, for a tooltip and for those who listen. */
+export function windowWords(step: Step): string {
+  const { earliest, latest } = step;
+  const at = `at ${step.date.exact} s in this run`;
+  if (latest && earliest.exact === latest.exact && !earliest.strict && !latest.strict) return `at ${earliest.exact} s`;
+  const from = `${earliest.strict ? 'after' : 'from'} ${earliest.exact} s`;
+  const to = latest ? `${latest.strict ? 'before' : 'to'} ${latest.exact} s` : 'as late as one likes';
+  return `${at}; possible ${from}, ${to}`;
+}
+
+export const sameMoment = (a: Moment | null, b: Moment | null): boolean =>
+  a === b || (a !== null && b !== null && a.exact === b.exact && a.strict === b.strict);
+
+/** Round distances between marks on an axis of this length. */
+export function ticks(from: number, to: number, most: number): number[] {
+  const span = to - from;
+  if (!(span > 0) || most < 1) return [];
+  const raw = span / most;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((it) => it >= raw) ?? 10 * power;
+  const out: number[] = [];
+  for (let i = Math.ceil(from / step - 1e-9); i * step <= to + step * 1e-9; ++i)
+    out.push(Number((i * step).toPrecision(12)));
+  return out;
+}

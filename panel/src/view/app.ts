@@ -1,0 +1,254 @@
+import type { Hello, Host, Location, NewsOf, Program, Remembered, Show, Trace, Verdict } from '../api.ts';
+import { open } from '../model/parse.ts';
+import { AutomatonView } from './automaton_view.ts';
+import { h, plural } from './dom.ts';
+import { button, enable } from './icons.ts';
+import { Saver } from './save.ts';
+import { SourceView } from './source_view.ts';
+import { splitter } from './splitter.ts';
+import { followTheme, inVsCode, switchTheme } from './theme.ts';
+import { TraceView } from './trace_view.ts';
+import { markOf, VerdictsView } from './verdicts_view.ts';
+
+type Tab = 'trace' | 'automaton';
+
+/** Asks the host what there is, and shows it. */
+export async function start(root: HTMLElement, host: Host): Promise<void> {
+  try {
+    new App(root, host, await host.request('hello', {}));
+  } catch (error) {
+    root.replaceChildren(h('div', { class: 'empty' }, h('p', {}, 'The panel could not be opened.'), h('p', { class: 'faint' }, (error as Error).message)));
+  }
+}
+
+class App {
+  private readonly root: HTMLElement;
+  private readonly host: Host;
+  private readonly verdicts = new VerdictsView((verdict, focus) => void this.choose(verdict, focus));
+  private readonly source: SourceView | null;
+  private readonly trace: TraceView;
+  private readonly automaton: AutomatonView;
+  private readonly tabs = new Map<Tab, { tab: HTMLButtonElement; panel: HTMLElement }>();
+  private readonly title = h('h1', {}, 'ProSkill');
+  private readonly state = h('span', { class: 'state', role: 'status' });
+  private readonly toast = h('div', { class: 'toast', role: 'status', hidden: true });
+  private readonly again: HTMLButtonElement;
+  private readonly remembered: Remembered;
+  private readonly opened = new Map<string, Trace>();
+  private program: Program | null = null;
+  private toastTimer = 0;
+
+  constructor(root: HTMLElement, host: Host, private readonly hello: Hello) {
+    this.root = root;
+    this.host = this.watched(host);
+    this.remembered = { ...hello.remembered };
+    const saver = new Saver(this.host, hello.can.save, (words) => this.say(words));
+    this.source = hello.can.source ? new SourceView(this.host, (location) => this.automaton.follows(location)) : null;
+    this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }));
+    this.trace = new TraceView(this.host, saver, {
+      stepped: () => this.stepped(), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
+    });
+    this.trace.pin(this.remembered.pinned ?? []);
+    this.again = button({ icon: 'again', title: 'Verify again', onclick: () => void this.host.request('verify', {}).catch((error: Error) => this.say(error.message)) });
+    followTheme(() => void this.automaton.load(true));
+    this.draw();
+    this.host.onNews((...news) => this.news(news));
+    void this.begin();
+  }
+
+  /** The host, with the source view looking at what is told, where there is one. */
+  private watched(host: Host): Host {
+    return {
+      request: (method, params) => host.request(method, params),
+      onNews: (listener) => host.onNews(listener),
+      tell: (method, params) => {
+        host.tell(method, params);
+        if (method !== 'reveal') return;
+        const { location, focus } = params as { location: Location; focus: boolean };
+        void this.source?.reveal(location, focus);
+      },
+    };
+  }
+
+  private draw(): void {
+    const { layout } = this.hello;
+    document.body.classList.add(`layout-${layout}`);
+    if (layout === 'trace') return this.root.replaceChildren(this.trace.element, this.toast);
+    if (layout === 'automaton') return this.root.replaceChildren(this.automaton.element, this.toast);
+    const main = h('main', {}, this.tabList());
+    for (const { panel } of this.tabs.values()) main.append(panel);
+    const body = h('div', { class: 'app-body' }, this.verdicts.element, main);
+    if (this.source) body.append(splitter('vertical', this.source.element, 'source'), this.source.element);
+    this.root.replaceChildren(h('header', { class: 'app-head' }, this.title, this.state, h('span', { class: 'push' }),
+      this.hello.can.verify && this.again,
+      button({ icon: 'open', title: 'Open a trace or a report from a file', onclick: () => this.openFile() }),
+      !inVsCode() && button({ icon: 'theme', title: 'Light or dark', onclick: () => switchTheme() })), body, this.toast);
+    this.select('trace');
+  }
+
+  private tabList(): HTMLElement {
+    const list = h('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Views', onkeydown: (event: KeyboardEvent) => this.tabKey(event) });
+    const add = (name: Tab, words: string, content: HTMLElement): void => {
+      const tab = h('button', { type: 'button', role: 'tab', id: `tab-${name}`, class: 'tab', 'aria-controls': `panel-${name}`, onclick: () => this.select(name) }, words);
+      this.tabs.set(name, { tab, panel: h('div', { class: 'tab-panel', role: 'tabpanel', id: `panel-${name}`, 'aria-labelledby': `tab-${name}` }, content) });
+      list.append(tab);
+    };
+    add('trace', 'Trace', this.trace.element);
+    add('automaton', 'Automata', this.automaton.element);
+    return list;
+  }
+
+  private tabKey(event: KeyboardEvent): void {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    const other = this.tabs.get('trace')!.panel.hidden ? 'trace' : 'automaton';
+    this.select(other);
+    this.tabs.get(other)!.tab.focus();
+  }
+
+  private select(name: Tab): void {
+    for (const [key, { tab, panel }] of this.tabs) {
+      tab.setAttribute('aria-selected', String(key === name));
+      tab.tabIndex = key === name ? 0 : -1;
+      panel.hidden = key !== name;
+    }
+  }
+
+  /** What the host asks for, else what was seen last, else the first finding. */
+  private async begin(): Promise<void> {
+    if (this.hello.program) this.take(this.hello.program);
+    const { picture, trace, step } = this.remembered;
+    const show = this.hello.show ?? { ...(picture && { picture }), ...(trace && { trace }), ...(step !== undefined && { step }) };
+    await this.show(show);
+    const first = this.program?.verdicts.find((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
+    if (this.hello.layout === 'all' && !this.trace.trace && first) await this.choose(first, true);
+  }
+
+  private async show(show: Show): Promise<void> {
+    if (show.picture) {
+      this.select('automaton');
+      await this.automaton.show(show.picture.kind, show.picture.name);
+    }
+    if (show.at) this.automaton.goTo(show.at);
+    if (show.given) {
+      this.opened.set(show.given.name, show.given);
+      this.openTrace(show.given, show.step);
+    } else if (show.trace && show.trace !== this.trace.trace?.name) await this.fetchTrace(show.trace, show.step);
+    else if (show.step !== undefined && this.trace.trace) this.trace.goTo(show.step);
+  }
+
+  private async fetchTrace(name: string, step?: number): Promise<void> {
+    try {
+      this.openTrace(this.opened.get(name) ?? (await this.host.request('trace', { name })), step);
+    } catch (error) {
+      this.say((error as Error).message);
+    }
+  }
+
+  private openTrace(trace: Trace, step?: number): void {
+    this.select('trace');
+    this.trace.show(trace, step);
+    this.trace.markStale(trace.stale ?? false);
+    this.verdicts.select(trace.name);
+  }
+
+  private async choose(verdict: Verdict, focus: boolean): Promise<void> {
+    if (verdict.steps !== null) {
+      await this.fetchTrace(verdict.name);
+      if (focus) this.trace.focus();
+    } else {
+      this.say(verdict.reason || `${verdict.verdict}: there is no trace for this verdict`);
+      if (verdict.location) this.host.tell('reveal', { location: verdict.location, focus: false });
+    }
+  }
+
+  private stepped(): void {
+    const { trace, current } = this.trace;
+    this.remember({ trace: trace!.name, step: current });
+    const location = trace!.steps[current]?.location;
+    if (location && this.source) this.automaton.follows(location);
+  }
+
+  private remember(more: Remembered): void {
+    Object.assign(this.remembered, more);
+    this.host.tell('remember', { ...this.remembered });
+  }
+
+  private take(program: Program): void {
+    const former = this.program;
+    this.program = program;
+    document.title = `${program.label} – ProSkill`;
+    this.title.textContent = program.label;
+    this.state.textContent = stateWords(program);
+    this.state.className = `state ${program.state}${program.stale ? ' stale' : ''}`;
+    enable(this.again, program.state === 'checking' ? 'It is being verified' : null, 'Verify again');
+    this.verdicts.show(program);
+    this.trace.setOthers(program.verdicts);
+    this.trace.markStale(program.stale || (this.trace.trace?.stale ?? false));
+    if (program.pictures.length > 0) this.automaton.setProgram(program);
+    void this.source?.setProgram(program);
+    if (former && former.state !== 'done' && program.state === 'done') this.refresh();
+  }
+
+  /** After another verification the trace may be another one. */
+  private refresh(): void {
+    const { trace } = this.trace;
+    if (trace && !this.opened.has(trace.name) && this.program!.verdicts.some((it) => it.name === trace.name && it.steps !== null))
+      void this.fetchTrace(trace.name);
+  }
+
+  private news(news: NewsOf): void {
+    switch (news[0]) {
+      case 'program': return this.take(news[1]);
+      case 'show': return void this.show(news[1]);
+      case 'caret': return this.automaton.follows(news[1]);
+      case 'edited': return void this.automaton.load(true);
+      case 'gone':
+        this.state.textContent = 'proskill view has ended; what is here stays';
+        this.state.className = 'state failed';
+    }
+  }
+
+  private openFile(): void {
+    const input = h('input', { type: 'file', accept: '.json,application/json', onchange: () => void this.read(input.files?.[0]) });
+    input.click();
+  }
+
+  private async read(file: File | undefined): Promise<void> {
+    if (!file) return;
+    try {
+      const { traces, program } = open(await file.text());
+      for (const trace of traces) this.opened.set(trace.name, trace);
+      if (program) this.take({ ...program, pictures: this.program?.pictures ?? [], files: this.program?.files ?? [] });
+      const first = program?.verdicts.find((it) => !it.good && it.steps !== null)?.name;
+      const trace = traces.find((it) => it.name === first) ?? traces[0];
+      if (!trace) throw new Error('there is no trace in it');
+      this.openTrace(trace);
+    } catch (error) {
+      this.say(`${file.name}: ${(error as Error).message}`);
+    }
+  }
+
+  private say(words: string): void {
+    this.toast.textContent = words;
+    this.toast.hidden = false;
+    clearTimeout(this.toastTimer);
+    this.toastTimer = window.setTimeout(() => { this.toast.hidden = true; }, 6000);
+  }
+}
+
+function stateWords(program: Program): string {
+  const { progress, exploration } = program;
+  switch (program.state) {
+    case 'waiting': return 'waiting for an idle moment';
+    case 'checking':
+      return progress ? `verifying: ${progress.decided} of ${progress.total}, ${plural(progress.classes, 'class', 'classes')}` : 'verifying';
+    case 'errors': return program.message || 'the text has errors';
+    case 'failed': return program.message || 'the verification failed';
+    case 'off': return program.message || 'not verified';
+    case 'done': {
+      if (!exploration) return '';
+      const much = `${plural(exploration.classes, 'class', 'classes')} in ${exploration.seconds.toFixed(2)} s`;
+      return exploration.complete ? much : `${much}, then stopped: ${exploration.stopped}`;
+    }
+  }
+}

@@ -1,0 +1,58 @@
+/** Elements without markup in strings: what users write is never read as HTML. */
+
+type Child = Node | string | null | undefined | false;
+type Attributes = { [name: string]: string | number | boolean | null | undefined | ((event: never) => void) };
+
+const svgNamespace = 'http://www.w3.org/2000/svg';
+
+function fill(element: Element, attributes: Attributes, children: Child[]): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === null || value === undefined || value === false) continue;
+    if (typeof value === 'function') element.addEventListener(name.slice(2), value as EventListener);
+    else element.setAttribute(name, value === true ? '' : String(value));
+  }
+  element.append(...children.filter((child): child is Node | string => !!child));
+}
+
+/** `h('button', { class: 'x', onclick: f }, 'text')`; attributes that are false are left out. */
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+export function s<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[K] {
+  const element = document.createElementNS(svgNamespace, tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+/** Words with names between backquotes, which become code. */
+export function prose(text: string): DocumentFragment {
+  const out = document.createDocumentFragment();
+  text.split('`').forEach((part, index) => {
+    if (part !== '') out.append(index % 2 ? h('code', {}, part) : part);
+  });
+  return out;
+}
+
+/** Calls at most once a frame, with the last arguments. */
+export function onceAFrame(work: () => void): () => void {
+  let due = false;
+  return () => {
+    if (due) return;
+    due = true;
+    requestAnimationFrame(() => {
+      due = false;
+      work();
+    });
+  };
+}
+
+/** Whether a key is being typed into a field. */
+export function isTyping(event: Event): boolean {
+  const target = event.target as HTMLElement | null;
+  return !!target?.closest('input, select, textarea');
+}
+
+export const plural = (count: number, one: string, many = `${one}s`): string => `${count.toLocaleString('en')} ${count === 1 ? one : many}`;

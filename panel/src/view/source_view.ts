@@ -1,0 +1,132 @@
+import type { Host, Location, Program } from '../api.ts';
+import { highlight } from '../model/highlight.ts';
+import { Rows } from '../model/virtual.ts';
+import { h, onceAFrame } from './dom.ts';
+
+const lineHeight = 20;
+
+/** The text of the program beside the views, with the range in hand marked. */
+export class SourceView {
+  readonly element: HTMLElement;
+  private readonly files = h('select', { class: 'files', 'aria-label': 'File', onchange: () => void this.open(this.files.value) });
+  private readonly space = h('div', { class: 'source-space' });
+  private readonly scroller: HTMLElement;
+  private readonly texts = new Map<string, Promise<string>>();
+  private lines: ReturnType<typeof highlight> = [];
+  private rows = new Rows([]);
+  private uri: string | null = null;
+  private marked: Location | null = null;
+  private readonly draw = onceAFrame(() => this.drawNow());
+
+  constructor(private readonly host: Host, private readonly caret: (location: Location) => void) {
+    this.scroller = h('div', { class: 'scroll source-text', tabindex: 0, role: 'region', 'aria-label': 'Source text', onscroll: () => this.draw(), onclick: (event: MouseEvent) => this.click(event) }, this.space);
+    this.element = h('aside', { class: 'source', 'aria-label': 'Source' }, h('div', { class: 'bar' }, this.files), this.scroller);
+    new ResizeObserver(() => this.draw()).observe(this.scroller);
+  }
+
+  /** The files to choose from; texts are read anew. */
+  async setProgram(program: Program): Promise<void> {
+    this.texts.clear();
+    const before = this.uri;
+    this.files.replaceChildren(...program.files.map((file) => h('option', { value: file.uri }, file.label)));
+    const first = program.files.some((file) => file.uri === before) ? before : program.files[0]?.uri;
+    this.uri = null;
+    if (first) await this.open(first);
+  }
+
+  async reveal(location: Location, focus: boolean): Promise<void> {
+    this.marked = location;
+    await this.open(location.uri);
+    const rows = this.rows;
+    const { start, end } = location.range;
+    const last = Math.min(end.line, rows.count - 1);
+    if (start.line < rows.count) {
+      const margin = 4 * lineHeight;
+      const bottom = rows.reveal(last, this.scroller.scrollTop, this.scroller.clientHeight, margin);
+      this.scroller.scrollTop = rows.reveal(start.line, bottom, this.scroller.clientHeight, margin);
+    }
+    this.drawNow();
+    if (focus) this.scroller.focus({ preventScroll: true });
+  }
+
+  private async open(uri: string): Promise<void> {
+    if (uri === this.uri) return;
+    if (!this.texts.has(uri)) this.texts.set(uri, this.host.request('source', { uri }).then((it) => it.text));
+    let text = '';
+    try {
+      text = await this.texts.get(uri)!;
+    } catch (error) {
+      this.texts.delete(uri);
+      text = `; ${(error as Error).message}`;
+    }
+    this.uri = uri;
+    this.files.value = uri;
+    this.lines = highlight(text);
+    this.rows = new Rows(new Float64Array(this.lines.length).fill(lineHeight));
+    this.space.style.height = `${this.rows.height}px`;
+    this.scroller.scrollTop = 0;
+    this.drawNow();
+  }
+
+  private drawNow(): void {
+    const [first, last] = this.rows.visible(this.scroller.scrollTop, this.scroller.clientHeight || 600, 200);
+    const out: HTMLElement[] = [];
+    for (let at = first; at < last; ++at) {
+      const line = h('div', { class: `line${this.isMarked(at) ? ' marked-line' : ''}`, 'data-line': at },
+        h('span', { class: 'line-number', 'aria-hidden': 'true' }, String(at + 1)), this.lineText(at));
+      line.style.transform = `translateY(${this.rows.top(at)}px)`;
+      out.push(line);
+    }
+    this.space.replaceChildren(...out);
+  }
+
+  private isMarked(line: number): boolean {
+    const range = this.marked?.uri === this.uri ? this.marked?.range : null;
+    return !!range && line >= range.start.line && line <= range.end.line;
+  }
+
+  /** Tokens with their colours, cut where the marked range begins and ends. */
+  private lineText(at: number): HTMLElement {
+    const tokens = this.lines[at] ?? [];
+    const range = this.isMarked(at) ? this.marked!.range : null;
+    const from = range && range.start.line === at ? range.start.character : 0;
+    const to = range && range.end.line === at ? range.end.character : Infinity;
+    const code = h('span', { class: 'code' });
+    let column = 0;
+    for (const token of tokens) {
+      // Columns are characters, of which some are two units of a JavaScript string.
+      const characters = [...token.text];
+      const cut = (begin: number, end: number): string => characters.slice(Math.max(begin - column, 0), Math.max(end - column, 0)).join('');
+      const add = (text: string, marked: boolean): void => {
+        if (text === '') return;
+        const kind = token.kind === 'plain' ? '' : `t-${token.kind}`;
+        code.append(kind || marked ? h('span', { class: `${kind}${marked ? ' marked' : ''}`.trim() }, text) : text);
+      };
+      if (!range) add(token.text, false);
+      else {
+        add(cut(column, from), false);
+        add(cut(Math.max(from, column), to), true);
+        add(cut(Math.max(to, column), Infinity), false);
+      }
+      column += characters.length;
+    }
+    return code;
+  }
+
+  /** Where a click sets the caret, the automaton follows. */
+  private click(event: MouseEvent): void {
+    const line = Number((event.target as Element).closest('[data-line]')?.getAttribute('data-line') ?? NaN);
+    if (Number.isNaN(line) || !this.uri || !getSelection()?.isCollapsed) return;
+    const start = (event.target as Element).closest('.code');
+    const range = document.createRange();
+    let character = 0;
+    const selection = getSelection();
+    if (start && selection?.anchorNode && start.contains(selection.anchorNode)) {
+      range.setStart(start, 0);
+      range.setEnd(selection.anchorNode, selection.anchorOffset);
+      character = [...range.toString()].length;
+    }
+    const at = { line, character };
+    this.caret({ uri: this.uri, range: { start: at, end: at } });
+  }
+}

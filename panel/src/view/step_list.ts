@@ -1,0 +1,227 @@
+import type { Change, Location, Trace } from '../api.ts';
+import { actorsOf, hue } from '../model/actors.ts';
+import { isDifferent, type Pair } from '../model/compare.ts';
+import { difference, type Part } from '../model/diff.ts';
+import { groups } from '../model/filter.ts';
+import { sameMoment, windowOf, windowWords } from '../model/time.ts';
+import { Rows } from '../model/virtual.ts';
+import { h, onceAFrame, prose } from './dom.ts';
+import { icon } from './icons.ts';
+
+const heights = { head: 30, step: 26, change: 22, other: 26 };
+const margin = 300; // pixels that are drawn above and below what is in view
+
+type Row =
+  | { type: 'head'; actor: string; group: number; count: number }
+  | { type: 'step'; index: number }
+  | { type: 'change'; index: number; change: Change }
+  | { type: 'other'; index: number }; // of the trace to compare with
+
+export interface StepListEvents {
+  select(index: number): void;
+  /** go to its source */
+  enter(index: number): void;
+}
+export interface Shown {
+  trace: Trace;
+  steps: readonly number[];
+  grouped: boolean;
+  found: ReadonlySet<number>;
+  /** undefined: with no other */
+  compared?: { other: Trace; pairs: Pair[] };
+}
+
+/** The steps of a trace, of which only those in view are elements. */
+export class StepList {
+  readonly element: HTMLElement;
+  private readonly space = h('div', { class: 'steps-space' });
+  private rows: Row[] = [];
+  private layout = new Rows([]);
+  private rowOf = new Map<number, number>();
+  private positions = new Map<number, number>();
+  private onlyLeft = new Set<number>();
+  private shown: Shown | null = null;
+  private kinds = new Map<string, string>();
+  private readonly folded = new Set<number>();
+  private current = -1;
+  private readonly draw = onceAFrame(() => this.drawNow());
+
+  constructor(private readonly events: StepListEvents) {
+    this.element = h('div', {
+      class: 'steps', tabindex: 0, role: 'listbox', 'aria-label': 'Steps of the trace', onscroll: () => this.draw(),
+      onkeydown: (event: KeyboardEvent) => this.key(event),
+    }, this.space);
+    new ResizeObserver(() => this.draw()).observe(this.element);
+  }
+
+  show(shown: Shown): void {
+    if (shown.trace !== this.shown?.trace) {
+      this.kinds = new Map(actorsOf(shown.trace).map((actor) => [actor.name, actor.kind]));
+      this.folded.clear();
+      this.element.scrollTop = 0;
+    }
+    this.shown = shown;
+    this.arrange();
+  }
+
+  /** Makes a step the current one and brings it into view. */
+  select(index: number): void {
+    this.current = index;
+    const row = this.rowOf.get(index);
+    if (row !== undefined) {
+      const top = this.layout.reveal(row, this.element.scrollTop, this.element.clientHeight, 48);
+      if (top !== this.element.scrollTop) this.element.scrollTop = top;
+    }
+    this.drawNow();
+  }
+
+  private arrange(): void {
+    const { trace, steps, grouped, compared } = this.shown!;
+    this.rows = [];
+    const add = (index: number): void => {
+      this.rows.push({ type: 'step', index });
+      for (const change of trace.steps[index]!.changes) this.rows.push({ type: 'change', index, change });
+    };
+    if (compared) this.arrangePairs(compared.pairs, new Set(steps), add);
+    else if (grouped)
+      groups(trace, steps).forEach((group) => {
+        const first = group.steps[0]!;
+        this.rows.push({ type: 'head', actor: group.actor, group: first, count: group.steps.length });
+        if (!this.folded.has(first)) group.steps.forEach(add);
+      });
+    else steps.forEach(add);
+    this.positions = new Map(steps.map((index, at) => [index, at + 1]));
+    this.onlyLeft = new Set(compared?.pairs.flatMap((pair) => (isDifferent(pair) ? (pair.left ?? []) : [])));
+    this.rowOf = new Map();
+    this.rows.forEach((row, at) => row.type === 'step' && this.rowOf.set(row.index, at));
+    this.layout = new Rows(this.rows.map((row) => heights[row.type]));
+    this.space.style.height = `${this.layout.height}px`;
+    this.drawNow();
+  }
+
+  private arrangePairs(pairs: Pair[], shown: ReadonlySet<number>, add: (index: number) => void): void {
+    for (const pair of pairs) {
+      if (pair.left !== null && shown.has(pair.left)) add(pair.left);
+      else if (pair.left === null && pair.right !== null) this.rows.push({ type: 'other', index: pair.right });
+    }
+  }
+
+  private drawNow(): void {
+    if (!this.shown) return;
+    const [first, last] = this.layout.visible(this.element.scrollTop, this.element.clientHeight || 600, margin);
+    const out: HTMLElement[] = [];
+    for (let at = first; at < last; ++at) {
+      const row = this.rows[at];
+      if (!row) continue;
+      const element = this.rowElement(row, at);
+      element.style.transform = `translateY(${this.layout.top(at)}px)`;
+      element.style.height = `${heights[row.type]}px`;
+      out.push(element);
+    }
+    this.space.replaceChildren(...out);
+    const active = this.rowOf.has(this.current) ? `step-${this.current}` : null;
+    if (active && document.getElementById(active)) this.element.setAttribute('aria-activedescendant', active);
+    else this.element.removeAttribute('aria-activedescendant');
+  }
+
+  private rowElement(row: Row, at: number): HTMLElement {
+    if (row.type === 'head') return this.headElement(row);
+    if (row.type === 'change') return this.changeElement(row.index, row.change);
+    if (row.type === 'other') return this.otherElement(row.index);
+    return this.stepElement(row.index, at);
+  }
+
+  private headElement(row: Row & { type: 'head' }): HTMLElement {
+    const isFolded = this.folded.has(row.group);
+    return h('div', {
+      class: `row head hue-${hue(row.actor, 10)}`, role: 'presentation', title: isFolded ? 'Show its steps' : 'Hide its steps',
+      onclick: () => this.fold(row.group),
+    }, h('span', { class: `chevron${isFolded ? ' shut' : ''}` }, icon('down')), h('span', { class: 'dot' }),
+    h('span', { class: 'actor' }, row.actor), h('span', { class: 'faint' }, this.kinds.get(row.actor) ?? ''),
+    isFolded && h('span', { class: 'faint push' }, `${row.count} hidden`));
+  }
+
+  private fold(group: number): void {
+    if (!this.folded.delete(group)) this.folded.add(group);
+    this.arrange();
+  }
+
+  private stepElement(index: number, at: number): HTMLElement {
+    const { trace, steps, found, compared, grouped } = this.shown!;
+    const step = trace.steps[index]!;
+    const before = trace.steps[index - 1];
+    const sameDate = before && at > 0 && sameMoment(before.earliest, step.earliest) && sameMoment(before.latest, step.latest);
+    const only = this.onlyLeft.has(index);
+    const classes = ['row', 'step', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
+      this.inLoop(index) && 'in-loop', trace.loop === index && 'loop-start', `hue-${hue(step.actor, 10)}`];
+    return h('div', {
+      class: classes.filter(Boolean).join(' '), id: `step-${index}`, role: 'option', 'aria-selected': String(index === this.current),
+      'aria-posinset': this.positions.get(index) ?? 1, 'aria-setsize': steps.length,
+      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.words}`,
+      onclick: () => this.choose(index), ondblclick: () => this.events.enter(index),
+    }, h('span', { class: 'number' }, String(index + 1)),
+    h('span', { class: `date${sameDate ? ' same' : ''}`, title: windowWords(step) }, `${windowOf(step)} s`),
+    (!grouped || compared) && h('span', { class: 'actor' }, h('span', { class: 'dot' }), step.actor),
+    h('span', { class: 'words' }, prose(step.words)),
+    trace.loop === index && h('span', { class: 'tag' }, 'from here on for ever'),
+    only && h('span', { class: 'tag' }, 'only here'),
+    step.location && h('span', { class: 'place' }, placeOf(step.location)));
+  }
+
+  private changeElement(index: number, change: Change): HTMLElement {
+    const found = difference(change.before, change.after);
+    return h('div', {
+      class: `row change${index === this.current ? ' of-current' : ''}${this.inLoop(index) ? ' in-loop' : ''} ${found.kind}`,
+      role: 'presentation', onclick: () => this.choose(index),
+    }, h('span', { class: 'variable' }, change.variable), parts('before', found.before), h('span', { class: 'arrow' }, '→'),
+    parts('after', found.after), found.delta && h('span', { class: 'faint' }, found.delta));
+  }
+
+  private otherElement(index: number): HTMLElement {
+    const step = this.shown!.compared!.other.steps[index]!;
+    return h('div', { class: `row step only-right hue-${hue(step.actor, 10)}`, role: 'presentation' },
+      h('span', { class: 'number' }, String(index + 1)), h('span', { class: 'date', title: windowWords(step) }, `${windowOf(step)} s`),
+      h('span', { class: 'actor' }, h('span', { class: 'dot' }), step.actor), h('span', { class: 'words' }, prose(step.words)),
+      h('span', { class: 'tag' }, 'only in the other'));
+  }
+
+  private inLoop(index: number): boolean {
+    const loop = this.shown!.trace.loop;
+    return typeof loop === 'number' && index >= loop;
+  }
+
+  private choose(index: number): void {
+    this.element.focus({ preventScroll: true });
+    this.events.select(index);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const steps = this.shown?.steps ?? [];
+    if (event.ctrlKey || event.metaKey || event.altKey || steps.length === 0) return;
+    const page = Math.max(1, Math.floor(this.element.clientHeight / heights.step) - 2);
+    const by = { ArrowDown: 1, j: 1, ArrowUp: -1, k: -1, PageDown: page, PageUp: -page, Home: -Infinity, End: Infinity }[event.key];
+    if (by !== undefined) this.move(by);
+    else if (event.key === 'Enter') this.events.enter(this.current);
+    else return;
+    event.preventDefault();
+  }
+
+  /** Goes on by so many of the steps that are shown. */
+  move(by: number): void {
+    const steps = this.shown?.steps ?? [];
+    if (steps.length === 0) return;
+    // Where the current step is not shown, from where it would be.
+    const after = steps.findIndex((index) => index >= this.current);
+    const at = after < 0 ? steps.length : after;
+    const from = steps[at] === this.current || by < 0 ? at : at - 1;
+    this.events.select(steps[Math.min(Math.max(from + by, 0), steps.length - 1)]!);
+  }
+}
+
+export const placeOf = (location: Location): string =>
+  `${decodeURIComponent(location.uri.split('/').at(-1) ?? '')}:${location.range.start.line + 1}`;
+
+export function parts(className: string, list: Part[]): HTMLElement {
+  return h('span', { class: className },
+    ...(list.length === 0 ? [h('span', { class: 'faint' }, '—')] : list.map((part) => (part.changed ? h('b', {}, part.text) : part.text))));
+}

@@ -1,0 +1,284 @@
+import type { Host, Trace, Verdict } from '../api.ts';
+import { actorsOf, hue } from '../model/actors.ts';
+import { compare, isDifferent, type Pair } from '../model/compare.ts';
+import { fileName, traceJson, traceText } from '../model/export.ts';
+import { search, select } from '../model/filter.ts';
+import { Values } from '../model/values.ts';
+import { h, isTyping, plural, prose } from './dom.ts';
+import { button, enable, icon, toggle } from './icons.ts';
+import { LanesView } from './lanes_view.ts';
+import { menu, type Section } from './menu.ts';
+import { standalone, type Saver } from './save.ts';
+import { splitter } from './splitter.ts';
+import { StepList } from './step_list.ts';
+import { ValuesView } from './values_view.ts';
+
+export interface TraceEvents {
+  /** the current step is another one */
+  stepped(): void;
+  openFile(): void;
+  pinned(names: string[]): void;
+}
+
+/** A trace as a list of steps, values and lanes, in step with each other and with the source. */
+export class TraceView {
+  readonly element: HTMLElement;
+  private readonly list: StepList;
+  private readonly values: ValuesView;
+  private readonly lanes: LanesView;
+  private readonly head = h('div', { class: 'trace-head' });
+  private readonly body: HTMLElement;
+  private readonly empty: HTMLElement;
+  private readonly count = h('span', { class: 'count', 'aria-live': 'polite' });
+  private readonly field: HTMLInputElement;
+  private readonly nothing = h('p', { class: 'nothing', hidden: true }, 'No step passes the filter.');
+  private readonly comparing = h('div', { class: 'comparing', hidden: true });
+  private readonly follow;
+  private readonly grouped;
+  private readonly buttons: { previous: HTMLButtonElement; next: HTMLButtonElement };
+  private filter = { actors: new Set<string>(), variables: new Set<string>(), changing: false };
+  private shown: number[] = [];
+  private found: number[] = [];
+  private compared: { other: Trace; pairs: Pair[] } | null = null;
+  private valuesOf = new Values({ name: '', words: '', verdict: '', initial: {}, steps: [] });
+  private others: Verdict[] = [];
+  trace: Trace | null = null;
+  current = -1;
+
+  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents) {
+    this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) });
+    this.values = new ValuesView({ pinned: (names) => events.pinned(names), filter: (name) => this.toggleVariable(name) });
+    this.lanes = new LanesView({ select: (index) => this.goTo(index) });
+    this.field = h('input', {
+      type: 'search', class: 'search', placeholder: 'Search steps', 'aria-label': 'Search steps: actors, words and values',
+      oninput: () => this.searchFor(this.field.value), onkeydown: (event: KeyboardEvent) => this.searchKey(event),
+    });
+    this.follow = toggle({ icon: 'follow', title: 'Follow: the source goes with the steps', on: true, changed: (on) => on && this.reveal(this.current, false) });
+    this.grouped = toggle({ text: 'By actor', title: 'Steps in a row by the same actor under its name', on: true, changed: () => this.refresh() });
+    this.buttons = {
+      previous: button({ icon: 'previous', title: 'Previous step (↑)', onclick: () => this.list.move(-1) }),
+      next: button({ icon: 'next', title: 'Next step (↓)', onclick: () => this.list.move(1) }),
+    };
+    const upper = h('div', { class: 'trace-upper' }, h('div', { class: 'steps-frame' }, this.nothing, this.list.element), this.values.element);
+    upper.insertBefore(splitter('vertical', this.values.element, 'values'), this.values.element);
+    this.body = h('div', { class: 'trace-body', hidden: true }, this.head, this.toolbar(), this.comparing, upper,
+      splitter('horizontal', this.lanes.element, 'lanes'), this.lanes.element);
+    this.empty = h('div', { class: 'empty' }, h('p', {}, 'No trace is open.'),
+      h('p', { class: 'faint' }, 'Choose a property that has one, or open a file with a trace.'),
+      button({ icon: 'open', text: 'Open a file…', title: 'A trace or a report, as JSON', onclick: () => events.openFile() }));
+    this.element = h('div', { class: 'trace-view', onkeydown: (event: KeyboardEvent) => this.key(event) }, this.empty, this.body);
+  }
+
+  /** With what a trace can be compared. */
+  setOthers(verdicts: Verdict[]): void {
+    this.others = verdicts.filter((verdict) => verdict.steps !== null);
+  }
+
+  pin(names: readonly string[]): void {
+    this.values.pin(names);
+  }
+
+  /** Opens a trace at a step; without one at its last, which shows what the property is about. */
+  show(trace: Trace, step = trace.steps.length - 1): void {
+    this.trace = trace;
+    this.filter = { actors: new Set(), variables: new Set(), changing: false };
+    this.compared = null;
+    this.field.value = '';
+    this.found = [];
+    this.valuesOf = new Values(trace);
+    this.current = Math.min(Math.max(step, 0), trace.steps.length - 1);
+    this.empty.hidden = true;
+    this.body.hidden = false;
+    this.drawHead();
+    this.lanes.show(trace);
+    this.refresh();
+    this.goTo(this.current);
+  }
+
+  focus(): void {
+    this.list.element.focus({ preventScroll: true });
+  }
+
+  markStale(stale: boolean): void {
+    this.body.classList.toggle('stale', stale);
+  }
+
+  private drawHead(): void {
+    const trace = this.trace!;
+    this.head.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
+      h('h2', { title: trace.name }, prose(trace.words)),
+      h('span', { class: 'faint' }, plural(trace.steps.length, 'step'), `, ${trace.steps.at(-1)?.date.exact ?? '0'} s`),
+      h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'));
+  }
+
+  private toolbar(): HTMLElement {
+    return h('div', { class: 'bar toolbar', role: 'toolbar', 'aria-label': 'Trace' },
+      this.buttons.previous, this.buttons.next, this.count, this.follow.element, h('span', { class: 'divider' }),
+      h('label', { class: 'search-frame' }, icon('search'), this.field),
+      menu({ icon: 'filter', title: 'Filter', content: () => this.filterSections() }), this.grouped.element,
+      h('span', { class: 'push' }),
+      menu({ icon: 'compare', title: 'Compare with another trace', content: () => this.compareSections() }),
+      menu({ icon: 'download', title: 'Export', content: () => this.exportSections() }),
+      button({ icon: 'open', title: 'Open a trace from a file', onclick: () => this.events.openFile() }));
+  }
+
+  private filterSections(): Section[] {
+    const trace = this.trace!;
+    const flip = (set: Set<string>, name: string) => (): void => {
+      if (!set.delete(name)) set.add(name);
+      this.refresh();
+    };
+    const changed = [...new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)))];
+    return [
+      { title: '', items: [
+        { label: 'Only steps that change something', checked: this.filter.changing, choose: () => { this.filter.changing = !this.filter.changing; this.refresh(); } },
+        { label: 'All steps', choose: () => this.showAll() }] },
+      { title: 'Only steps by', items: actorsOf(trace).map((actor) => ({
+        label: actor.name, hint: actor.kind, mark: `hue-${hue(actor.name, 10)}`, checked: this.filter.actors.has(actor.name), choose: flip(this.filter.actors, actor.name) })) },
+      { title: 'Only steps that change', items: changed.map((name) => ({ label: name, checked: this.filter.variables.has(name), choose: flip(this.filter.variables, name) })) },
+    ];
+  }
+
+  private showAll(): void {
+    this.filter = { actors: new Set(), variables: new Set(), changing: false };
+    this.refresh();
+  }
+
+  private compareSections(): Section[] {
+    const others = this.others.filter((verdict) => verdict.name !== this.trace!.name);
+    const items = others.map((verdict) => ({ label: verdict.words.replaceAll('`', ''), hint: plural(verdict.steps ?? 0, 'step'), choose: () => void this.compareWith(verdict.name) }));
+    return [{ title: items.length > 0 ? 'Compare with the trace of' : 'No other property has a trace', items }];
+  }
+
+  private async compareWith(name: string): Promise<void> {
+    this.setComparison(await this.host.request('trace', { name }));
+  }
+
+  private setComparison(other: Trace | null): void {
+    this.compared = other && { other, pairs: compare(this.trace!, other) };
+    this.comparing.hidden = !other;
+    if (other) {
+      const count = this.compared!.pairs.filter(isDifferent).length;
+      this.comparing.replaceChildren(icon('compare'), h('span', {}, 'Compared with ', prose(other.words), ': ',
+        count === 0 ? 'the same steps' : plural(count, 'step differs', 'steps differ')),
+      button({ icon: 'previous', title: 'Previous difference', onclick: () => this.toDifference(-1) }),
+      button({ icon: 'next', title: 'Next difference', onclick: () => this.toDifference(1) }),
+      h('span', { class: 'push' }), button({ icon: 'close', title: 'End the comparison', onclick: () => this.setComparison(null) }));
+    }
+    this.refresh();
+  }
+
+  /** To the next step that only this trace has, or where the other has steps of its own. */
+  private toDifference(direction: 1 | -1): void {
+    const { pairs } = this.compared!;
+    const marked = new Set<number>();
+    let last = 0;
+    for (const pair of pairs) {
+      if (isDifferent(pair)) marked.add(pair.left ?? last);
+      last = pair.left ?? last;
+    }
+    const sorted = [...marked].sort((a, b) => a - b);
+    const to = direction > 0 ? sorted.find((index) => index > this.current) : sorted.findLast((index) => index < this.current);
+    if (to !== undefined) this.goTo(to);
+  }
+
+  private exportSections(): Section[] {
+    const trace = this.trace!;
+    const save = (extension: string, type: string, text: () => string) => (): void => void this.saver.text(fileName(trace.name, extension), type, text());
+    return [{ title: 'Save', items: [
+      { label: 'Trace as JSON', hint: 'can be opened again', choose: save('json', 'application/json', () => traceJson(trace)) },
+      { label: 'Trace as text', choose: save('txt', 'text/plain', () => traceText(trace)) },
+      { label: 'Lanes as SVG', choose: save('svg', 'image/svg+xml', () => this.lanesText()) }] },
+    { title: 'Copy', items: [
+      { label: 'Trace as text', choose: () => void this.saver.copy(traceText(trace), 'The trace') },
+      { label: 'Trace as JSON', choose: () => void this.saver.copy(traceJson(trace), 'The trace') }] }];
+  }
+
+  private lanesText(): string {
+    const { svg, width, height } = this.lanes.picture();
+    const holder = h('div', { class: 'lanes off-screen' }, svg);
+    this.element.append(holder);
+    const text = standalone(svg, width, height, getComputedStyle(document.body).backgroundColor);
+    holder.remove();
+    return text;
+  }
+
+  private refresh(): void {
+    const trace = this.trace!;
+    this.shown = select(trace, this.filter);
+    this.nothing.hidden = this.shown.length > 0;
+    this.comparing.hidden = !this.compared;
+    this.list.show({ trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.compared && { compared: this.compared }) });
+    this.lanes.filter(this.filter.actors, this.filter.variables);
+    this.update();
+  }
+
+  private update(): void {
+    const trace = this.trace!;
+    const at = this.shown.indexOf(this.current);
+    const filtered = this.shown.length < trace.steps.length ? ` (${this.shown.length} shown)` : '';
+    this.count.textContent = trace.steps.length === 0 ? 'no steps' : `${this.current + 1} of ${trace.steps.length}${filtered}`;
+    enable(this.buttons.previous, at === 0 ? 'This is the first step' : null, 'Previous step (↑)');
+    enable(this.buttons.next, at === this.shown.length - 1 ? 'This is the last step' : null, 'Next step (↓)');
+    this.values.show(trace, this.valuesOf, this.current, this.filter.variables);
+  }
+
+  goTo(index: number): void {
+    const trace = this.trace!;
+    const step = trace.steps[index];
+    this.current = index;
+    this.list.select(index);
+    this.lanes.select(index);
+    this.update();
+    if (!step) return this.host.tell('step', null);
+    this.host.tell('step', {
+      trace: trace.name, index, count: trace.steps.length, step, values: Object.fromEntries(this.valuesOf.at(index)),
+    });
+    if (this.follow.on) this.reveal(index, false);
+    this.events.stepped();
+  }
+
+  private reveal(index: number, focus: boolean): void {
+    const location = this.trace?.steps[index]?.location;
+    if (location) this.host.tell('reveal', { location, focus });
+  }
+
+  private toggleVariable(name: string): void {
+    if (!this.filter.variables.delete(name)) this.filter.variables.add(name);
+    this.refresh();
+  }
+
+  private searchFor(needle: string): void {
+    this.found = search(this.trace!, needle);
+    this.field.classList.toggle('fails', needle.trim() !== '' && this.found.length === 0);
+    this.refresh();
+    const first = this.found.find((index) => index >= this.current) ?? this.found[0];
+    if (first !== undefined) this.goTo(first);
+  }
+
+  private toFound(direction: 1 | -1): void {
+    const to = direction > 0 ? (this.found.find((index) => index > this.current) ?? this.found[0])
+      : (this.found.findLast((index) => index < this.current) ?? this.found.at(-1));
+    if (to !== undefined) this.goTo(to);
+  }
+
+  private searchKey(event: KeyboardEvent): void {
+    if (event.key === 'Enter') this.toFound(event.shiftKey ? -1 : 1);
+    else if (event.key === 'Escape') {
+      this.field.value = '';
+      this.searchFor('');
+      this.focus();
+    } else return;
+    event.preventDefault();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey || !this.trace) return;
+    if (event.key === '/') this.field.focus();
+    else if (event.key === 'n') this.compared ? this.toDifference(1) : this.toFound(1);
+    else if (event.key === 'N') this.compared ? this.toDifference(-1) : this.toFound(-1);
+    else if (event.key === 'f') this.follow.element.click();
+    else return;
+    event.preventDefault();
+  }
+}

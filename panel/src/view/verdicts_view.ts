@@ -1,0 +1,110 @@
+import type { Program, Verdict } from '../api.ts';
+import { h, plural, prose } from './dom.ts';
+import { icon, toggle, type Icon } from './icons.ts';
+
+export type Mark = 'good' | 'error' | 'warning' | 'open';
+export const markOf = (verdict: Verdict): Mark =>
+  verdict.good ? 'good' : verdict.verdict === 'inconclusive' ? 'open' : verdict.severity;
+const icons: { [M in Mark]: Icon } = { good: 'good', error: 'bad', warning: 'warning', open: 'open_question' };
+const rank: { [M in Mark]: number } = { error: 0, warning: 1, open: 2, good: 3 };
+
+/** All properties by what they are about; those with findings first. */
+export class VerdictsView {
+  readonly element: HTMLElement;
+  private readonly list = h('div', { class: 'scroll', role: 'listbox', 'aria-label': 'Properties', tabindex: -1 });
+  private readonly summary = h('div', { class: 'summary', role: 'status' });
+  private readonly field: HTMLInputElement;
+  private readonly onlyBad;
+  private program: Program | null = null;
+  private current: string | null = null;
+
+  constructor(private readonly choose: (verdict: Verdict, focus: boolean) => void) {
+    this.field = h('input', { type: 'search', class: 'search', placeholder: 'Search properties', 'aria-label': 'Search properties', oninput: () => this.draw() });
+    this.onlyBad = toggle({ text: 'Findings', title: 'Only properties that are not good', on: false, changed: () => this.draw() });
+    this.element = h('nav', { class: 'verdicts', 'aria-label': 'Verdicts' }, this.summary,
+      h('div', { class: 'bar' }, h('label', { class: 'search-frame' }, icon('search'), this.field), this.onlyBad.element), this.list);
+    this.list.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  show(program: Program): void {
+    this.program = program;
+    this.draw();
+  }
+
+  select(name: string | null): void {
+    this.current = name;
+    for (const option of this.options()) option.setAttribute('aria-selected', String(option.dataset['name'] === name));
+  }
+
+  private draw(): void {
+    if (!this.program) return;
+    this.drawSummary(this.program);
+    const needle = this.field.value.trim().toLowerCase();
+    const shown = this.program.verdicts.filter((verdict) =>
+      (!this.onlyBad.on || !verdict.good) && `${verdict.name} ${verdict.words}`.toLowerCase().includes(needle));
+    const subjects = new Map<string, Verdict[]>();
+    for (const verdict of shown) subjects.set(verdict.subject, [...(subjects.get(verdict.subject) ?? []), verdict]);
+    const worst = (list: Verdict[]): number => Math.min(...list.map((verdict) => rank[markOf(verdict)]));
+    const sorted = [...subjects].sort((a, b) => worst(a[1]) - worst(b[1]));
+    this.list.replaceChildren(...sorted.map(([subject, list]) => this.section(subject, list)));
+    if (shown.length === 0) this.list.append(h('p', { class: 'nothing' }, this.program.verdicts.length === 0 ? 'No verdicts yet.' : 'No property is like this.'));
+    const first = this.options().find((option) => option.dataset['name'] === this.current) ?? this.options()[0];
+    if (first) first.tabIndex = 0;
+  }
+
+  private section(subject: string, list: Verdict[]): HTMLElement {
+    const sorted = [...list].sort((a, b) => rank[markOf(a)] - rank[markOf(b)]);
+    return h('div', { role: 'group', 'aria-label': subject || 'the program', class: 'subject' },
+      h('div', { class: 'subject-name' }, subject || 'the program'), ...sorted.map((verdict) => this.option(verdict)));
+  }
+
+  private option(verdict: Verdict): HTMLElement {
+    const mark = markOf(verdict);
+    return h('div', {
+      class: `verdict ${mark}`, role: 'option', tabindex: -1, 'data-name': verdict.name, 'aria-selected': String(verdict.name === this.current),
+      title: `${verdict.name}: ${verdict.verdict}${verdict.reason ? `\n${verdict.reason}` : ''}`, onclick: () => this.pick(verdict, false),
+    }, h('span', { class: 'mark' }, icon(icons[mark])), h('span', { class: 'words' }, prose(shortWords(verdict))),
+    h('span', { class: 'sr-only' }, `, ${verdict.verdict}`), verdict.steps !== null && h('span', { class: 'steps-count', title: plural(verdict.steps, 'step') }, String(verdict.steps)));
+  }
+
+  private drawSummary(program: Program): void {
+    const count = (mark: Mark): number => program.verdicts.filter((verdict) => markOf(verdict) === mark).length;
+    const part = (mark: Mark, words: string): HTMLElement | null => {
+      const number = count(mark);
+      return number === 0 ? null : h('span', { class: `tally ${mark}`, title: plural(number, words) }, icon(icons[mark]), String(number));
+    };
+    const parts = [part('error', 'violated'), part('warning', 'warning'), part('open', 'inconclusive'), part('good', 'good')];
+    this.summary.replaceChildren(...parts.filter((it): it is HTMLElement => it !== null));
+    this.summary.classList.toggle('stale', program.stale);
+  }
+
+  private options(): HTMLElement[] {
+    return [...this.list.querySelectorAll<HTMLElement>('.verdict')];
+  }
+
+  private pick(verdict: Verdict, focus: boolean): void {
+    this.select(verdict.name);
+    this.choose(verdict, focus);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const all = this.options();
+    const at = all.indexOf(document.activeElement as HTMLElement);
+    const to = { ArrowDown: at + 1, j: at + 1, ArrowUp: at - 1, k: at - 1, Home: 0, End: all.length - 1 }[event.key];
+    if (to !== undefined) {
+      const option = all[Math.min(Math.max(to, 0), all.length - 1)];
+      for (const it of all) it.tabIndex = it === option ? 0 : -1;
+      option?.focus();
+    } else if (event.key === 'Enter' || event.key === ' ') {
+      const verdict = this.program?.verdicts.find((it) => it.name === all[at]?.dataset['name']);
+      if (verdict) this.pick(verdict, event.key === 'Enter');
+    } else return;
+    event.preventDefault();
+  }
+}
+
+/** Without the subject's name at the beginning, which stands above. */
+function shortWords(verdict: Verdict): string {
+  const start = `\`${verdict.subject}\` `;
+  return verdict.words.startsWith(start) ? verdict.words.slice(start.length) : verdict.words;
+}

@@ -1,0 +1,225 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { Trace } from '../src/api.ts';
+import { actorsOf } from '../src/model/actors.ts';
+import { compare, isDifferent } from '../src/model/compare.ts';
+import { difference } from '../src/model/diff.ts';
+import { fileName, traceJson, traceText } from '../src/model/export.ts';
+import { everything, groups, search, select } from '../src/model/filter.ts';
+import { axisOf, drawBars, drawMarks, lanesOf, nearest } from '../src/model/lanes.ts';
+import { open } from '../src/model/parse.ts';
+import { ticks, windowOf } from '../src/model/time.ts';
+import { Values } from '../src/model/values.ts';
+import { Rows } from '../src/model/virtual.ts';
+import { flight, step, trace } from './traces.ts';
+
+test('the values at a step are the first ones and all changes up to it', () => {
+  const values = new Values(flight);
+  assert.equal(values.at(-1).get('level'), '4');
+  assert.equal(values.at(2).get('level'), '3');
+  assert.equal(values.at(2).get('battery'), 'Good');
+  assert.equal(values.at(9).get('takeoff.status'), 'failed_inv');
+});
+
+test('the values of a long trace are those of going through it', () => {
+  const lines = Array.from({ length: 1000 }, (_, i) => `a: counts @${i} n=${i}>${i + 1} ${i % 7 ? '' : `m=${i}>${i + 7}`}`);
+  const long = trace({ n: '0', m: '0' }, lines);
+  const values = new Values(long);
+  const now = new Map(Object.entries(long.initial));
+  long.steps.forEach((it, index) => {
+    for (const change of it.changes) now.set(change.variable, change.after);
+    assert.deepEqual(values.at(index), now);
+  });
+});
+
+test('a trace without steps has its first values', () => {
+  assert.equal(new Values(trace({ a: '1' }, [])).at(-1).get('a'), '1');
+});
+
+test('differences of values say what is new within them', () => {
+  assert.equal(difference('4', '3').delta, '−1');
+  assert.equal(difference('0.1', '0.3').delta, '+0.2');
+  assert.equal(difference('Good', 'Good').kind, 'same');
+  assert.equal(difference('', 'x').kind, 'added');
+  assert.equal(difference('x', '').kind, 'removed');
+  assert.equal(difference('Good', 'Low').kind, 'replaced');
+  const within = difference('{goal: A, speed: 3}', '{goal: A, speed: 4}');
+  assert.equal(within.kind, 'within');
+  assert.deepEqual(within.after.filter((part) => part.changed).map((part) => part.text), ['4']);
+  assert.equal(within.after.map((part) => part.text).join(''), '{goal: A, speed: 4}');
+});
+
+test('only the rows in view are drawn', () => {
+  const rows = new Rows([10, 20, 30, 40]);
+  assert.equal(rows.height, 100);
+  assert.deepEqual(rows.visible(0, 5), [0, 1]);
+  assert.deepEqual(rows.visible(10, 20), [1, 3]);
+  assert.deepEqual(rows.visible(95, 500), [3, 4]);
+  assert.deepEqual(new Rows([]).visible(0, 100), [0, 0]);
+  assert.equal(rows.at(-7), 0);
+  assert.equal(rows.at(29.9), 1);
+});
+
+test('a row that is in view is not scrolled to', () => {
+  const rows = new Rows(new Array(100).fill(10));
+  assert.equal(rows.reveal(3, 0, 100), 0);
+  assert.equal(rows.reveal(12, 0, 100), 30);
+  assert.equal(rows.reveal(2, 500, 100), 20);
+  assert.equal(rows.reveal(99, 0, 100, 40), 900);
+});
+
+test('actors are known by their names and words', () => {
+  const kinds = Object.fromEntries(actorsOf(flight).map((actor) => [actor.name, actor.kind]));
+  assert.deepEqual(kinds, {
+    mission: 'skill', takeoff: 'skill', battery_low: 'event', 'mission branch 1': 'branch',
+    'watchdog of mission': 'watchdog',
+  });
+  assert.equal(actorsOf(flight).find((actor) => actor.kind === 'branch')?.skill, 'mission');
+  const given = actorsOf({ ...flight, actors: [{ name: 'takeoff', kind: 'environment', skill: null }] });
+  assert.equal(given.find((actor) => actor.name === 'takeoff')?.kind, 'environment');
+});
+
+test('filters take actors, variables and steps that change something', () => {
+  assert.deepEqual(select(flight, everything).length, flight.steps.length);
+  assert.deepEqual(select(flight, { ...everything, actors: new Set(['takeoff']) }), [2, 4, 5]);
+  assert.deepEqual(select(flight, { ...everything, variables: new Set(['battery', 'level']) }), [2, 3]);
+  assert.deepEqual(select(flight, { ...everything, changing: true, actors: new Set(['takeoff']) }), [2, 5]);
+});
+
+test('steps of one actor in a row are a group', () => {
+  const shown = groups(flight, select(flight, everything));
+  assert.deepEqual(shown.slice(0, 3).map((group) => [group.actor, group.steps]), [
+    ['mission', [0, 1]], ['takeoff', [2]], ['battery_low', [3]],
+  ]);
+});
+
+test('the search looks at actors, words and values, without their quotes', () => {
+  assert.deepEqual(search(flight, 'calls takeoff'), [1]);
+  assert.deepEqual(search(flight, 'BATTERY'), [3]);
+  assert.deepEqual(search(flight, 'good low'), [3]);
+  assert.deepEqual(search(flight, '  '), []);
+});
+
+test('a skill has a bar from its start to when its status says that it ended', () => {
+  const lanes = lanesOf(flight);
+  const takeoff = lanes.find((lane) => lane.name === 'takeoff')!;
+  assert.deepEqual(takeoff.bars.map((bar) => [bar.from, bar.to, bar.tone, bar.open]), [[2, 5, 'failure', false]]);
+  assert.deepEqual(takeoff.marks, [2, 4, 5]);
+  const mission = lanes.find((lane) => lane.name === 'mission')!;
+  assert.deepEqual(mission.bars.map((bar) => [bar.from, bar.tone, bar.open]), [[0, 'running', true]]);
+  const branch = lanes.find((lane) => lane.name === 'mission branch 1')!;
+  assert.deepEqual(branch.bars.map((bar) => [bar.from, bar.to, bar.tone]), [[7, 9, 'success']]);
+});
+
+test('a call that is refused is no run', () => {
+  const lanes = lanesOf(trace({ 'a.status': 'no_status' }, ['a: is refused: its precondition does not hold @0']));
+  assert.deepEqual(lanes[0]!.bars, []);
+  assert.deepEqual(lanes[0]!.marks, [0]);
+});
+
+test('a variable that changes has a bar for each value; what skills return is seen in their lanes', () => {
+  const lanes = lanesOf(flight).filter((lane) => lane.kind === 'variable');
+  assert.deepEqual(lanes.map((lane) => lane.name), ['battery', 'level']);
+  assert.deepEqual(lanes[0]!.bars.map((bar) => [bar.label, bar.from, bar.to]), [['Good', 0, 3], ['Low', 3, 9]]);
+});
+
+test('bars are drawn where they are on the axis, and only those in view', () => {
+  const battery = lanesOf(flight).find((lane) => lane.name === 'battery')!;
+  const axis = axisOf(flight, 'date');
+  const drawn = drawBars(battery, axis, 0, 4, 400);
+  assert.deepEqual(drawn.map((it) => [it.x, it.width]), [[0, 200], [200, 200]]);
+  assert.deepEqual(drawBars(battery, axis, 0, 1, 400).length, 1);
+});
+
+test('ten thousand bars in a hundred pixels are not drawn one by one', () => {
+  const lines = Array.from({ length: 10000 }, (_, i) => `e: occurs @${i} v=${i}>${i + 1}`);
+  const long = trace({ v: '0' }, lines);
+  const [events, values] = lanesOf(long);
+  const axis = axisOf(long, 'date');
+  assert.ok(drawBars(values!, axis, 0, 10000, 100).length <= 101);
+  assert.ok(drawMarks(events!, axis, 0, 10000, 100).length <= 101);
+  assert.equal(drawMarks(events!, axis, 0, 10000, 100).reduce((sum, mark) => sum + mark.count, 0), 10000);
+});
+
+test('the nearest step of a lane', () => {
+  assert.equal(nearest([0, 3, 9], axisOf(flight, 'date'), 2.2), 3);
+  assert.equal(nearest([], axisOf(flight, 'date'), 1), null);
+});
+
+test('dates are written as intervals', () => {
+  const at = step('a: b @1');
+  assert.equal(windowOf(at), '1');
+  assert.equal(windowOf({ ...at, latest: { exact: '2', seconds: 2, strict: true } }), '[1, 2[');
+  assert.equal(windowOf({ ...at, earliest: { ...at.earliest, strict: true }, latest: null }), ']1, …[');
+});
+
+test('marks of an axis are round', () => {
+  assert.deepEqual(ticks(0, 10, 5), [0, 2, 4, 6, 8, 10]);
+  assert.deepEqual(ticks(0.25, 1.1, 4), [0.5, 1]);
+  assert.deepEqual(ticks(3, 3, 4), []);
+});
+
+const shape = (pairs: { left: number | null; right: number | null }[]): string =>
+  pairs.map((pair) => (pair.left === null ? '+' : pair.right === null ? '-' : '=')).join('');
+
+test('two traces are aligned by what happens', () => {
+  const other: Trace = { ...flight, steps: flight.steps.filter((_, i) => i !== 3) };
+  assert.equal(shape(compare(flight, other)), '===-======');
+  assert.equal(shape(compare(other, flight)), '===+======');
+  assert.equal(shape(compare(flight, flight)), '==========');
+});
+
+test('every step of both traces stands in the comparison once and in order, whatever they are', () => {
+  let seed = 7;
+  const random = (n: number) => (seed = (seed * 48271) % 2147483647) % n;
+  for (let round = 0; round < 500; ++round) {
+    const make = () => trace({}, Array.from({ length: random(12) }, () => `a: ${'xyz'[random(3)]} @0`));
+    const [left, right] = [make(), make()];
+    const pairs = compare(left, right);
+    assert.deepEqual(pairs.flatMap((pair) => pair.left ?? []), left.steps.map((_, i) => i));
+    assert.deepEqual(pairs.flatMap((pair) => pair.right ?? []), right.steps.map((_, i) => i));
+    for (const pair of pairs)
+      if (!isDifferent(pair)) assert.equal(left.steps[pair.left!]!.words, right.steps[pair.right!]!.words);
+    const differences = pairs.filter(isDifferent).length;
+    assert.equal(differences, left.steps.length + right.steps.length - 2 * longestCommon(left, right));
+  }
+});
+
+function longestCommon(left: Trace, right: Trace): number {
+  const [a, b] = [left, right].map((it) => it.steps.map((s) => s.words)) as [string[], string[]];
+  const best = (i: number, j: number): number =>
+    i === a.length || j === b.length ? 0
+      : a[i] === b[j] ? 1 + best(i + 1, j + 1) : Math.max(best(i + 1, j), best(i, j + 1));
+  return best(0, 0);
+}
+
+test('what is exported is opened again', () => {
+  assert.deepEqual(open(traceJson(flight)).traces, [flight]);
+  assert.match(traceText(flight), /4 {2} +2 s {2}battery_low: occurs\n +battery: Good -> Low/);
+  assert.equal(fileName('a b/c', 'json'), 'a_b_c.json');
+});
+
+test('a report of the command line is opened, its places counted from 0', () => {
+  const file = { file: 'm.proskill', begin: { line: 3, column: 5 }, end: { line: 3, column: 9 }, bytes: [1, 5] };
+  const report = {
+    version: 1, program: 'dir/m.proskill', main: null,
+    properties: [
+      { name: 'p', words: 'never P', verdict: 'violated', location: file,
+        trace: { initial: {}, steps: [{ ...flight.steps[0], location: file }] } },
+      { name: 'q', words: 'q', verdict: 'holds', location: null, trace: null },
+    ],
+  };
+  const { program, traces } = open(JSON.stringify(report));
+  assert.equal(program!.label, 'm.proskill');
+  assert.deepEqual(program!.verdicts.map((verdict) => verdict.steps), [1, null]);
+  assert.deepEqual(traces[0]!.steps[0]!.location, {
+    uri: 'm.proskill', range: { start: { line: 2, character: 4 }, end: { line: 2, character: 8 } },
+  });
+});
+
+test('what is no trace is refused with a reason', () => {
+  assert.throws(() => open('{'), /no JSON/);
+  assert.throws(() => open('[]'), /neither/);
+  assert.throws(() => open('{"a": 1}'), /neither/);
+  assert.throws(() => open('{"initial": {}, "steps": [{}]}'), /step 1/);
+});
