@@ -15,6 +15,10 @@ public:
   /// The file's bytes, or why they cannot be had, in words for a user.
   [[nodiscard]] virtual std::expected<std::string, std::string>
   read(const std::filesystem::path& path) const = 0;
+  /// There is something to read: no directory.
+  [[nodiscard]] virtual bool isFile(const std::filesystem::path& path) const {
+    return read(path).has_value();
+  }
   /// One spelling for each file, so that two includes of it are seen to be the same.
   [[nodiscard]] virtual std::filesystem::path
   canonical(const std::filesystem::path& path) const = 0;

@@ -5,7 +5,7 @@
 #include "cli/disk.h"
 #include "cli/fix.h"
 #include "cli/render.h"
-#include "cli/settings.h"
+#include "lsp/program_settings.h"
 
 #include <algorithm>
 #include <iostream>
@@ -78,10 +78,10 @@ private:
   };
 
   analysis::flow::Settings settings(const fs::path& root) {
-    auto found = settingsFor(root);
-    if (!found) std::cerr << "error: " << found.error() << '\n';
-    mistaken |= !found;
-    auto result = found.value_or(analysis::flow::Settings{});
+    auto [result, file, mistake] = lsp::settingsFor(disk, root);
+    if (!mistake.empty())
+      std::cerr << "error: `" << file.generic_string() << "`: " << mistake << '\n';
+    mistaken |= !mistake.empty();
     result.style |= arguments.style;
     return result;
   }

@@ -45,6 +45,11 @@ std::expected<std::string, std::string> DiskFileSystem::read(const fs::path& pat
   return text;
 }
 
+bool DiskFileSystem::isFile(const fs::path& path) const {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
 fs::path DiskFileSystem::canonical(const fs::path& path) const {
   std::error_code error;
   const fs::path found = fs::weakly_canonical(path, error);

@@ -13,6 +13,7 @@ class DiskFileSystem : public analysis::FileSystem {
 public:
   [[nodiscard]] std::expected<std::string, std::string>
   read(const std::filesystem::path& path) const override;
+  [[nodiscard]] bool isFile(const std::filesystem::path& path) const override;
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
 };
 

@@ -51,12 +51,36 @@ bool isCurrent(const AnalysedProgram& analysed, const OpenTexts& before, const O
 
 } // namespace
 
+AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings)
+    : program(std::move(loaded)),
+      analysis(analysis::analyse(program)),
+      settings(std::move(settings)) {}
+
+const analysis::flow::Flow* AnalysedProgram::flow() const {
+  std::call_once(flowOnce, [this] {
+    if (analysis::flow::hasFlow(program, analysis))
+      knownFlow = std::make_unique<const analysis::flow::Flow>(program);
+  });
+  return knownFlow.get();
+}
+
+const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
+  std::call_once(findingsOnce, [this] {
+    knownFindings = analysis::flow::inspect(program, analysis, settings, flow());
+  });
+  return knownFindings;
+}
+
 Snapshot::Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open,
-                   Includes includes)
-    : disk(std::move(disk)), texts(std::move(open)), includes(std::move(includes)) {}
+                   Includes includes, SettingsOf settings)
+    : disk(std::move(disk)),
+      texts(std::move(open)),
+      includes(std::move(includes)),
+      settings(std::move(settings)) {}
 
 std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open, Includes nowIncludes) const {
-  auto next = std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes));
+  auto next = 
+      std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes), settings);
   std::lock_guard lock(mutex);
   for (const auto& [root, entry] : entries)
     if (entry->program && isCurrent(*entry->program, texts, next->texts))
@@ -84,10 +108,9 @@ std::shared_ptr<const AnalysedProgram> Snapshot::program(const fs::path& root) c
     entry = slot;
   }
   std::call_once(entry->once, [&] {
-    auto loaded = analysis::load(Overlay(*disk, texts), root);
-    auto analysed = analysis::analyse(loaded);
     auto whole = std::make_shared<const AnalysedProgram>(
-        AnalysedProgram{std::move(loaded), std::move(analysed)});
+        analysis::load(Overlay(*disk, texts), root),
+        settings ? settings(root) : analysis::flow::Settings{});
     std::lock_guard lock(mutex);
     entry->program = std::move(whole);
   });

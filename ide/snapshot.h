@@ -1,8 +1,9 @@
 #pragma once
 
-#include "analysis/index.h"
+#include "analysis/flow/inspect.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -21,10 +22,32 @@ struct OpenText {
 
 using OpenTexts = std::map<std::filesystem::path, OpenText>;
 
-struct AnalysedProgram {
-  analysis::Program program;
-  analysis::Analysis analysis;
+/// A program and what is known of it. What takes long is computed when it is first asked for, once,
+/// by whoever asks first.
+class AnalysedProgram {
+public:
+  AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings);
+  AnalysedProgram(const AnalysedProgram&) = delete;
+  AnalysedProgram& operator=(const AnalysedProgram&) = delete;
+
+  const analysis::Program program;
+  const analysis::Analysis analysis;
+  const analysis::flow::Settings settings;
+
+  /// Which values a variable can have where; null in a program with errors.
+  [[nodiscard]] const analysis::flow::Flow* flow() const;
+  /// All that `proskill check` tells of the program, weighed by its settings.
+  [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
+
+private:
+  mutable std::once_flag flowOnce;
+  mutable std::unique_ptr<const analysis::flow::Flow> knownFlow;
+  mutable std::once_flag findingsOnce;
+  mutable std::vector<syntax::Diagnostic> knownFindings;
 };
+
+/// How the findings of the program of a root file are weighed. Any thread may call it.
+using SettingsOf = std::function<analysis::flow::Settings(const std::filesystem::path& root)>;
 
 /// A file within the program that it belongs to: what a feature looks at. Keeps all alive that it
 /// refers to.
@@ -47,7 +70,9 @@ using Includes = std::map<std::filesystem::path, std::vector<std::filesystem::pa
 /// Any thread may use it.
 class Snapshot {
 public:
-  Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open, Includes includes);
+  /// Where nobody says how findings are weighed, it is as their table says.
+  Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open, Includes includes,
+           SettingsOf settings = nullptr);
 
   /// The same moment after an edit: programs that the edit does not touch are kept.
   [[nodiscard]] std::shared_ptr<const Snapshot> with(OpenTexts open, Includes includes) const;
@@ -72,6 +97,7 @@ private:
   std::shared_ptr<const analysis::FileSystem> disk;
   OpenTexts texts;
   Includes includes;
+  SettingsOf settings;
   mutable std::mutex mutex;
   mutable std::map<std::filesystem::path, std::shared_ptr<Entry>> entries;
 };

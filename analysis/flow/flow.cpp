@@ -15,10 +15,12 @@ constexpr void (*kChecks[])(Report&) = {
 } // namespace
 
 std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& index) {
-  System system(program);
-  Solver solver(system);
+  return checkFlow(Flow(program), index);
+}
+
+std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index) {
   Findings findings({});
-  Report report{program, solver, index, findings};
+  Report report{flow.system.program(), flow.solver, index, findings};
   for (auto check : kChecks) check(report);
   return std::move(findings).inOrder();
 }

@@ -1,7 +1,6 @@
 #include "analysis/flow/inspect.h"
 
 #include "analysis/findings.h"
-#include "analysis/flow/flow.h"
 #include "analysis/flow/ignores.h"
 
 #include <algorithm>
@@ -35,11 +34,21 @@ bool weigh(Diagnostic& diagnostic, const Settings& settings) {
 
 } // namespace
 
+bool hasFlow(const Program& program, const Analysis& analysis) {
+  return program.extent == Extent::Whole && std::ranges::none_of(analysis.diagnostics, isError);
+}
+
 std::vector<Diagnostic> inspect(const Program& program, const Analysis& analysis,
                                 const Settings& settings) {
+  if (!hasFlow(program, analysis)) return inspect(program, analysis, settings, nullptr);
+  const Flow flow(program);
+  return inspect(program, analysis, settings, &flow);
+}
+
+std::vector<Diagnostic> inspect(const Program& program, const Analysis& analysis,
+                                const Settings& settings, const Flow* flow) {
   std::vector<Diagnostic> all = analysis.diagnostics;
-  if (program.extent == Extent::Whole && std::ranges::none_of(all, isError))
-    std::ranges::move(checkFlow(program, analysis.index), std::back_inserter(all));
+  if (flow) std::ranges::move(checkFlow(*flow, analysis.index), std::back_inserter(all));
   std::erase_if(all, [&](Diagnostic& each) { return !weigh(each, settings); });
   return withoutIgnored(program, std::move(all));
 }

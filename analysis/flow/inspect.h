@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/index.h"
+#include "analysis/flow/flow.h"
 
 #include <map>
 #include <optional>
@@ -21,7 +21,14 @@ struct Settings {
 /// to ignore, in the order of the files.
 [[nodiscard]] std::vector<syntax::Diagnostic>
 inspect(const Program& program, const Analysis& analysis, const Settings& settings = {});
+/// The same with the flow that is known already: null where it cannot be known.
+[[nodiscard]] std::vector<syntax::Diagnostic>
+inspect(const Program& program, const Analysis& analysis, const Settings& settings,
+        const Flow* flow);
 [[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
                                                       const Settings& settings = {});
+
+/// The program is whole, and has no errors that would make its flow mean nothing.
+[[nodiscard]] bool hasFlow(const Program& program, const Analysis& analysis);
 
 } // namespace proskill::analysis::flow

@@ -1,13 +1,11 @@
-#include "cli/settings.h"
-
-#include "cli/disk.h"
+#include "lsp/program_settings.h"
 
 #include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string_view>
 
-namespace proskill::cli {
+namespace proskill::lsp {
 
 namespace {
 
@@ -16,12 +14,12 @@ using Json = nlohmann::json;
 using analysis::flow::Settings;
 using syntax::Severity;
 
-std::optional<fs::path> nearest(const fs::path& root) {
+std::optional<fs::path> nearest(const analysis::FileSystem& files, const fs::path& root) {
   std::error_code error;
   fs::path directory = fs::absolute(root, error).lexically_normal().parent_path();
   for (;; directory = directory.parent_path()) {
-    fs::path file = directory / ".proskill.json";
-    if (fs::is_regular_file(file, error)) return file;
+    fs::path file = directory / kSettingsFile;
+    if (files.isFile(file)) return file;
     if (directory == directory.parent_path()) return std::nullopt;
   }
 }
@@ -61,18 +59,24 @@ std::expected<Settings, std::string> read(const Json& json) {
 
 } // namespace
 
-std::expected<Settings, std::string> settingsFor(const fs::path& root) {
-  auto file = nearest(root);
-  if (!file) return Settings{};
-  auto in = [&](const std::string& mistake) {
-    return std::unexpected(quoted(file->generic_string()) + ": " + mistake);
-  };
-  auto text = DiskFileSystem().read(*file);
-  if (!text) return in(text.error());
-  Json json = Json::parse(*text, nullptr, false);
-  if (json.is_discarded()) return in("it is no JSON");
-  auto settings = read(json);
-  return settings ? settings : in(settings.error());
+std::expected<Settings, std::string> parseSettings(const std::string& text) {
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return std::unexpected("it is no JSON");
+  return read(json);
 }
 
-} // namespace proskill::cli
+ProgramSettings settingsFor(const analysis::FileSystem& files, const fs::path& root) {
+  ProgramSettings result;
+  auto file = nearest(files, root);
+  if (!file) return result;
+  result.file = *file;
+  auto text = files.read(*file);
+  auto settings = text ? parseSettings(*text) : std::unexpected(text.error());
+  if (settings)
+    result.settings = std::move(*settings);
+  else
+    result.mistake = settings.error();
+  return result;
+}
+
+} // namespace proskill::lsp
