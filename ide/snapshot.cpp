@@ -79,8 +79,7 @@ Snapshot::Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts o
       settings(std::move(settings)) {}
 
 std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open, Includes nowIncludes) const {
-  auto next = 
-      std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes), settings);
+  auto next = std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes), settings);
   std::lock_guard lock(mutex);
   for (const auto& [root, entry] : entries)
     if (entry->program && isCurrent(*entry->program, texts, next->texts))

@@ -7,21 +7,8 @@ namespace proskill::lsp {
 
 namespace {
 
-/// The value at a path of members, or null where a part of it is absent or no object.
-const Json& at(const Json& json, std::initializer_list<const char*> path) {
-  static const Json nothing;
-  const Json* value = &json;
-  for (const auto* name : path) {
-    if (!value->is_object()) return nothing;
-    auto found = value->find(name);
-    if (found == value->end()) return nothing;
-    value = &*found;
-  }
-  return *value;
-}
-
 bool isTrue(const Json& json, std::initializer_list<const char*> path) {
-  return at(json, path) == true;
+  return memberAt(json, path) == true;
 }
 
 constexpr std::array kEncodings{std::pair{"utf-8", Encoding::Utf8},
@@ -34,8 +21,8 @@ bool lists(const Json& names, std::string_view name) {
 
 /// Bytes are what the server counts in; where the client takes them, nothing has to be converted.
 Encoding chooseEncoding(const Json& capabilities) {
-  for (const auto* offered :
-       {&at(capabilities, {"general", "positionEncodings"}), &at(capabilities, {"offsetEncoding"})})
+  for (const auto* offered : {&memberAt(capabilities, {"general", "positionEncodings"}),
+                              &memberAt(capabilities, {"offsetEncoding"})})
     for (const auto& [name, encoding] : kEncodings)
       if (lists(*offered, name)) return encoding;
   return Encoding::Utf16;
@@ -46,7 +33,7 @@ Encoding chooseEncoding(const Json& capabilities) {
 ClientFeatures readClientFeatures(const Json& capabilities) {
   ClientFeatures client;
   client.encoding = chooseEncoding(capabilities);
-  client.pullDiagnostics = at(capabilities, {"textDocument", "diagnostic"}).is_object();
+  client.pullDiagnostics = memberAt(capabilities, {"textDocument", "diagnostic"}).is_object();
   client.relatedInformation =
       isTrue(capabilities, {"textDocument", "publishDiagnostics", "relatedInformation"});
   client.watchedFiles =
@@ -57,7 +44,7 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.hierarchicalSymbols =
       isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.markdownHover =
-      lists(at(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
+      lists(memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
   client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
   return client;
 }

@@ -14,9 +14,10 @@ namespace proskill::lsp {
 inline constexpr const char* kSettingsFile = ".proskill.json";
 
 struct ProgramSettings {
-  analysis::flow::Settings settings; ///< those of the table where there is no file, or a mistaken one
-  std::filesystem::path file;        ///< where they were read; empty: nowhere
-  std::string mistake;               ///< in the file, in words for the user; empty: none
+  analysis::flow::Settings
+      settings;               ///< those of the table where there is no file, or a mistaken one
+  std::filesystem::path file; ///< where they were read; empty: nowhere
+  std::string mistake;        ///< in the file, in words for the user; empty: none
 };
 
 /// From the file beside a program's root file, or in the nearest directory above.

@@ -3,6 +3,8 @@
 #include "ide/snapshot.h"
 #include "ide/verdicts.h"
 #include "lsp/client.h"
+#include "lsp/client_settings.h"
+#include "lsp/progress.h"
 #include "lsp/rpc.h"
 #include "lsp/scheduler.h"
 
@@ -22,6 +24,10 @@ struct Request {
   Cancellation cancellation;
   /// The last verdicts of every program; never null.
   std::shared_ptr<const ide::Verdicts> verdicts = std::make_shared<const ide::Verdicts>();
+  /// What the user sets in the editor; never null.
+  std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
+  /// For work that takes long, and for results in parts; never null.
+  std::shared_ptr<Progress> progress = std::make_shared<Progress>();
 };
 
 using Answer = std::expected<Json, RpcError>;

@@ -73,4 +73,16 @@ std::string replyError(const Json& id, const RpcError& error) {
                {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
 }
 
+const Json& memberAt(const Json& json, std::initializer_list<const char*> path) {
+  static const Json nothing;
+  const Json* value = &json;
+  for (const auto* name : path) {
+    if (!value->is_object()) return nothing;
+    auto found = value->find(name);
+    if (found == value->end()) return nothing;
+    value = &*found;
+  }
+  return *value;
+}
+
 } // namespace proskill::lsp

@@ -54,4 +54,7 @@ struct MalformedMessage {
 [[nodiscard]] std::string reply(const Json& id, const Json& result);
 [[nodiscard]] std::string replyError(const Json& id, const RpcError& error);
 
+/// A member of a member …; null where one of them is absent, or no object.
+[[nodiscard]] const Json& memberAt(const Json& json, std::initializer_list<const char*> path);
+
 } // namespace proskill::lsp

@@ -1,6 +1,7 @@
 #include "lsp/workspace.h"
 
 #include "lsp/convert.h"
+#include "lsp/program_settings.h"
 
 #include <algorithm>
 #include <array>
@@ -62,9 +63,13 @@ std::optional<syntax::Document> changed(const syntax::Document& document, const 
 
 } // namespace
 
-Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files)
-    : disk(std::move(files)),
-      current(std::make_shared<ide::Snapshot>(disk, ide::OpenTexts{}, ide::Includes{})) {}
+Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files) : disk(std::move(files)) {
+  startAfresh();
+}
+
+void Workspace::setStyle(bool now) {
+  if (std::exchange(style, now) != now) startAfresh();
+}
 
 Workspace::Outcome Workspace::open(const Json& params) {
   auto path = documentPath(params);
@@ -115,6 +120,7 @@ Workspace::Outcome Workspace::close(const Json& params) {
 
 void Workspace::readFiles(const std::vector<fs::path>& paths) {
   for (const auto& path : paths) {
+    if (path.filename() == kSettingsFile) continue;
     auto document = disk->document(path);
     if (!document) {
       known.erase(path);
@@ -124,8 +130,18 @@ void Workspace::readFiles(const std::vector<fs::path>& paths) {
     known.insert(path);
     if (!texts.contains(path)) noteIncludes(path, *document);
   }
-  // Whatever was analysed with the file's old text is out of date: nothing is taken over.
-  current = std::make_shared<ide::Snapshot>(disk, texts, includes);
+  startAfresh();
+}
+
+/// Whatever was analysed with a file's old text, or by other settings, is out of date: nothing is
+/// taken over.
+void Workspace::startAfresh() {
+  auto settings = [disk = disk, style = style](const fs::path& root) {
+    auto found = settingsFor(*disk, root).settings;
+    found.style |= style;
+    return found;
+  };
+  current = std::make_shared<ide::Snapshot>(disk, texts, includes, settings);
 }
 
 void Workspace::refresh() {

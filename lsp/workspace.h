@@ -16,6 +16,8 @@ public:
 
   /// \pre `Encoding` is negotiated
   void setEncoding(Encoding encoding) { this->encoding = encoding; }
+  /// Hints of style are told, whatever the programs' own settings say.
+  void setStyle(bool style);
 
   using Outcome = std::expected<std::filesystem::path, std::string>;
   /// The path of the text that was opened, changed or closed, or what is wrong with the message. A
@@ -34,10 +36,12 @@ public:
 private:
   Outcome apply(const std::filesystem::path& path, ide::OpenText& text, const Json& changes);
   void refresh();
+  void startAfresh();
   void noteIncludes(const std::filesystem::path& path, const syntax::Document& document);
 
   std::shared_ptr<const analysis::FileSystem> disk;
   Encoding encoding = Encoding::Utf16;
+  bool style = false;
   ide::OpenTexts texts;
   ide::Includes includes;
   std::set<std::filesystem::path> known; ///< every file of the folders

@@ -22,9 +22,9 @@ struct Settings {
 [[nodiscard]] std::vector<syntax::Diagnostic>
 inspect(const Program& program, const Analysis& analysis, const Settings& settings = {});
 /// The same with the flow that is known already: null where it cannot be known.
-[[nodiscard]] std::vector<syntax::Diagnostic>
-inspect(const Program& program, const Analysis& analysis, const Settings& settings,
-        const Flow* flow);
+[[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
+                                                      const Analysis& analysis,
+                                                      const Settings& settings, const Flow* flow);
 [[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
                                                       const Settings& settings = {});
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "lsp/outbox.h"
+#include "lsp/rpc.h"
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace proskill::lsp {
+
+/// The client, as those see it who have something to tell it or to ask. Any thread may.
+class Peer {
+public:
+  /// Gets the answer's result, null where the client answered with an error. Runs on the main
+  /// thread.
+  using OnResult = std::function<void(const Json& result)>;
+
+  explicit Peer(Outbox& outbox) : outbox(outbox) {}
+
+  void notify(std::string_view method, const Json& params) {
+    outbox.send(notification(method, params));
+  }
+
+  void ask(std::string_view method, const Json& params, OnResult onResult = nullptr) {
+    std::string id;
+    {
+      const std::lock_guard lock(mutex);
+      id = "proskill-" + std::to_string(++last);
+      waiting[id] = std::move(onResult);
+    }
+    outbox.send(request(id, method, params));
+  }
+
+  /// An answer has come. \return the question was ours
+  bool answered(const Json& id, const Json& result) {
+    OnResult onResult;
+    {
+      const std::lock_guard lock(mutex);
+      auto found = id.is_string() ? waiting.find(id.get<std::string>()) : waiting.end();
+      if (found == waiting.end()) return false;
+      onResult = std::move(found->second);
+      waiting.erase(found);
+    }
+    if (onResult) onResult(result);
+    return true;
+  }
+
+private:
+  Outbox& outbox;
+  std::mutex mutex;
+  std::map<std::string, OnResult, std::less<>> waiting;
+  unsigned long last = 0;
+};
+
+} // namespace proskill::lsp
