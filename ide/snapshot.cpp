@@ -87,6 +87,29 @@ std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open, Includes nowInclu
   return next;
 }
 
+std::vector<fs::path> Snapshot::roots() const {
+  std::set<fs::path> included;
+  for (const auto& [includer, targets] : includes) included.insert(targets.begin(), targets.end());
+  std::vector<fs::path> result;
+  std::set<fs::path> reached;
+  auto begin = [&](const fs::path& root) {
+    result.push_back(root);
+    std::vector<fs::path> pending{root};
+    while (!pending.empty()) {
+      auto current = std::move(pending.back());
+      pending.pop_back();
+      if (!reached.insert(current).second) continue;
+      if (auto found = includes.find(current); found != includes.end())
+        pending.insert(pending.end(), found->second.begin(), found->second.end());
+    }
+  };
+  for (const auto& file : files())
+    if (!included.contains(file)) begin(file);
+  for (const auto& file : files()) // those that include each other in a circle
+    if (!reached.contains(file)) begin(file);
+  return result;
+}
+
 std::vector<View> Snapshot::views(const fs::path& file) const {
   std::vector<View> result;
   for (const auto& root : rootsOf(file)) {

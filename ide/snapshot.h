@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,8 @@ struct View {
   [[nodiscard]] const std::string& text() const { return document().text(); }
 };
 
-/// Which files include which, by their paths; what includes nothing and is included by nothing need
-/// not be in it.
+/// Which files include which, by their paths: every file that is open or in the workspace, with an
+/// empty list where it includes nothing.
 using Includes = std::map<std::filesystem::path, std::vector<std::filesystem::path>>;
 
 /// Never changes; programs are analysed when they are first asked for, once, by whoever asks first.
@@ -78,6 +79,13 @@ public:
   [[nodiscard]] std::shared_ptr<const Snapshot> with(OpenTexts open, Includes includes) const;
 
   [[nodiscard]] const OpenTexts& open() const { return texts; }
+  /// Every file that is open or in the workspace, in their order.
+  [[nodiscard]] auto files() const { return includes | std::views::keys; }
+  [[nodiscard]] bool knows(const std::filesystem::path& file) const {
+    return includes.contains(file);
+  }
+  /// Those of them that are the root of a program.
+  [[nodiscard]] std::vector<std::filesystem::path> roots() const;
   /// The file in each program that it belongs to, one a root; a file that nothing includes is its
   /// own root.
   [[nodiscard]] std::vector<View> views(const std::filesystem::path& file) const;

@@ -39,8 +39,10 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.watchedFiles =
       isTrue(capabilities, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
   client.workDoneProgress = isTrue(capabilities, {"window", "workDoneProgress"});
-  client.snippets =
-      isTrue(capabilities, {"textDocument", "completion", "completionItem", "snippetSupport"});
+  const auto& item = memberAt(capabilities, {"textDocument", "completion", "completionItem"});
+  client.snippets = isTrue(item, {"snippetSupport"});
+  client.insertReplace = isTrue(item, {"insertReplaceSupport"});
+  client.markdownCompletion = lists(memberAt(item, {"documentationFormat"}), "markdown");
   client.hierarchicalSymbols =
       isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.markdownHover =

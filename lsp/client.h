@@ -13,6 +13,8 @@ struct ClientFeatures {
   bool watchedFiles = false; ///< may be registered dynamically
   bool workDoneProgress = false;
   bool snippets = false;
+  bool insertReplace = false;      ///< completions may say both what to insert and to replace
+  bool markdownCompletion = false; ///< in the documentation of completions
   bool hierarchicalSymbols = false;
   bool markdownHover = false;
   bool documentChanges = false; ///< workspace edits with versions

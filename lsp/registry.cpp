@@ -4,7 +4,7 @@ namespace proskill::lsp {
 
 Registry allFeatures() {
   Registry registry;
-  for (auto add : {addDiagnostics, addNavigation}) add(registry);
+  for (auto add : {addCompletion, addDiagnostics, addNavigation}) add(registry);
   return registry;
 }
 

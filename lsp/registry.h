@@ -50,6 +50,7 @@ struct Registry {
   }
 };
 
+void addCompletion(Registry& registry);
 void addDiagnostics(Registry& registry);
 void addNavigation(Registry& registry);
 

@@ -150,11 +150,7 @@ void Workspace::refresh() {
 }
 
 void Workspace::noteIncludes(const fs::path& path, const syntax::Document& document) {
-  auto targets = ide::includesOf(path, document);
-  if (targets.empty())
-    includes.erase(path);
-  else
-    includes[path] = std::move(targets);
+  includes[path] = ide::includesOf(path, document);
 }
 
 std::vector<fs::path> programFiles(const fs::path& folder) {

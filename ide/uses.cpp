@@ -1,0 +1,54 @@
+#include "ide/uses.h"
+
+#include "ide/symbol_key.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace proskill::ide {
+
+namespace {
+
+constexpr std::size_t kMostNames = 5;
+
+} // namespace
+
+bool isSetting(const View& view, const analysis::Occurrence& place) {
+  if (place.role == analysis::Role::Write) return true;
+  const auto& symbols = view.index().symbols();
+  if (symbols[place.symbol].kind != analysis::SymbolKind::Value) return false;
+  // In `(lamp On)` the value follows its variable directly.
+  const auto all = view.index().occurrences();
+  const auto* self = view.index().at(place.at.file, place.at.range.begin);
+  if (!self || self == all.data()) return false;
+  const auto& before = *(self - 1);
+  return before.role == analysis::Role::Write && before.at.file == place.at.file &&
+         before.symbol == symbols[place.symbol].owner;
+}
+
+std::vector<analysis::SymbolId> usersOf(const View& view, analysis::SymbolId symbol,
+                                        bool (*matters)(const View&, const analysis::Occurrence&)) {
+  std::vector<analysis::SymbolId> users;
+  for (const auto& place : view.index().occurrencesOf(symbol)) {
+    if (place.role == analysis::Role::Definition || !matters(view, place)) continue;
+    const auto user = definitionAround(view, place.at);
+    const bool known = std::ranges::find(users, user) != users.end();
+    if (user != analysis::kNoSymbol && !known) users.push_back(user);
+  }
+  return users;
+}
+
+std::string enumerate(const View& view, const std::vector<analysis::SymbolId>& symbols) {
+  std::string result;
+  const auto& all = view.index().symbols();
+  const bool tooMany = symbols.size() > kMostNames;
+  const auto shown = tooMany ? kMostNames - 1 : symbols.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool isLast = i + 1 == symbols.size();
+    result += fmt::format("{}`{}`", i == 0 ? "" : (isLast ? " and " : ", "), all[symbols[i]].name);
+  }
+  if (tooMany) result += fmt::format(" and {} more", symbols.size() - shown);
+  return result;
+}
+
+} // namespace proskill::ide

@@ -1,0 +1,29 @@
+#include "lsp/symbol_json.h"
+
+#include "lsp/convert.h"
+
+namespace proskill::lsp {
+
+Json toJson(const ide::SymbolKey& key) {
+  return {{"kind", static_cast<int>(key.kind)}, {"name", key.name}, {"owner", key.owner}};
+}
+
+std::optional<ide::SymbolKey> symbolKey(const Json& json) {
+  const auto& kind = memberAt(json, {"kind"});
+  const auto& name = memberAt(json, {"name"});
+  const auto& owner = memberAt(json, {"owner"});
+  if (!kind.is_number_integer() || !name.is_string() || !owner.is_string()) return std::nullopt;
+  const auto number = kind.get<std::int64_t>();
+  if (number < 0 || number > static_cast<int>(analysis::SymbolKind::Label)) return std::nullopt;
+  return ide::SymbolKey{static_cast<analysis::SymbolKind>(number), name, owner};
+}
+
+std::optional<ide::View> viewOfData(const Request& request, const Json& data) {
+  const auto& uri = memberAt(data, {"uri"});
+  if (!uri.is_string()) return std::nullopt;
+  const auto path = pathOf(uri.get_ref<const std::string&>());
+  if (!request.snapshot.knows(path)) return std::nullopt;
+  return request.snapshot.view(path);
+}
+
+} // namespace proskill::lsp
