@@ -5,11 +5,13 @@
 #include "cli/disk.h"
 #include "cli/fix.h"
 #include "cli/render.h"
+#include "ide/fiacre_file.h"
 #include "lsp/program_settings.h"
 
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <unistd.h>
@@ -42,16 +44,28 @@ public:
   bool add(const std::string& file) {
     const fs::path canonical = disk.canonical(file);
     if (std::ranges::find(roots, canonical, &Root::canonical) != roots.end()) return true;
+    if (ide::isFiacre(file)) return addFiacre(file, canonical);
     auto document = disk.document(file);
     if (!document) {
       std::cerr << "error: cannot read `" << file << "`: " << document.error() << '\n';
       return false;
     }
     const auto extent = arguments.fragment ? analysis::Extent::Fragment : analysis::Extent::Whole;
-    Root root{canonical, {}, analysis::load(disk, file, std::move(*document), extent)};
+    Root root{canonical, {}, analysis::load(disk, file, std::move(*document), extent), {}};
     for (std::size_t i = 1; i < root.program.files.size(); ++i)
       root.includes.insert(disk.canonical(root.program.files[i].path));
     roots.push_back(std::move(root));
+    return true;
+  }
+
+  bool addFiacre(const std::string& file, const fs::path& canonical) {
+    auto text = disk.read(file);
+    if (!text) {
+      std::cerr << "error: cannot read `" << file << "`: " << text.error() << '\n';
+      return false;
+    }
+    auto read = ide::readFiacre(file, std::move(*text));
+    roots.push_back({canonical, {}, std::move(read.program), std::move(read.diagnostics)});
     return true;
   }
 
@@ -60,7 +74,9 @@ public:
     std::vector<CheckedProgram> checked;
     for (Root& root : roots) {
       if (root.included) continue;
-      auto diagnostics = analysis::flow::inspect(root.program, settings(root.canonical));
+      auto diagnostics = root.found
+                             ? std::move(*root.found)
+                             : analysis::flow::inspect(root.program, settings(root.canonical));
       checked.push_back({std::move(root.program), std::move(diagnostics)});
     }
     return checked;
@@ -74,6 +90,7 @@ private:
     fs::path canonical;
     std::set<fs::path> includes;
     analysis::Program program;
+    std::optional<std::vector<syntax::Diagnostic>> found; ///< of Fiacre, when it was read
     bool included = false;
   };
 

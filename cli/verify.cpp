@@ -6,6 +6,7 @@
 #include "cli/render.h"
 #include "cli/save_traces.h"
 #include "cli/verify_report.h"
+#include "ide/fiacre_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -158,7 +159,35 @@ int verifyProperties(const Arguments& arguments, const analysis::Program& progra
   return exitCodeOf(*result, arguments.strict);
 }
 
+int runModel(const Arguments& arguments, bool list, const analysis::Program& program,
+             const codegen::Model& model) {
+  if (list) {
+    for (const auto& check : model.checks) fmt::print("{}\n", check.name);
+    return kGood;
+  }
+  if (arguments.graph == "counts") {
+    std::signal(SIGINT, onInterrupt);
+    ProgressLine progress;
+    return countGraph(model, engineOptions(arguments, progress));
+  }
+  return verifyProperties(arguments, program, model);
+}
+
+/// A model that was written by hand.
+int runFiacre(const Arguments& arguments, bool list) {
+  auto text = DiskFileSystem().read(arguments.file);
+  if (!text) return fail(fmt::format("cannot read `{}`: {}", arguments.file, text.error()));
+  const auto read = ide::readFiacre(arguments.file, std::move(*text));
+  render(std::cerr, read.program, read.diagnostics,
+         Paint{wantsColour(arguments.colour, STDERR_FILENO)});
+  if (!read.diagnostics.empty()) return kUsage;
+  if (read.model.checks.empty() && arguments.graph.empty())
+    return fail("nothing is asserted: write `property p is deadlockfree` and `assert p`");
+  return runModel(arguments, list, read.program, read.model);
+}
+
 int run(const Arguments& arguments, bool list) {
+  if (ide::isFiacre(arguments.file)) return runFiacre(arguments, list);
   auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kUsage;
   codegen::Options options;
@@ -167,16 +196,7 @@ int run(const Arguments& arguments, bool list) {
   options.automata = arguments.automata;
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());
-  if (list) {
-    for (const auto& check : model->checks) fmt::print("{}\n", check.name);
-    return kGood;
-  }
-  if (arguments.graph == "counts") {
-    std::signal(SIGINT, onInterrupt);
-    ProgressLine progress;
-    return countGraph(*model, engineOptions(arguments, progress));
-  }
-  return verifyProperties(arguments, *program, *model);
+  return runModel(arguments, list, *program, *model);
 }
 
 } // namespace

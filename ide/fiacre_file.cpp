@@ -1,0 +1,98 @@
+#include "ide/fiacre_file.h"
+
+#include "fiacre/check.h"
+#include "fiacre/parse.h"
+#include "fiacre/print.h"
+#include "syntax/codes.h"
+
+#include <algorithm>
+
+namespace proskill::ide {
+
+namespace {
+
+using syntax::Code;
+using syntax::Diagnostic;
+using syntax::Offset;
+using syntax::Range;
+
+bool isWord(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The place of a name within a range; the whole range where it is not there.
+Range narrowed(std::string_view text, Range range, std::string_view name) {
+  const auto within = text.substr(0, range.end);
+  for (auto at = within.find(name, range.begin); at != std::string_view::npos;
+       at = within.find(name, at + 1)) {
+    const auto end = at + name.size();
+    if ((at == 0 || !isWord(text[at - 1])) && (end == text.size() || !isWord(text[end])))
+      return {static_cast<Offset>(at), static_cast<Offset>(end)};
+  }
+  return range;
+}
+
+/// The first word of a message that stands in backquotes.
+std::string_view inBackquotes(std::string_view message) {
+  const auto open = message.find('`');
+  const auto close = open == std::string_view::npos ? open : message.find('`', open + 1);
+  return close == std::string_view::npos ? "" : message.substr(open + 1, close - open - 1);
+}
+
+/// The name at the end of "process P, state run" or of "type cell".
+std::string_view lastWord(std::string_view place) {
+  const auto space = place.rfind(' ');
+  return space == std::string_view::npos ? place : place.substr(space + 1);
+}
+
+/// Problems know the statement that they are in; those of declarations only a name.
+Range placeOf(const fiacre::Problem& problem, const fiacre::Provenance& provenance,
+              std::string_view text) {
+  const auto& origin = provenance.origins[problem.origin];
+  const auto name = inBackquotes(problem.message);
+  if (problem.origin != 0) {
+    const Range range{origin.begin, origin.end};
+    return name.empty() ? range : narrowed(text, range, name);
+  }
+  const Range whole{0, static_cast<Offset>(text.size())};
+  const Range declared =
+      problem.place.empty() ? whole : narrowed(text, whole, lastWord(problem.place));
+  return declared == whole ? Range{0, 0} : declared;
+}
+
+void addChecks(codegen::Model& model) {
+  const auto& properties = model.fiacre.properties;
+  for (std::size_t i = 0; i < properties.size(); ++i) {
+    if (!properties[i].asserted) continue;
+    model.checks.push_back({.name = properties[i].name,
+                            .kind = "property",
+                            .subject = model.fiacre.main,
+                            .words = fiacre::printPattern(properties[i].pattern, model.fiacre.main),
+                            .property = i,
+                            .origin = properties[i].origin});
+  }
+}
+
+} // namespace
+
+bool isFiacre(const std::filesystem::path& path) { return path.extension() == ".fcr"; }
+
+FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
+  FiacreFile result;
+  result.program.files.push_back({path, syntax::Document::parse(std::move(text))});
+  const std::string& source = result.program.files[0].document.text();
+  auto parsed = fiacre::parse(source);
+  for (const auto& problem : parsed.problems)
+    result.diagnostics.push_back(syntax::makeDiagnostic(
+        Code::FiacreText, {0, {problem.begin, problem.end}}, problem.message));
+  result.model = {.fiacre = std::move(parsed.program), .provenance = std::move(parsed.provenance)};
+  if (!result.diagnostics.empty()) return result; // what was not read would be missed everywhere
+  for (const auto& problem : fiacre::check(result.model.fiacre))
+    result.diagnostics.push_back(syntax::makeDiagnostic(
+        Code::FiacreModel, {0, placeOf(problem, result.model.provenance, source)}, problem.place,
+        problem.message));
+  addChecks(result.model);
+  return result;
+}
+
+} // namespace proskill::ide

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "codegen/model.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// A model that a user writes in Fiacre, in the shapes that programs of ProSkill have.
+namespace proskill::ide {
+
+struct FiacreFile {
+  analysis::Program program; ///< no definitions; `files[0]` is the text
+  std::vector<syntax::Diagnostic> diagnostics;
+  /// A check for each property that is asserted, by its name. Times are in units of the model.
+  /// Means nothing where there are diagnostics.
+  codegen::Model model;
+};
+
+[[nodiscard]] bool isFiacre(const std::filesystem::path& path); ///< by its name: `.fcr`
+
+/// Reads and checks a text; `path` is what places show. Never fails.
+[[nodiscard]] FiacreFile readFiacre(const std::filesystem::path& path, std::string text);
+
+} // namespace proskill::ide

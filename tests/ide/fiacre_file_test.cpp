@@ -1,0 +1,59 @@
+#include "ide/fiacre_file.h"
+
+#include "ide/verification.h"
+#include "syntax/codes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+
+namespace {
+
+/// Each diagnostic's text, with its message.
+std::string found(const std::string& text) {
+  std::string all;
+  for (const auto& each : ide::readFiacre("m.fcr", text).diagnostics)
+    all += "`" + text.substr(each.location.range.begin, each.location.range.length()) +
+           "`: " + each.message + "\n";
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("the codes about Fiacre are raised by their examples") {
+  for (auto code : {syntax::Code::FiacreText, syntax::Code::FiacreModel}) {
+    const auto read = ide::readFiacre("m.fcr", std::string(syntax::info(code).example));
+    INFO(syntax::info(code).id);
+    REQUIRE_FALSE(read.diagnostics.empty());
+    CHECK(read.diagnostics[0].code == code);
+  }
+}
+
+TEST_CASE("a mistake in Fiacre is told at the name that it is about") {
+  CHECK(found("process P is\nstates a\nfrom a x := 1; to a\n"
+              "component m is par * in P end\nm") ==
+        "`x`: process P, state a: `x` is no variable, and cannot be assigned to\n");
+  CHECK(found("process P is\nstates a\nfrom a to b\ncomponent m is par * in P end\nm") ==
+        "`b`: process P, state a: the state `b` is not declared\n");
+}
+
+TEST_CASE("a model by hand is verified, with a trace at its lines") {
+  const std::string text = "process P is\nstates a, b\nvar x: 0..3 := 0\n"
+                           "from a wait [1,2]; x := x + 1; if x = 3 then to b else to a end\n"
+                           "component m is par * in P end\nm\n"
+                           "property never is absent m/1/state b\nassert never\n";
+  const auto read = ide::readFiacre("m.fcr", text);
+  REQUIRE(read.diagnostics.empty());
+  const auto report = ide::verifyModel(read.model, {}, {});
+  REQUIRE(report.has_value());
+  REQUIRE(report->rows.size() == 1);
+  CHECK(report->rows[0].verdict == ide::Verdict::Violated);
+  REQUIRE(report->rows[0].trace.has_value());
+  const auto& steps = report->rows[0].trace->steps;
+  REQUIRE(steps.size() == 3);
+  CHECK(steps[2].words == "to b");
+  CHECK(steps[2].actor == "P");
+  CHECK(text.substr(steps[2].location->range.begin, steps[2].location->range.length()) == "to b");
+  CHECK(steps[2].earliest.seconds == syntax::Rational{3, 1});
+  CHECK(steps[2].latest->seconds == syntax::Rational{6, 1});
+}
