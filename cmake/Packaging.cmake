@@ -17,6 +17,14 @@ install(DIRECTORY tree-sitter-proskill/ DESTINATION ${CMAKE_INSTALL_DATADIR}/pro
         PATTERN "bindings" EXCLUDE PATTERN "test" EXCLUDE PATTERN "node_modules" EXCLUDE
         PATTERN "build" EXCLUDE)
 
+# Neovim finds plugins of the system below share/nvim/site; its copy of the queries is a link.
+set(nvim_site ${CMAKE_INSTALL_DATADIR}/nvim/site/pack/proskill/start/proskill)
+install(DIRECTORY editors/nvim/ DESTINATION ${nvim_site}
+        PATTERN "queries" EXCLUDE PATTERN "tags" EXCLUDE PATTERN "parser" EXCLUDE
+        PATTERN ".gitignore" EXCLUDE)
+install(DIRECTORY tree-sitter-proskill/queries/ DESTINATION ${nvim_site}/queries/proskill)
+install(TARGETS proskill_parser LIBRARY DESTINATION ${nvim_site}/parser)
+
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -14,6 +14,7 @@ from house import finish
 BUILD = pathlib.Path(sys.argv[1])
 DOC = "usr/share/doc/proskill"
 GRAMMAR = "usr/share/proskill/tree-sitter-proskill"
+NVIM = "usr/share/nvim/site/pack/proskill/start/proskill"
 WANTED = [
     "usr/bin/proskill",
     "usr/share/man/man1/proskill.1",
@@ -22,6 +23,8 @@ WANTED = [
     "usr/share/fish/vendor_completions.d/proskill.fish",
     f"{GRAMMAR}/grammar.js", f"{GRAMMAR}/src/parser.c", f"{GRAMMAR}/src/tree_sitter/parser.h",
     f"{GRAMMAR}/queries/highlights.scm", f"{GRAMMAR}/tree-sitter.json",
+    f"{NVIM}/ftplugin/proskill.lua", f"{NVIM}/doc/proskill.txt", f"{NVIM}/parser/proskill.so",
+    f"{NVIM}/queries/proskill/highlights.scm",
     f"{DOC}/copyright", f"{DOC}/README.md", f"{DOC}/CHANGELOG.md", f"{DOC}/docs/language.md",
     f"{DOC}/examples/drone/drone.proskill",
 ]

@@ -1,0 +1,286 @@
+-- :ProskillTrace: a trace in the quickfix list, its step at hand marked in the program, and beside it
+-- the values after the step, with marks where they have changed.
+local client = require('proskill.client')
+local config = require('proskill.config')
+local message = require('proskill.message')
+local place = require('proskill.place')
+local steps = require('proskill.steps')
+local values = require('proskill.values')
+local verify = require('proskill.verify')
+
+local M = {}
+
+local space = vim.api.nvim_create_namespace('proskill.trace')
+
+-- What is shown: { trace, name, words, verdict, list (its quickfix identifier), at, window }.
+-- Step 0 is the start.
+M.shown = nil
+
+for group, link in pairs({
+  ProskillStep = 'Visual', ProskillStepChange = 'DiffText', ProskillStepNote = 'Comment',
+  ProskillStepSign = 'Search',
+}) do
+  vim.cmd(('highlight default link %s %s'):format(group, link))
+end
+
+local function items(shown)
+  local start = ('start  %s: %s'):format(shown.words, shown.verdict)
+  local result = { place.item(shown.place, { text = start, nr = 0 }) }
+  for number, step in ipairs(shown.trace.steps) do
+    local changes = steps.changes(step)
+    table.insert(result, place.item(step.place, {
+      nr = number,
+      text = ('%s  %s: %s%s'):format(steps.date(step), step.actor, step.words,
+                                     changes ~= '' and '  [' .. changes .. ']' or ''),
+    }))
+  end
+  return result
+end
+
+-- In the list a line is `mission.proskill:12: 3  1 … 5 s  takeoff: …`.
+local function line_of_list(info)
+  local list = vim.fn.getqflist({ id = info.id, items = 1 }).items
+  local lines = {}
+  for index = info.start_idx, info.end_idx do
+    local item = list[index]
+    local where = item.bufnr > 0
+      and ('%s:%d'):format(vim.fn.fnamemodify(vim.fn.bufname(item.bufnr), ':t'), item.lnum) or ''
+    table.insert(lines, ('%s| %d  %s'):format(where, item.nr, item.text))
+  end
+  return lines
+end
+
+local function note(shown, step)
+  local notes = { { ('  step %d of %d'):format(shown.at, #shown.trace.steps), 'ProskillStepNote' } }
+  if step then
+    table.insert(notes, { (' · %s · %s '):format(steps.date(step), step.words), 'ProskillStepNote' })
+    for _, change in ipairs(step.changes) do
+      table.insert(notes, { ' ' .. steps.change(change) .. ' ', 'ProskillStepChange' })
+    end
+  end
+  return notes
+end
+
+local function clear()
+  for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
+    if vim.api.nvim_buf_is_loaded(buffer) then
+      vim.api.nvim_buf_clear_namespace(buffer, space, 0, -1)
+    end
+  end
+end
+
+-- The text may have been edited since.
+local function within(buffer, where)
+  local last = vim.api.nvim_buf_line_count(buffer) - 1
+  local function column(line, at)
+    local text = vim.api.nvim_buf_get_lines(buffer, line, line + 1, false)[1] or ''
+    return math.min(at, #text)
+  end
+  local first_line, last_line = math.min(where.line, last), math.min(where.last_line, last)
+  return first_line, column(first_line, where.first), last_line, column(last_line, where.last)
+end
+
+local function mark(shown, step)
+  local where = step and step.place or shown.place
+  if not where then
+    return
+  end
+  local buffer = vim.fn.bufadd(where.path)
+  vim.fn.bufload(buffer)
+  local line, first, last_line, last = within(buffer, where)
+  vim.api.nvim_buf_set_extmark(buffer, space, line, first, {
+    end_row = last_line, end_col = last, hl_group = 'ProskillStep', priority = 150,
+    sign_text = '▶', sign_hl_group = 'ProskillStepSign',
+  })
+  vim.api.nvim_buf_set_extmark(buffer, space, line, first, {
+    virt_text = note(shown, step), virt_text_pos = 'eol',
+  })
+end
+
+-- Shows a step's place in the window of the program, wherever the cursor is.
+local function scroll(shown, step)
+  local where = step and step.place or shown.place
+  if not where or not vim.api.nvim_win_is_valid(shown.window) then
+    return
+  end
+  vim.api.nvim_win_call(shown.window, function()
+    local buffer = vim.fn.bufadd(where.path)
+    if vim.api.nvim_win_get_buf(shown.window) ~= buffer then
+      vim.bo[buffer].buflisted = true
+      vim.cmd('hide buffer ' .. buffer)
+    end
+    local line, first = within(buffer, where)
+    vim.api.nvim_win_set_cursor(shown.window, { line + 1, first })
+    vim.cmd('normal! zv')
+  end)
+end
+
+local function render(number)
+  local shown = M.shown
+  shown.at = number
+  local step = shown.trace.steps[number]
+  clear()
+  mark(shown, step)
+  values.show(shown)
+  return step
+end
+
+-- Goes to a step; nothing where the trace has no such step.
+function M.go(number)
+  local shown = M.shown
+  if not shown or number < 0 or number > #shown.trace.steps then
+    return
+  end
+  vim.fn.setqflist({}, 'a', { id = shown.list, idx = number + 1 })
+  scroll(shown, render(number))
+end
+
+function M.next(count) M.go(M.shown and M.shown.at + (count or 1) or 0) end
+
+function M.previous(count) M.go(M.shown and M.shown.at - (count or 1) or 0) end
+
+-- :cnext and its like move through the list and tell nobody: so look after each move of the cursor.
+local function follow()
+  local shown = M.shown
+  if not shown then
+    return
+  end
+  local list = vim.fn.getqflist({ id = 0, idx = 0 })
+  if list.id ~= shown.list then
+    return
+  end
+  if vim.bo.buftype == 'quickfix' and config.get().follow
+     and vim.fn.getloclist(0, { filewinid = 0 }).filewinid == 0 then
+    local number = vim.fn.line('.') - 1
+    if number ~= shown.at then
+      M.go(number)
+    end
+  elseif list.idx - 1 ~= shown.at then
+    render(list.idx - 1)
+  end
+end
+
+local function watch()
+  local group = vim.api.nvim_create_augroup('proskill.trace', {})
+  vim.api.nvim_create_autocmd({ 'CursorMoved', 'BufEnter', 'WinEnter' },
+                              { group = group, callback = follow })
+end
+
+-- :ProskillTraceClose
+function M.close()
+  if not M.shown then
+    return
+  end
+  M.shown.unmap()
+  M.shown = nil
+  vim.api.nvim_create_augroup('proskill.trace', {})
+  clear()
+  values.close()
+  vim.cmd('cclose')
+end
+
+-- In the quickfix window, for as long as the trace is shown.
+local function map_keys(buffer)
+  for key, action in pairs({ [']'] = M.next, ['['] = M.previous, q = M.close }) do
+    vim.keymap.set('n', key, function() action(vim.v.count1) end, { buffer = buffer, nowait = true })
+  end
+  return function()
+    for _, key in ipairs({ ']', '[', 'q' }) do
+      pcall(vim.keymap.del, 'n', key, { buffer = buffer })
+    end
+  end
+end
+
+local function open(verdict, trace)
+  if M.shown then
+    M.close()
+  end
+  local shown = {
+    trace = trace, at = 0, window = vim.api.nvim_get_current_win(),
+    name = verdict.name, words = verdict.words, verdict = verdict.verdict, place = verdict.place,
+  }
+  vim.fn.setqflist({}, ' ', {
+    title = 'trace of ' .. verdict.name, items = items(shown), idx = 1,
+    quickfixtextfunc = line_of_list,
+  })
+  shown.list = vim.fn.getqflist({ id = 0 }).id
+  M.shown = shown
+  vim.cmd('botright copen')
+  shown.unmap = map_keys(vim.api.nvim_get_current_buf())
+  vim.api.nvim_set_current_win(shown.window)
+  values.open(shown)
+  watch()
+  M.go(0)
+  if trace.stale then
+    message.warn('the program has changed since: places may have moved')
+  end
+  vim.api.nvim_exec_autocmds('User', { pattern = 'ProskillTraceShown', modeline = false })
+end
+
+-- Asks the server for the trace of a verdict.
+local function ask(buffer, verdict)
+  local server = client.of(buffer)
+  client.ask(buffer, 'proskill/trace', {
+    textDocument = { uri = vim.uri_from_bufnr(buffer) }, name = verdict.name,
+  }, function(problem, result)
+    if problem then
+      return message.error(problem.message)
+    end
+    open(verdict, steps.trace(result, server.offset_encoding))
+  end)
+end
+
+local function show(buffer, verdict)
+  if verdict.trace then
+    open(verdict, steps.trace(verdict.trace))
+  elseif verdict.steps then
+    ask(buffer, verdict)
+  else
+    message.info(('%s: %s, without a trace'):format(verdict.words, verdict.verdict))
+  end
+end
+
+local function choose(buffer, verdicts)
+  local candidates = vim.tbl_filter(function(verdict) return verdict.steps and not verdict.good end,
+                                    verdicts)
+  if #candidates == 0 then
+    return message.info('nothing is bad; name a property to see its trace')
+  elseif #candidates == 1 then
+    return show(buffer, candidates[1])
+  end
+  vim.ui.select(candidates, {
+    prompt = 'Trace of', format_item = function(verdict)
+      return ('%s: %s'):format(verdict.words, verdict.verdict)
+    end,
+  }, function(chosen)
+    if chosen then
+      show(buffer, chosen)
+    end
+  end)
+end
+
+-- :ProskillTrace: verifies what is named, else takes the verdicts of the last :ProskillVerify.
+function M.show(name)
+  local buffer = vim.api.nvim_get_current_buf()
+  if vim.bo[buffer].filetype ~= 'proskill' then
+    return message.error('this is no ProSkill program')
+  end
+  local last = verify.last and verify.last.buffer == buffer
+    and verify.last.tick == vim.api.nvim_buf_get_changedtick(buffer) and verify.last.list
+  if name == '' and last then
+    return choose(buffer, last)
+  end
+  verify.verdicts(buffer, name ~= '' and { name } or {}, function(verdicts, problem)
+    if not verdicts then
+      message.error(problem)
+    elseif name == '' then
+      choose(buffer, verdicts)
+    elseif #verdicts == 1 then
+      show(buffer, verdicts[1])
+    else
+      choose(buffer, verdicts)
+    end
+  end)
+end
+
+return M

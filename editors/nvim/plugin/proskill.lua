@@ -1,0 +1,36 @@
+if vim.g.loaded_proskill then
+  return
+end
+vim.g.loaded_proskill = true
+
+local command = vim.api.nvim_create_user_command
+
+command('ProskillAutomaton', function(given)
+  require('proskill.picture').show(given.args, given.bang)
+end, {
+  nargs = '?', bang = true, desc = 'Draw what stands at the cursor, or is named; with ! as DOT',
+  complete = function(begin) return require('proskill.picture').names(begin) end,
+})
+
+command('ProskillVerify', function(given)
+  require('proskill.verify').run(given.fargs, given.bang)
+end, {
+  nargs = '*', bang = true, desc = 'Verify the program; with ! list the good verdicts, too',
+  complete = function(begin) return require('proskill.verify').names(begin) end,
+})
+
+command('ProskillTrace', function(given)
+  require('proskill.trace').show(given.args)
+end, {
+  nargs = '?', desc = 'Show the trace of a verdict, step by step',
+  complete = function(begin) return require('proskill.verify').names(begin, true) end,
+})
+
+command('ProskillTraceClose', function() require('proskill.trace').close() end,
+  { desc = 'Put the trace away' })
+command('ProskillStop', function() require('proskill.verify').stop() end,
+  { desc = 'Stop verifying' })
+command('ProskillRestart', function() require('proskill.client').restart() end,
+  { desc = 'Start the language server anew' })
+command('ProskillBuildParser', function() require('proskill.treesitter').build() end,
+  { desc = 'Compile the parser for colours, folds and indentation' })

@@ -1,0 +1,108 @@
+-- The language server in the editor, as a user meets it.
+local expect = require('expect')
+
+local function has_diagnostic(part)
+  return ([[
+    for _, it in ipairs(vim.diagnostic.get(0)) do
+      if it.message:find(%q, 1, true) then return true end
+    end
+    return false
+  ]]):format(part)
+end
+
+local function drone(child)
+  local directory = child:copy('drone')
+  child:open(directory .. '/drone.proskill')
+  return directory
+end
+
+return {
+  { 'a mistake is told when it is typed, and forgotten when it is undone', function(child)
+    drone(child)
+    child:at('(|takeoff height 3.0')
+    child:keys('cwtakeof<Esc>')
+    child:wait(has_diagnostic('unknown skill `takeof`'))
+    local at = child:lua([[
+      for _, it in ipairs(vim.diagnostic.get(0)) do
+        if it.message:find('takeof`', 1, true) then return { it.lnum, it.col, it.end_col, it.code } end
+      end
+    ]])
+    expect.equal(at, { 170, 6, 12, 'PS0201' })
+    child:keys('u')
+    child:wait('return not (function() ' .. has_diagnostic('unknown skill `takeof`') .. ' end)()')
+  end },
+
+  { 'what is told stands where it should, whatever comes before it', function(child)
+    local text = '(defskill a :body ((printf "😀é€") (b)))'
+    child:open(child:file('wide.proskill', text))
+    child:wait(has_diagnostic('unknown skill `b`'))
+    local it = child:lua([[
+      for _, it in ipairs(vim.diagnostic.get(0)) do
+        if it.message:find('unknown skill', 1, true) then return it end
+      end
+    ]])
+    local column = text:find('b)', 1, true) - 1
+    expect.equal({ it.col, it.end_col }, { column, column + 1 })
+  end },
+
+  { 'a definition is gone to, in another file too', function(child)
+    local directory = child:copy('rover')
+    child:open(directory .. '/mission.proskill')
+    child:at('(|drive_to where Field')
+    child:keys('gd')
+    child:wait("return vim.fn.expand('%:t') == 'skills.proskill'")
+    expect.contains(child:lua("return vim.fn.getline('.')"), '(defskill drive_to')
+    expect.equal(child:lua("return vim.fn.col('.')"), 11)
+    child:keys('<C-o>')
+    child:wait("return vim.fn.expand('%:t') == 'mission.proskill'")
+  end },
+
+  { 'all places that use a thing are listed', function(child)
+    drone(child)
+    child:at('(defskill |landing')
+    child:keys('grr')
+    child:wait("return #vim.fn.getqflist() == 4")
+  end },
+
+  { 'the project of a file is where its settings are, else its repository, else its directory', function(child)
+    local directory = child:copy('rover')
+    local root = "return require('proskill.client').root(0)"
+    child:edit(directory .. '/mission.proskill')
+    expect.equal(child:lua(root), directory)
+    vim.fn.mkdir(child.directory .. '/.git')
+    expect.equal(child:lua(root), child.directory)
+    vim.fn.writefile({ '{}' }, directory .. '/.proskill.json')
+    expect.equal(child:lua(root), directory)
+  end },
+
+  { 'files of a project have one server', function(child)
+    local directory = child:copy('rover')
+    child:open(directory .. '/mission.proskill')
+    local first = child:lua("return require('proskill.client').of(0).id")
+    child:open(directory .. '/world.proskill')
+    expect.equal(child:lua("return require('proskill.client').of(0).id"), first)
+  end },
+
+  { 'the server can be started again, and knows the text as it is', function(child)
+    drone(child)
+    local first = child:lua("return require('proskill.client').of(0).id")
+    child:at('(|takeoff height 3.0')
+    child:keys('cwtakeof<Esc>')
+    child:wait(has_diagnostic('unknown skill `takeof`'))
+    child:lua("vim.cmd('ProskillRestart')")
+    child:wait([[
+      local client = require('proskill.client').of(0)
+      return client ~= nil and client.id ~= ...
+    ]], first)
+    child:wait(has_diagnostic('unknown skill `takeof`'))
+  end },
+
+  { 'a server that is not installed is told once, and the text is shown all the same', function(child)
+    child:lua("require('proskill').setup({ cmd = { 'no-such-program' } })")
+    child:lua([[told = {}; vim.notify = function(text) table.insert(told, text) end]])
+    child:edit(child:copy('drone') .. '/drone.proskill')
+    child:edit(child.directory .. '/drone/other.proskill')
+    expect.equal(child:lua('return #told'), 1)
+    expect.contains(child:lua('return told[1]'), 'no-such-program')
+  end },
+}

@@ -1,0 +1,193 @@
+-- Verdicts, traces and pictures.
+local expect = require('expect')
+
+local function drone(child)
+  child:lua([[
+    told = {}
+    vim.notify = function(text) table.insert(told, text) end
+  ]])
+  child:open(child:copy('drone') .. '/drone.proskill')
+end
+
+local function trace(child, name)
+  child:lua("vim.cmd('ProskillTrace ' .. ...)", name)
+  child:wait("return require('proskill.trace').shown ~= nil")
+end
+
+-- The text that stands behind lines, as virtual text, with its line.
+local notes = [[
+  local space = vim.api.nvim_get_namespaces()['proskill.trace']
+  for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(0, space, 0, -1, { details = true })) do
+    if mark[4].virt_text then
+      local words = vim.tbl_map(function(chunk) return chunk[1] end, mark[4].virt_text)
+      return { mark[2] + 1, table.concat(words) }
+    end
+  end
+]]
+
+local values = [[
+  for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
+    if vim.api.nvim_buf_get_name(buffer):find('proskill://values', 1, true) then
+      return vim.api.nvim_buf_get_lines(buffer, 0, -1, true)
+    end
+  end
+]]
+
+local function step_at(number)
+  return ("return require('proskill.trace').shown.at == %d"):format(number)
+end
+
+return {
+  { 'verdicts that are bad come into the quickfix list, the worst counted', function(child)
+    drone(child)
+    child:lua("vim.cmd('ProskillVerify')")
+    child:wait("return #vim.fn.getqflist() > 0")
+    local list = child:lua("return vim.fn.getqflist({ title = 1, items = 1 })")
+    expect.contains(list.title, 'properties: ')
+    expect.contains(list.title, ' 3 bad, 21 to look at')
+    expect.equal(#list.items, 24)
+    local found
+    for _, item in ipairs(list.items) do
+      if item.module == 'uav_mission.no_overshoot' then found = item end
+    end
+    expect.equal({ found.type, found.lnum, found.col }, { 'E', 162, 18 })
+    expect.contains(found.text, '`uav_mission` takes at most 120 s: violated')
+    child:lua("vim.cmd('ProskillVerify! takeoff')")
+    child:wait([[
+      local kinds = {}
+      for _, item in ipairs(vim.fn.getqflist()) do kinds[item.type] = true end
+      return kinds.I and #vim.fn.getqflist() < 24
+    ]])
+  end },
+
+  { 'a trace is gone through, step by step, with what each has changed', function(child)
+    drone(child)
+    trace(child, 'uav_mission.no_overshoot')
+    local list = child:lua("return vim.fn.getqflist({ title = 1, items = 1, idx = 0 })")
+    expect.equal(list.title, 'trace of uav_mission.no_overshoot')
+    expect.equal(list.idx, 1)
+    expect.contains(list.items[1].text, 'takes at most 120 s: violated')
+    expect.contains(list.items[7].text, '1 … 5 s  start_drone: fails with `motors_dead`')
+    expect.contains(list.items[7].text, 'start_drone.status: no_status → failure')
+    expect.contains(list.items[10].text, '>120 s …')
+
+    child:lua("require('proskill.trace').next()")
+    child:wait(step_at(1))
+    local note = child:lua(notes)
+    expect.equal(note[1], 161)
+    expect.contains(note[2], 'step 1 of 9')
+    expect.contains(note[2], 'mission_status: Unknown → Ongoing')
+    expect.equal(child:lua("return vim.fn.line('.')"), 161)
+    local shown = table.concat(child:lua(values), '\n')
+    expect.contains(shown, '~ mission_status')
+    expect.contains(shown, 'Unknown → Ongoing')
+    expect.contains(shown, '  battery')
+  end },
+
+  { 'the quickfix list\'s own commands go through the trace', function(child)
+    drone(child)
+    trace(child, 'uav_mission.no_overshoot')
+    child:keys(':6cc<CR>')
+    child:wait(step_at(5))
+    expect.equal(child:lua(notes)[1], 191)
+    child:keys(':cnext<CR>')
+    child:wait(step_at(6))
+    expect.equal(child:lua("return vim.fn.line('.')"), 84)
+    expect.contains(child:lua(notes)[2], 'start_drone.status: no_status → failure')
+    child:keys(':cprevious<CR>')
+    child:wait(step_at(5))
+    expect.contains(table.concat(child:lua(values), '\n'), '  start_drone.status')
+  end },
+
+  { 'moving through the list moves the program\'s window along', function(child)
+    drone(child)
+    trace(child, 'uav_mission.no_overshoot')
+    child:keys(':copen<CR>6G')
+    child:wait(step_at(5))
+    child:keys('j')
+    child:wait(step_at(6))
+    child:wait([[
+      local window = require('proskill.trace').shown.window
+      return vim.api.nvim_win_get_cursor(window)[1] == 84
+    ]])
+    expect.equal(child:lua('return vim.bo.buftype'), 'quickfix')
+    child:keys('q')
+    child:wait("return require('proskill.trace').shown == nil")
+    expect.equal(child:lua('return #vim.api.nvim_list_wins()'), 1)
+  end },
+
+  { 'steps lead into the program\'s other files', function(child)
+    child:open(child:copy('rover') .. '/rover.proskill')
+    trace(child, 'explore.can_succeed.home')
+    child:wait([[
+      local trace = require('proskill.trace')
+      if vim.fn.expand('%:t') == 'mission.proskill' then return true end
+      trace.next()
+      return false
+    ]])
+    expect.yes(child:lua(notes), 'the step is not marked in the file that it leads to')
+  end },
+
+  { 'without a name one is chosen among what is bad', function(child)
+    drone(child)
+    child:lua([[
+      vim.ui.select = function(choices, options, done)
+        offered = vim.tbl_map(options.format_item, choices)
+        for _, choice in ipairs(choices) do
+          if choice.name == 'battery.no_forbidden_transition' then done(choice) end
+        end
+      end
+    ]])
+    trace(child, '')
+    expect.contains(table.concat(child:lua('return offered'), '\n'), 'takes at most 120 s: violated')
+    expect.equal(child:lua("return #vim.fn.getqflist()"), 4)
+  end },
+
+  { 'what has no trace, and what is no property, is said', function(child)
+    drone(child)
+    child:lua("vim.cmd('ProskillTrace no.such.thing')")
+    child:wait('return #told > 0')
+    expect.contains(child:lua('return told[1]'), 'no.such.thing')
+  end },
+
+  { 'a picture of what the cursor stands in is shown', function(child)
+    child:lua([[
+      require('proskill.config').set({
+        cmd = { vim.env.PROSKILL_PROGRAM }, parser = vim.env.PROSKILL_PARSER,
+        viewer = function(path) viewed = path end,
+      })
+    ]])
+    drone(child)
+    child:at('(defskill take|off')
+    child:lua("vim.cmd('ProskillAutomaton')")
+    local path = child:wait('return viewed')
+    local svg = table.concat(vim.fn.readfile(path), '\n')
+    expect.contains(svg, '<svg')
+    expect.contains(svg, 'skill takeoff')
+  end },
+
+  { 'a picture can be had as DOT, by its name', function(child)
+    drone(child)
+    child:lua("vim.cmd('ProskillAutomaton! battery')")
+    child:wait("return vim.bo.filetype == 'dot'")
+    expect.contains(table.concat(child:lines(), '\n'), 'digraph')
+    expect.contains(table.concat(child:lines(), '\n'), 'Critical')
+    expect.equal(child:lua("return require('proskill.picture').names('bat')"), {})
+  end },
+
+  { 'the help is found by its commands', function(child)
+    child:lua([[
+      local doc = vim.fn.tempname()
+      vim.fn.mkdir(doc .. '/doc', 'p')
+      vim.fn.writefile(vim.fn.readfile(... .. '/editors/nvim/doc/proskill.txt'), doc .. '/doc/proskill.txt')
+      vim.cmd('helptags ' .. doc .. '/doc')
+      vim.opt.runtimepath:prepend(doc)
+    ]], vim.env.PROSKILL_ROOT)
+    for name in pairs(child:lua("return vim.api.nvim_get_commands({})")) do
+      if name:find('^Proskill') then
+        child:lua("vim.cmd('help :' .. ...)", name)
+        expect.contains(child:lua("return vim.fn.getline('.')"), '*:' .. name .. '*')
+      end
+    end
+  end },
+}
