@@ -4,6 +4,7 @@
 #include "cli/disk.h"
 #include "cli/output.h"
 #include "cli/paint.h"
+#include "cli/picture_kinds.h"
 #include "viz/pictures.h"
 #include "viz/render.h"
 
@@ -20,10 +21,6 @@ namespace {
 
 enum ExitCode { kDrawn = 0, kErrors = 1, kUsage = 2 };
 
-const Choices<viz::Kind> kKinds{{"sv", viz::Kind::StateVariable},
-                                {"skill", viz::Kind::Skill},
-                                {"body", viz::Kind::Body},
-                                {"calls", viz::Kind::Calls}};
 const Choices<viz::Format> kFormats{
     {"dot", viz::Format::Dot}, {"svg", viz::Format::Svg}, {"png", viz::Format::Png}};
 
@@ -42,10 +39,6 @@ struct Arguments {
 int fail(const std::string& message) {
   std::cerr << "error: " << message << '\n';
   return kUsage;
-}
-
-template <class Value> const std::string& word(const Choices<Value>& choices, Value value) {
-  return std::ranges::find(choices, value, &Choices<Value>::value_type::second)->first;
 }
 
 template <class Value> Choices<std::optional<Value>> optional(const Choices<Value>& choices) {
@@ -88,7 +81,7 @@ picture(const analysis::Program& program, const Arguments& arguments, const viz:
 }
 
 std::string nameOf(const viz::Request& request) {
-  const auto& kind = word(kKinds, request.kind);
+  const auto& kind = wordOf(kPictureKinds, request.kind);
   return request.name.empty() ? kind : kind + "_" + request.name;
 }
 
@@ -104,7 +97,7 @@ int drawAll(const analysis::Program& program, const Arguments& arguments,
   for (const auto& request : requests) {
     const auto bytes = picture(program, arguments, request);
     if (!bytes) return fail(bytes.error());
-    const auto path = directory / (nameOf(request) + "." + word(kFormats, formatOf(arguments)));
+    const auto path = directory / (nameOf(request) + "." + wordOf(kFormats, formatOf(arguments)));
     if (const auto failed = writeOutput(path, *bytes)) return fail(*failed);
     std::cout << path.string() << '\n';
   }
@@ -149,7 +142,7 @@ void addGraph(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("graph", "Draw state variables, skills, bodies and calls");
   command->add_option("file", arguments->file, "The program's root file")->required();
-  addChoice(*command, "--kind", arguments->kind, optional(kKinds),
+  addChoice(*command, "--kind", arguments->kind, optional(kPictureKinds),
             "State variables, skills, bodies, or who calls whom");
   command->add_option("--name", arguments->name, "Of what: a state variable, skill or environment");
   addChoice(*command, "--format", arguments->format, optional(kFormats),

@@ -36,6 +36,7 @@ enum class NodeRole : std::uint8_t {
   Monitor,
   Composite,
   Basic,
+  Folded, // a cluster as one node
 };
 
 enum class EdgeRole : std::uint8_t {

@@ -59,6 +59,7 @@ constexpr auto kNodes = std::to_array<NodeEntry>({
     {NodeRole::Monitor, "monitor", "monitor", "box", "filled,rounded,bold", kViolet},
     {NodeRole::Composite, "composite", "composite skill", "box", "filled,rounded", kBlue},
     {NodeRole::Basic, "basic", "basic skill", "box", "filled", kTeal},
+    {NodeRole::Folded, "folded", "folded", "folder", "filled", kGrey},
 });
 
 struct EdgeEntry {

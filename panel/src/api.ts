@@ -151,12 +151,19 @@ export interface Picture {
   nodes: PictureNode[];
   edges: PictureEdge[];
   clusters: PictureCluster[];
-  /** Clusters that are drawn as one node each, whose ids are these. Absent: nothing can be folded. */
-  folded?: string[];
-  /** What can be folded in this picture, by id; those that are folded among them. */
-  foldable?: string[];
+  /** What can be folded. Absent or empty: nothing. */
+  foldable?: Foldable[];
   /** A sentence where more is folded than was asked for, because the picture is large. */
   foldedBecause?: string;
+}
+/** A cluster that can be drawn as one node. */
+export interface Foldable {
+  /** the same, whatever is folded */
+  key: string;
+  label: string;
+  /** the id of its cluster, or of the node in its place; null: it is within another that is folded */
+  part: string | null;
+  folded: boolean;
 }
 export interface PictureParams {
   kind: PictureKind;
@@ -164,7 +171,7 @@ export interface PictureParams {
   format: 'svg' | 'dot';
   dark: boolean;
   forbidden?: boolean;
-  /** Ids of `foldable`; absent: as the host thinks best for a picture of this size. */
+  /** Keys of `foldable`; absent: as the host thinks best for a picture of this size. */
   fold?: string[];
 }
 

@@ -99,7 +99,6 @@ export class AutomatonView {
       return this.say('The text has errors: this is the last valid picture.', true);
     keep &&= this.isShown();
     this.picture = picture;
-    this.fold = picture.folded;
     this.parts = partsOf(picture);
     this.stage.show(readSvg(picture.content), keep);
     this.stage.element.setAttribute('aria-label', `${picture.title}: ${picture.nodes.length} nodes. Arrows walk, Enter goes to the source.`);
@@ -206,25 +205,28 @@ export class AutomatonView {
     event.preventDefault();
   }
 
+  /** Of a cluster, or of the node in its place; false where it is neither. */
   private toggleFold(id: string): boolean {
-    if (!this.picture?.foldable?.includes(id)) return false;
-    const folded = new Set(this.picture.folded);
-    if (!folded.delete(id)) folded.add(id);
-    this.setFold([...folded]);
+    const all = this.picture?.foldable ?? [];
+    const found = all.find((it) => it.part === id);
+    if (!found) return false;
+    const folded = all.filter((it) => it.folded !== (it === found)).map((it) => it.key);
+    // What is within one that is folded stays as it was.
+    this.setFold([...folded, ...(this.fold ?? []).filter((key) => all.some((it) => it.key === key && it.part === null))]);
     return true;
   }
 
-  private setFold(ids: string[]): void {
-    this.fold = ids;
+  private setFold(keys: string[]): void {
+    this.fold = keys;
     void this.load(false);
   }
 
   private foldSections(): Section[] {
-    const { foldable = [], folded = [] } = this.picture ?? {};
-    const name = (id: string): string => this.parts.get(id)?.label || id;
+    const all = this.picture?.foldable ?? [];
+    const shown = all.filter((it) => it.part !== null);
     return [{ title: '', items: [
-      { label: 'Fold all', choose: () => this.setFold(foldable) }, { label: 'Open all', choose: () => this.setFold([]) }] },
-    { title: 'Folded', items: foldable.map((id) => ({ label: name(id), checked: folded.includes(id), choose: () => void this.toggleFold(id) })) }];
+      { label: 'Fold all', choose: () => this.setFold(all.map((it) => it.key)) }, { label: 'Open all', choose: () => this.setFold([]) }] },
+    { title: 'Folded', items: shown.map((it) => ({ label: it.label, checked: it.folded, choose: () => void this.toggleFold(it.part!) })) }];
   }
 
   private saveSections(): Section[] {

@@ -89,7 +89,8 @@ export class SourceView {
   private lineText(at: number): HTMLElement {
     const tokens = this.lines[at] ?? [];
     const range = this.isMarked(at) ? this.marked!.range : null;
-    const from = range && range.start.line === at ? range.start.character : 0;
+    const indent = (tokens[0]?.text.match(/^\s*/)?.[0] ?? '').length;
+    const from = range && range.start.line === at ? range.start.character : indent;
     const to = range && range.end.line === at ? range.end.character : Infinity;
     const code = h('span', { class: 'code' });
     let column = 0;
