@@ -4,6 +4,7 @@
 #include "cli/paint.h"
 #include "cli/progress.h"
 #include "cli/render.h"
+#include "cli/report.h"
 #include "cli/save_traces.h"
 #include "cli/verify_report.h"
 #include "ide/fiacre_file.h"
@@ -38,6 +39,7 @@ struct Arguments {
   std::optional<std::uint64_t> memoryLimit; // MiB
   std::optional<std::uint64_t> classLimit;
   std::string saveTraces;
+  std::string report;
   std::vector<std::string> reduce;
   std::string graph;
   bool strict = false;
@@ -154,6 +156,8 @@ int verifyProperties(const Arguments& arguments, const analysis::Program& progra
   write(arguments, report);
   if (!arguments.saveTraces.empty())
     if (auto error = saveTraces(arguments.saveTraces, report)) return fail(*error);
+  if (!arguments.report.empty())
+    if (auto error = writeReport(arguments.report, report)) return fail(*error);
   std::cout.flush();
   if (!std::cout) return fail("the report could not be written to standard output");
   return exitCodeOf(*result, arguments.strict);
@@ -231,6 +235,8 @@ void addVerify(CLI::App& app, int& exitCode) {
       ->check(CLI::PositiveNumber);
   command->add_option("--save-traces", arguments->saveTraces,
                       "Write every trace into this directory, as JSON and text");
+  command->add_option("--report", arguments->report,
+                      "Write a page with verdicts, traces and pictures into this directory");
   command->add_option("--reduce", arguments->reduce, "Which reductions to use: all, none, or names")
       ->delimiter(',')
       ->check(CLI::IsMember(reductionNames()));

@@ -22,8 +22,9 @@ _proskill_options() {
     emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
-            --class-limit --reduce --graph --strict --expanded --sv-automata --color --help' ;;
+            --class-limit --report --reduce --graph --strict --expanded --sv-automata --color --help' ;;
     graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
+    view) echo '--main --port --no-open --time-limit --memory-limit --help' ;;
     lsp) echo '--stdio --port --log --debounce --help' ;;
     *) echo '--help --version' ;;
   esac
@@ -41,10 +42,10 @@ _proskill() {
   local command="${COMP_WORDS[1]}" words
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check explain emit verify graph lsp $(_proskill_options)"
+    words="check explain emit verify graph view lsp $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
-  elif [ "$previous" = --save-traces ] || [ "$previous" = --out-dir ]; then
+  elif [ "$previous" = --save-traces ] || [ "$previous" = --report ] || [ "$previous" = --out-dir ]; then
     mapfile -t COMPREPLY < <(compgen -d -- "$current")
     return
   else

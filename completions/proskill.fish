@@ -22,8 +22,10 @@ complete -c proskill -n __fish_use_subcommand -a explain -d 'explain a code of a
 complete -c proskill -n __fish_use_subcommand -a emit -d 'print the model that a program means'
 complete -c proskill -n __fish_use_subcommand -a verify -d 'decide the properties of a program'
 complete -c proskill -n __fish_use_subcommand -a graph -d 'draw a part of a program'
+complete -c proskill -n __fish_use_subcommand -a view -d 'show verdicts and traces in a browser'
 complete -c proskill -n __fish_use_subcommand -a lsp -d 'serve an editor'
-complete -c proskill -n '__fish_seen_subcommand_from check emit verify graph' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from check emit verify graph view' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from view' -ka '(__fish_complete_suffix .json)'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre hfiacre'
 
 __proskill_option check format 'how to print' -x -a 'text short json sarif'
@@ -36,7 +38,7 @@ __proskill_option 'emit graph' output 'write there' -r
 __proskill_option emit rate 'ticks per second' -x
 __proskill_option emit prove 'prove instead of assert'
 __proskill_option 'check explain emit verify graph' color 'when to use colours' -x -a 'auto always never'
-__proskill_option 'emit verify' main 'the skill that is the mission' -x
+__proskill_option 'emit verify view' main 'the skill that is the mission' -x
 __proskill_option 'emit verify' expanded 'name every state'
 __proskill_option 'emit verify' sv-automata 'form of the automata' -x -a 'exact paper'
 __proskill_option verify property 'only these' -x -a '(__proskill_properties)'
@@ -45,8 +47,9 @@ __proskill_option verify format 'how to print' -x -a 'text json junit sarif'
 __proskill_option verify traces 'whose traces to show' -x -a 'failed all none'
 __proskill_option verify save-traces 'write every trace there' -x -a '(__fish_complete_directories)'
 __proskill_option verify jobs threads -x
-__proskill_option verify time-limit seconds -x
-__proskill_option verify memory-limit MiB -x
+__proskill_option 'verify view' time-limit seconds -x
+__proskill_option 'verify view' memory-limit MiB -x
+__proskill_option verify report 'a page with all of it there' -x -a '(__fish_complete_directories)'
 __proskill_option verify class-limit classes -x
 __proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation'
 __proskill_option verify graph 'size of the graph of classes' -x -a counts
@@ -57,6 +60,8 @@ __proskill_option graph format 'how to print' -x -a 'dot svg png'
 __proskill_option graph dark 'for a dark page'
 __proskill_option graph forbidden 'forbidden moves, too'
 __proskill_option graph out-dir 'each picture into a file there' -x -a '(__fish_complete_directories)'
+__proskill_option view port 'of the loopback interface' -x
+__proskill_option view no-open 'print the address only'
 __proskill_option lsp stdio 'standard input and output'
 __proskill_option lsp port 'of the loopback interface' -x
 __proskill_option lsp log 'a line for each request' -r

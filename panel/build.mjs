@@ -25,6 +25,8 @@ if (process.argv.includes('--tests')) {
     outdir: out, bundle: true, format: 'iife', target: ['chrome110', 'firefox115', 'safari16'],
     minify: true, charset: 'utf8', legalComments: 'none',
   });
+  if (/<\/script|<!--/i.test(readFileSync(join(out, 'panel.js'), 'utf8')))
+    throw new Error('the bundle would end the script element that holds it');
   // A report has script and style within it; its policy names them by these.
   const hash = (name) => 'sha256-' + createHash('sha256').update(readFileSync(join(out, name))).digest('base64');
   writeFileSync(join(out, 'hashes.json'),
