@@ -1,0 +1,120 @@
+// VS Code in the browser, as a person uses it: by keys, and by looking at what is shown.
+import { expect } from './expect.mjs';
+
+export class Editor {
+  constructor(page, pictures) {
+    this.page = page;
+    this.pictures = pictures;
+  }
+
+  async open(url, folder) {
+    await this.page.goto(`${url}/?folder=${folder}`, { waitUntil: 'domcontentloaded' });
+    await this.page.waitForSelector('.monaco-workbench .statusbar-item', { timeout: 60_000 });
+  }
+
+  press(...keys) {
+    return keys.reduce((before, key) => before.then(() => this.page.keyboard.press(key)), Promise.resolve());
+  }
+
+  type(text) {
+    return this.page.keyboard.type(text);
+  }
+
+  quickInput() {
+    return this.page.locator('.quick-input-widget:visible');
+  }
+
+  /** A command of the palette, by its full name. */
+  async command(title) {
+    await this.press('F1');
+    const input = this.quickInput().locator('input.input');
+    await input.waitFor();
+    await input.fill(`>${title}`);
+    await this.quickInput().locator('.monaco-list-row').filter({ hasText: title }).first().waitFor();
+    await this.press('Enter');
+  }
+
+  async openFile(name) {
+    await this.press('Control+p');
+    const input = this.quickInput().locator('input.input');
+    await input.waitFor();
+    await input.fill(name);
+    await this.quickInput().locator('.monaco-list-row').filter({ hasText: name.split('/').pop() }).first().waitFor();
+    await this.press('Enter');
+    await this.tab(name.split('/').pop()).waitFor();
+    await this.editorOf(name.split('/').pop()).waitFor();
+  }
+
+  tab(name) {
+    return this.page.locator('.tab.active').filter({ hasText: name });
+  }
+
+  editorOf(name) {
+    return this.page.locator(`.editor-group-container .editor-instance[aria-label*="${name}"], .monaco-editor[data-uri$="${name}"]`).first();
+  }
+
+  async goTo(line, column = 1) {
+    await this.press('Control+g');
+    await this.quickInput().locator('input.input').fill(`:${line}:${column}`);
+    await this.press('Enter');
+    await this.quickInput().waitFor({ state: 'hidden' });
+  }
+
+  async save() {
+    await this.press('Control+s');
+    await this.page.locator('.tab.active:not(.dirty)').first().waitFor();
+  }
+
+  squiggles(kind = 'error') {
+    return this.page.locator(`.squiggly-${kind}`);
+  }
+
+  status() {
+    return this.page.locator('[id="proskill.proskill.proskill.status"], [id$="proskill.status"]').first();
+  }
+
+  async statusSays(words, timeout = 20_000) {
+    await this.status().filter({ hasText: words }).waitFor({ timeout });
+  }
+
+  async problems() {
+    await this.press('Control+Shift+M');
+    return this.page.locator('.markers-panel .monaco-list-row, .markers-panel-container .monaco-list-row');
+  }
+
+  /** The lines that a decoration with this border or background stands on, as the gutter numbers them. */
+  markedLines(uriEnd) {
+    return this.page.evaluate((end) => {
+      const editor = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.endsWith(end));
+      if (!editor) return [];
+      const lineOf = new Map([...editor.querySelectorAll('.margin-view-overlays > div')]
+        .map((row) => [row.style.top, Number(row.querySelector('.line-numbers')?.textContent)]));
+      return [...editor.querySelectorAll('.view-overlays > div')]
+        .filter((row) => [...row.querySelectorAll('[class*="ced-"]')]
+          .some((mark) => getComputedStyle(mark).borderTopStyle === 'solid' || getComputedStyle(mark).borderTopWidth !== '0px'))
+        .map((row) => lineOf.get(row.style.top)).sort((a, b) => a - b);
+    }, uriEnd);
+  }
+
+  /** The text that decorations add after lines. */
+  inlineValues(uriEnd) {
+    return this.page.evaluate((end) => {
+      const editor = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.endsWith(end));
+      return [...(editor?.querySelectorAll('.view-line [class*="ced-"]') ?? [])]
+        .map((mark) => getComputedStyle(mark, '::after').content).filter((text) => text && text !== 'none');
+    }, uriEnd);
+  }
+
+  /** The frame of the panel that is in view. */
+  async panel() {
+    return expect('a panel in a webview', async () => {
+      for (const frame of this.page.frames())
+        if (await frame.locator('#panel > *').count().catch(() => 0)) return frame;
+      return undefined;
+    });
+  }
+
+  async picture(name) {
+    await this.page.screenshot({ path: `${this.pictures}/${name}.png` });
+  }
+}

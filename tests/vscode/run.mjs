@@ -1,0 +1,82 @@
+// The extension in the real editor:  node run.mjs PROSKILL OUT [SCENARIO…]
+// OUT gets the .vsix and a picture of each scenario. 77 says that it cannot run here, and why.
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { bench, Missing } from './bench.mjs';
+import { CodeServer } from './code_server.mjs';
+import { Editor } from './editor.mjs';
+import { scenarios } from './scenarios.mjs';
+
+const tree = resolve(import.meta.dirname, '../..');
+const [proskill, out, ...only] = process.argv.slice(2);
+const pictures = join(resolve(out), 'pictures');
+const vsix = join(resolve(out), 'proskill-linux-x64.vsix');
+
+function workspace() {
+  const folder = mkdtempSync(join(tmpdir(), 'proskill-workspace-'));
+  for (const name of ['drone', 'rover', 'lift']) cpSync(join(tree, 'examples', name), join(folder, name), { recursive: true });
+  cpSync(join(tree, 'docs/tour/dock.proskill'), join(folder, 'dock.proskill'));
+  return folder;
+}
+
+async function play(world) {
+  const failures = [];
+  for (const [name, scenario] of Object.entries(scenarios)) {
+    if (only.length && !only.includes(name)) continue;
+    const begin = Date.now();
+    try {
+      await scenario(world);
+      console.log(`ok      ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
+    } catch (error) {
+      failures.push(name);
+      console.log(`FAILED  ${name}: ${error.message.split('\n')[0]}`);
+      if (process.env.VERBOSE) console.log(error.stack);
+    }
+    await world.editor.picture(failures.includes(name) ? `${name}.failed` : name);
+  }
+  return failures;
+}
+
+async function main() {
+  const { folder, browser: executablePath } = bench();
+  mkdirSync(pictures, { recursive: true });
+  const began = Date.now();
+  try {
+    execFileSync(process.execPath, [join(tree, 'vscode-extension/package.mjs'), resolve(proskill), vsix], { stdio: 'pipe', timeout: 300_000 });
+  } catch (error) {
+    const words = `${error.stdout ?? ''}${error.stderr ?? ''}`;
+    if (/ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ETIMEDOUT/.test(words)) throw new Missing(`npm cannot install: ${words.trim().split('\n').pop()}`);
+    throw new Error(`the .vsix cannot be built:\n${words}`);
+  }
+  console.log(`${vsix} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+  const { chromium } = createRequire(join(folder, 'package.json'))('playwright-core');
+  const root = workspace();
+  const server = await CodeServer.start(folder, vsix);
+  const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const consoleLines = [];
+  page.on('console', (message) => consoleLines.push(`${message.type()}: ${message.text()}`));
+  try {
+    const editor = new Editor(page, pictures);
+    await editor.open(server.url, root);
+    const failures = await play({ editor, page, server, root, proskill: resolve(proskill), tree, out: resolve(out) });
+    console.log(`${((Date.now() - began) / 1000).toFixed(0)} s in all; pictures in ${pictures}`);
+    return failures.length ? 1 : 0;
+  } finally {
+    writeFileSync(join(resolve(out), 'console.log'), consoleLines.join('\n'));
+    await browser.close();
+    server.stop();
+    rmSync(root, { recursive: true, force: true });
+  }
+}
+
+try {
+  process.exit(await main());
+} catch (error) {
+  if (!(error instanceof Missing)) throw error;
+  console.log(`skipped: ${error.message}`);
+  process.exit(77);
+}

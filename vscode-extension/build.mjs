@@ -1,0 +1,35 @@
+// Bundles the extension into dist/, and puts beside it what the .vsix carries.
+//   node build.mjs [--server PROGRAM]
+import { chmodSync, copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import * as esbuild from 'esbuild';
+
+const here = import.meta.dirname;
+const tree = join(here, '..');
+const put = (from, to) => {
+  mkdirSync(join(here, to, '..'), { recursive: true });
+  copyFileSync(from, join(here, to));
+};
+
+await esbuild.build({
+  entryPoints: [join(here, 'src/extension.ts')],
+  outfile: join(here, 'dist/extension.js'),
+  bundle: true, platform: 'node', format: 'cjs', target: 'node18', external: ['vscode'],
+  minify: true, legalComments: 'linked',
+});
+
+for (const file of ['panel.js', 'panel.css']) put(join(tree, 'panel/dist', file), `panel/${file}`);
+put(join(tree, 'docs/proskill.schema.json'), 'schemas/proskill.schema.json');
+for (const file of ['LICENSE', 'CHANGELOG.md']) put(join(tree, file), file);
+
+const at = process.argv.indexOf('--server');
+if (at > 0) {
+  const server = join(here, 'server/linux-x64/proskill');
+  rmSync(server, { force: true });
+  put(process.argv[at + 1], 'server/linux-x64/proskill');
+  execFileSync('strip', [server]);
+  chmodSync(server, 0o755);
+} else if (!existsSync(join(here, 'server'))) {
+  console.log('without a server; it will be looked for in the path');
+}

@@ -1,0 +1,74 @@
+import * as vscode from 'vscode';
+import type { Client } from './client';
+import { PanelHost } from './panel_host';
+import { currentText } from './places';
+import type { Programs } from './programs';
+import * as protocol from './protocol';
+import type { panel } from './protocol';
+
+const kTyping = 150;
+const kMoving = 60;
+
+/** "Show automaton": one preview for each window, of the program of the text that it was opened for. */
+export class AutomatonPreview implements vscode.Disposable {
+  private host: PanelHost | undefined;
+  private readonly subscriptions: vscode.Disposable[];
+  private typing: NodeJS.Timeout | undefined;
+  private moving: NodeJS.Timeout | undefined;
+
+  constructor(private readonly client: Client, private readonly programs: Programs, private readonly extension: vscode.Uri) {
+    this.subscriptions = [
+      vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
+        if (document.languageId === 'proskill' && contentChanges.length) this.edited();
+      }),
+      vscode.window.onDidChangeTextEditorSelection(({ textEditor }) => this.moved(textEditor)),
+    ];
+  }
+
+  dispose(): void {
+    this.host?.dispose();
+    clearTimeout(this.typing);
+    clearTimeout(this.moving);
+    vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  /** Of what is named, else of what is defined where the caret is. */
+  async open(uri?: vscode.Uri, picture?: { kind: panel.PictureKind; name: string }): Promise<void> {
+    const document = uri ? await vscode.workspace.openTextDocument(uri) : currentText();
+    const editor = vscode.window.visibleTextEditors.find((it) => it.document === document);
+    const show: panel.Show = { picture: picture ?? (await this.here(document, editor?.selection.active)) };
+    if (this.host && this.host.uri.toString() === document.uri.toString()) {
+      this.host.showIt(show);
+      this.host.reveal(false);
+      return;
+    }
+    this.host?.dispose();
+    const host = new PanelHost(this.client, this.programs, this.extension, 'automaton', document.uri, show);
+    host.onEnd(() => {
+      if (this.host === host) this.host = undefined;
+    });
+    this.host = host;
+  }
+
+  private async here(document: vscode.TextDocument, caret?: vscode.Position): Promise<{ kind: panel.PictureKind; name: string }> {
+    const position = caret ?? new vscode.Position(0, 0);
+    const { kind, name } = await this.client.running.sendRequest(protocol.automaton, {
+      textDocument: { uri: document.uri.toString() },
+      position: { line: position.line, character: position.character }, format: 'json',
+    });
+    return { kind, name };
+  }
+
+  private edited(): void {
+    clearTimeout(this.typing);
+    this.typing = setTimeout(() => this.host?.tell('edited', {}), kTyping);
+  }
+
+  private moved(editor: vscode.TextEditor): void {
+    if (editor.document.languageId !== 'proskill') return;
+    clearTimeout(this.moving);
+    const { line, character } = editor.selection.active;
+    const range = { start: { line, character }, end: { line, character } };
+    this.moving = setTimeout(() => this.host?.tell('caret', { uri: editor.document.uri.toString(), range }), kMoving);
+  }
+}

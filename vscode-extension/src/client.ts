@@ -1,0 +1,128 @@
+import * as vscode from 'vscode';
+import { LanguageClient, State, type LanguageClientOptions } from 'vscode-languageclient/node';
+import { findServer, type Server } from './find_server';
+import * as protocol from './protocol';
+import { Restarts } from './restarts';
+import { initializationOptions } from './settings';
+
+export type Life = 'starting' | 'running' | 'crashed' | 'missing' | 'stopped';
+
+/** The server's life: found, started, started again. */
+export class Client implements vscode.Disposable {
+  readonly output = vscode.window.createOutputChannel('ProSkill', { log: true });
+  private readonly lives = new vscode.EventEmitter<Life>();
+  readonly onLife = this.lives.event;
+  private readonly news = new vscode.EventEmitter<protocol.Verdicts>();
+  readonly onVerdicts = this.news.event;
+  life: Life = 'starting';
+  server: Server | undefined;
+  private current: LanguageClient | undefined;
+  private readonly restarts = new Restarts(
+    () => this.output.warn('the server has ended; it is started again'),
+    () => void this.giveUp(),
+  );
+
+  constructor(private readonly extensionPath: string) {}
+
+  /** The client, where the server runs; an error that a user understands where not. */
+  get running(): LanguageClient {
+    if (this.current?.state === State.Running) return this.current;
+    throw new Error('The ProSkill server does not run. See the output "ProSkill".');
+  }
+
+  get ready(): boolean {
+    return this.current?.state === State.Running;
+  }
+
+  async start(): Promise<void> {
+    this.live('starting');
+    try {
+      this.server = await findServer(this.extensionPath);
+    } catch (error) {
+      this.live('missing');
+      return this.reportMissing(error instanceof Error ? error.message : String(error));
+    }
+    this.output.info(`${this.server.command} (${this.server.version})`);
+    this.current = this.make(this.server.command);
+    try {
+      await this.current.start();
+    } catch (error) {
+      this.output.error(`the server could not be started: ${String(error)}`);
+    }
+  }
+
+  private make(command: string): LanguageClient {
+    const options: LanguageClientOptions = {
+      documentSelector: [
+        { language: 'proskill', scheme: 'file' },
+        { language: 'proskill', scheme: 'untitled' },
+      ],
+      synchronize: { configurationSection: 'proskill' },
+      initializationOptions,
+      outputChannel: this.output,
+      errorHandler: this.restarts,
+      markdown: { isTrusted: false, supportHtml: false },
+    };
+    const run = { command, args: ['lsp'] };
+    const client = new LanguageClient('proskill', 'ProSkill', { run, debug: run }, options);
+    client.onNotification(protocol.verdicts, (verdicts) => this.news.fire(verdicts));
+    client.onDidChangeState(({ newState }) => {
+      if (client !== this.current) return;
+      if (newState === State.Running) this.live('running');
+      else if (this.life !== 'crashed') this.live(newState === State.Starting ? 'starting' : 'stopped');
+    });
+    return client;
+  }
+
+  /** A person asks, or trust was granted: what happened before does not count. */
+  async restart(): Promise<void> {
+    this.restarts.forget();
+    await this.stop();
+    await this.start();
+  }
+
+  async stop(): Promise<void> {
+    const client = this.current;
+    this.current = undefined;
+    if (!client) return;
+    try {
+      await client.dispose(2000);
+    } catch {
+      // It has ended by itself.
+    }
+  }
+
+  dispose(): void {
+    void this.stop();
+    this.output.dispose();
+  }
+
+  private live(life: Life): void {
+    this.life = life;
+    this.lives.fire(life);
+  }
+
+  private async giveUp(): Promise<void> {
+    this.live('crashed');
+    const restart = 'Start it again';
+    const show = 'Show its output';
+    const chosen = await vscode.window.showErrorMessage(
+      'The ProSkill server has crashed more than five times in three minutes and is not started again. ' +
+        'Its output says what happened; please send it to us with the program that was open.',
+      restart, show);
+    if (chosen === restart) await this.restart();
+    if (chosen === show) this.output.show();
+  }
+
+  private async reportMissing(why: string): Promise<void> {
+    this.output.error(`no server can be run:\n${why}`);
+    const settings = 'Open the setting';
+    const again = 'Try again';
+    const chosen = await vscode.window.showErrorMessage(
+      `ProSkill: no server can be run. Install the Debian package of ProSkill, or set "proskill.server.path". (${why.split('\n')[0]})`,
+      settings, again);
+    if (chosen === settings)
+      await vscode.commands.executeCommand('workbench.action.openSettings', 'proskill.server.path');
+    if (chosen === again) await this.start();
+  }
+}

@@ -1,0 +1,101 @@
+import * as vscode from 'vscode';
+import { subjectOf } from './arguments';
+import { AutomatonPreview } from './automaton';
+import { Client } from './client';
+import { Debugging } from './debug';
+import { FiacreView } from './model';
+import { currentText } from './places';
+import { Programs } from './programs';
+import * as protocol from './protocol';
+import { showReferences } from './show_references';
+import { Status } from './status';
+import { Testing } from './testing';
+import { TraceView } from './trace';
+import { verify } from './verify_command';
+
+let client: Client | undefined;
+
+export async function activate(context: vscode.ExtensionContext): Promise<void> {
+  client = new Client(context.extensionPath);
+  const server = client;
+  const programs = new Programs(server);
+  const fiacre = new FiacreView(server);
+  const automaton = new AutomatonPreview(server, programs, context.extensionUri);
+  const trace = new TraceView(server, programs, context.extensionUri, fiacre);
+  const debugging = new Debugging(server, programs);
+  context.subscriptions.push(
+    server, programs, new Status(server, programs), new Testing(server, programs), fiacre, automaton, trace, debugging);
+
+  /** An error of a command is a message to the user, and never a stack of calls. */
+  const command = (name: string, action: (...args: unknown[]) => unknown): void => {
+    context.subscriptions.push(vscode.commands.registerCommand(name, async (...args: unknown[]) => {
+      try {
+        await action(...args);
+      } catch (error) {
+        void vscode.window.showErrorMessage(`ProSkill: ${error instanceof Error ? error.message : String(error)}`);
+      }
+    }));
+  };
+  command('proskill.restartServer', () => server.restart());
+  command('proskill.showOutput', () => server.output.show());
+  command('proskill.status', () => statusMenu(server));
+  command('proskill.newProgram', newProgram);
+  command('proskill.verify', (...args) => verify(server, subjectOf(...args)));
+  command('proskill.showAutomaton', (...args) => {
+    const { uri, picture } = subjectOf(...args);
+    return automaton.open(uri, picture);
+  });
+  command('proskill.openTrace', (...args) => {
+    const { uri, name } = subjectOf(...args);
+    return trace.open(uri, name);
+  });
+  command('proskill.openTraceFile', (file) => trace.openFile(file instanceof vscode.Uri ? file : undefined));
+  command('proskill.nextStep', () => trace.go(1));
+  command('proskill.previousStep', () => trace.go(-1));
+  command('proskill.showModel', (...args) => fiacre.open(subjectOf(...args).uri));
+  command('proskill.debugTrace', (...args) => {
+    const { uri, name } = subjectOf(...args);
+    return debugging.replay(uri ?? currentText().uri, name);
+  });
+  command('proskill.showReferences', (uri, position, locations) =>
+    showReferences(uri as string, position as protocol.panel.Position, locations as protocol.panel.Location[]));
+
+  context.subscriptions.push(
+    vscode.window.onDidChangeActiveTextEditor((editor) => tellInView(server, editor)),
+    server.onLife((life) => {
+      if (life === 'running') tellInView(server, vscode.window.activeTextEditor);
+    }),
+    vscode.workspace.onDidGrantWorkspaceTrust(() => server.restart()),
+    vscode.workspace.onDidChangeConfiguration((change) => {
+      if (change.affectsConfiguration('proskill.server')) void server.restart();
+    }));
+  await server.start();
+}
+
+export async function deactivate(): Promise<void> {
+  await client?.stop();
+}
+
+function tellInView(server: Client, editor: vscode.TextEditor | undefined): void {
+  if (editor?.document.languageId !== 'proskill' || !server.ready) return;
+  void server.running.sendNotification(protocol.inView, { textDocument: { uri: editor.document.uri.toString() } });
+}
+
+async function newProgram(): Promise<void> {
+  const document = await vscode.workspace.openTextDocument({ language: 'proskill', content: '' });
+  await vscode.window.showTextDocument(document);
+}
+
+async function statusMenu(server: Client): Promise<void> {
+  const entries = [
+    { label: '$(play) Verify the program', command: 'proskill.verify' },
+    { label: '$(type-hierarchy) Show the automaton', command: 'proskill.showAutomaton' },
+    { label: '$(list-ordered) Open a trace', command: 'proskill.openTrace' },
+    { label: '$(beaker) Show the properties', command: 'workbench.view.testing.focus' },
+    { label: '$(debug-restart) Restart the server', command: 'proskill.restartServer' },
+    { label: '$(output) Show the output', command: 'proskill.showOutput' },
+  ];
+  const title = server.server ? `ProSkill: ${server.server.version}` : 'ProSkill: no server';
+  const chosen = await vscode.window.showQuickPick(entries, { title });
+  if (chosen) await vscode.commands.executeCommand(chosen.command);
+}

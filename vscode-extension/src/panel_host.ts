@@ -1,0 +1,162 @@
+import * as vscode from 'vscode';
+import type { Client } from './client';
+import { page } from './page';
+import { reveal } from './places';
+import type { Programs } from './programs';
+import * as protocol from './protocol';
+import { save } from './save';
+import type { panel } from './protocol';
+
+type Layout = 'trace' | 'automaton';
+
+const kTitles: Record<Layout, string> = { trace: 'ProSkill trace', automaton: 'ProSkill automaton' };
+
+/** The host of one panel: it answers what the panel asks (panel/src/api.ts), and tells it news. */
+export class PanelHost implements vscode.Disposable {
+  private readonly view: vscode.WebviewPanel;
+  private readonly subscriptions: vscode.Disposable[] = [];
+  private readonly steps = new vscode.EventEmitter<panel.CurrentStep | null>();
+  readonly onStep = this.steps.event;
+  private readonly ends = new vscode.EventEmitter<void>();
+  readonly onEnd = this.ends.event;
+  private listening = false;
+  private remembered: panel.Remembered | undefined;
+  private pictures: panel.PictureName[] = [];
+
+  /** `uri`: any file of the program. */
+  constructor(
+    private readonly client: Client,
+    private readonly programs: Programs,
+    extension: vscode.Uri,
+    readonly layout: Layout,
+    readonly uri: vscode.Uri,
+    private show: panel.Show,
+  ) {
+    this.view = vscode.window.createWebviewPanel(
+      `proskill.${layout}`, kTitles[layout],
+      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: layout === 'automaton' },
+      { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [vscode.Uri.joinPath(extension, 'panel')] });
+    this.view.iconPath = vscode.Uri.joinPath(extension, 'media', 'icon.svg');
+    this.view.webview.onDidReceiveMessage((message: panel.Message) => void this.receive(message), null, this.subscriptions);
+    this.view.onDidDispose(() => this.end(), null, this.subscriptions);
+    programs.onChange(() => void this.tellProgram(), null, this.subscriptions);
+    client.onLife((life) => {
+      if (life === 'running') this.tell('edited', {});
+    }, null, this.subscriptions);
+    this.view.webview.html = page(this.view.webview, extension);
+  }
+
+  dispose(): void {
+    this.view.dispose();
+  }
+
+  reveal(focus: boolean): void {
+    this.view.reveal(undefined, !focus);
+  }
+
+  /** Shows something else; before the panel is up, it becomes what is shown first. */
+  showIt(show: panel.Show): void {
+    this.show = show;
+    this.tell('show', show);
+  }
+
+  tell<M extends keyof panel.News>(method: M, params: panel.News[M]): void {
+    if (this.listening) void this.view.webview.postMessage({ type: 'news', method, params } satisfies panel.Message);
+  }
+
+  private end(): void {
+    this.ends.fire();
+    vscode.Disposable.from(...this.subscriptions).dispose();
+    this.steps.dispose();
+    this.ends.dispose();
+  }
+
+  private async receive(message: panel.Message): Promise<void> {
+    if (message.type === 'told') return this.told(message.method, message.params);
+    if (message.type !== 'request') return;
+    const { id, method, params } = message;
+    const reply = (answer: { result?: unknown; error?: string }): void =>
+      void this.view.webview.postMessage({ type: 'reply', id, ...answer } satisfies panel.Message);
+    try {
+      reply({ result: (await this.answer(method, params as never)) ?? null });
+    } catch (error) {
+      reply({ error: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  private told(method: keyof panel.Told, params: unknown): void {
+    if (method === 'reveal') {
+      const { location, focus } = params as panel.Told['reveal'];
+      void reveal(location, focus);
+    }
+    if (method === 'step') this.steps.fire(params as panel.Told['step']);
+    if (method === 'remember') this.remembered = params as panel.Remembered;
+  }
+
+  private answer(method: panel.Method, params: never): Promise<unknown> | unknown {
+    switch (method) {
+      case 'hello': return this.hello();
+      case 'trace': return this.trace(params);
+      case 'picture': return this.picture(params);
+      case 'save': return save(params);
+      case 'verify': return vscode.commands.executeCommand('proskill.verify', this.uri.toString());
+      default: throw new Error(`VS Code has no ${String(method)}`);
+    }
+  }
+
+  private async hello(): Promise<panel.Hello> {
+    this.listening = true;
+    return {
+      contract: 1,
+      layout: this.layout,
+      can: { source: false, save: true, verify: vscode.workspace.isTrusted, follow: this.layout === 'automaton' },
+      program: await this.program(),
+      show: this.show,
+      ...(this.remembered && { remembered: this.remembered }),
+    };
+  }
+
+  private trace({ name }: { name: string }): Promise<panel.Trace> {
+    return this.client.running.sendRequest(protocol.trace, { textDocument: { uri: this.uri.toString() }, name });
+  }
+
+  private async picture(params: panel.PictureParams): Promise<protocol.Automaton> {
+    const picture = await this.client.running.sendRequest(
+      protocol.automaton, { textDocument: { uri: this.uri.toString() }, ...params });
+    this.pictures = picture.pictures;
+    return picture;
+  }
+
+  private async tellProgram(): Promise<void> {
+    const program = this.listening ? await this.program() : null;
+    if (program) this.tell('program', program);
+  }
+
+  /** What the panel shows around its views: verdicts for traces to choose from, pictures likewise. */
+  private async program(): Promise<panel.Program | null> {
+    if (!this.pictures.length && this.client.ready) await this.list();
+    const known = this.programs.of(this.uri)[0];
+    const files = (known?.texts ?? []).map(({ uri }) => ({ uri, label: vscode.workspace.asRelativePath(vscode.Uri.parse(uri)) }));
+    return known
+      ? { ...known, pictures: this.pictures, files }
+      : { ...unknown(this.uri), pictures: this.pictures };
+  }
+
+  private async list(): Promise<void> {
+    try {
+      const { pictures } = await this.client.running.sendRequest(
+        protocol.automaton, { textDocument: { uri: this.uri.toString() }, kind: 'calls', format: 'json' });
+      this.pictures = pictures;
+    } catch (error) {
+      this.client.output.warn(`no list of pictures: ${String(error)}`);
+    }
+  }
+}
+
+/** A program of which the server has said nothing, such as one that is not verified. */
+function unknown(uri: vscode.Uri): panel.Program {
+  return {
+    program: uri.toString(), label: vscode.workspace.asRelativePath(uri), main: null, state: 'off', stale: false,
+    message: '', progress: null, verdicts: [], exploration: null, pictures: [], files: [],
+  };
+}

@@ -1,0 +1,38 @@
+import * as vscode from 'vscode';
+import type { panel } from './protocol';
+
+export const rangeOf = ({ start, end }: panel.Range): vscode.Range =>
+  new vscode.Range(start.line, start.character, end.line, end.character);
+
+export const locationOf = (location: panel.Location): vscode.Location =>
+  new vscode.Location(vscode.Uri.parse(location.uri), rangeOf(location.range));
+
+export const sameUri = (left: string, right: vscode.Uri): boolean =>
+  vscode.Uri.parse(left).toString() === right.toString();
+
+/** The editor that shows a text already, else the group that texts are in, beside the panel. */
+function columnOf(uri: vscode.Uri): vscode.ViewColumn {
+  const shown = vscode.window.visibleTextEditors.find((editor) => editor.document.uri.toString() === uri.toString());
+  if (shown?.viewColumn) return shown.viewColumn;
+  const text = vscode.window.visibleTextEditors.find((editor) => editor.document.languageId === 'proskill');
+  return text?.viewColumn ?? vscode.ViewColumn.One;
+}
+
+/** Shows a place in its text; scrolls only where it is out of sight. */
+export async function reveal(location: panel.Location, focus: boolean): Promise<vscode.TextEditor> {
+  const { uri, range } = locationOf(location);
+  const editor = await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !focus });
+  if (focus) editor.selection = new vscode.Selection(range.start, range.start);
+  editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+  return editor;
+}
+
+/** The text that a command without arguments is about. */
+export function currentText(): vscode.TextDocument {
+  const active = vscode.window.activeTextEditor?.document;
+  const found = active?.languageId === 'proskill'
+    ? active
+    : vscode.window.visibleTextEditors.map((editor) => editor.document).find((it) => it.languageId === 'proskill');
+  if (!found) throw new Error('Open a ProSkill program first.');
+  return found;
+}

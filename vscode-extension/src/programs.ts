@@ -1,0 +1,50 @@
+import * as vscode from 'vscode';
+import type { Client } from './client';
+import type * as protocol from './protocol';
+
+/** What is known of every program: the last that the server has said of each. */
+export class Programs implements vscode.Disposable {
+  private readonly known = new Map<string, protocol.Verdicts>();
+  private readonly changes = new vscode.EventEmitter<protocol.Verdicts>();
+  readonly onChange = this.changes.event;
+  private readonly subscriptions: vscode.Disposable[];
+
+  constructor(client: Client) {
+    this.subscriptions = [
+      client.onVerdicts((verdicts) => this.take(verdicts)),
+      client.onLife((life) => {
+        if (life !== 'running') this.forget();
+      }),
+      this.changes,
+    ];
+  }
+
+  all(): protocol.Verdicts[] {
+    return [...this.known.values()];
+  }
+
+  get(program: string): protocol.Verdicts | undefined {
+    return this.known.get(program);
+  }
+
+  /** The programs that a file belongs to. */
+  of(uri: vscode.Uri): protocol.Verdicts[] {
+    const text = uri.toString();
+    return this.all().filter((program) =>
+      [program.program, ...program.texts.map((it) => it.uri)].some((it) => vscode.Uri.parse(it).toString() === text));
+  }
+
+  dispose(): void {
+    vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  private take(verdicts: protocol.Verdicts): void {
+    this.known.set(verdicts.program, verdicts);
+    this.changes.fire(verdicts);
+  }
+
+  /** What a server that is gone has said counts no more. */
+  private forget(): void {
+    this.known.clear();
+  }
+}

@@ -1,0 +1,106 @@
+import * as vscode from 'vscode';
+import type { Client, Life } from './client';
+import type { Programs } from './programs';
+import type { Verdicts } from './protocol';
+
+interface Look {
+  text: string;
+  tooltip: string;
+  background?: 'warning' | 'error';
+}
+
+const kOfLife: Record<Exclude<Life, 'running'>, Look> = {
+  starting: { text: '$(loading~spin) ProSkill', tooltip: 'The server is starting' },
+  crashed: { text: '$(error) ProSkill: crashed', tooltip: 'The server has crashed too often; click to start it again', background: 'error' },
+  missing: { text: '$(error) ProSkill: no server', tooltip: 'No server can be run; click for what to do', background: 'error' },
+  stopped: { text: '$(circle-slash) ProSkill', tooltip: 'The server does not run' },
+};
+
+const plural = (count: number, one: string): string => `${count} ${one}${count === 1 ? '' : 's'}`;
+
+/** How many verdicts are bad, or how many there are. */
+function outcome({ counts, stale }: Verdicts): Look {
+  const old = stale ? ' (outdated)' : '';
+  const open = counts.inconclusive ? `, ${counts.inconclusive} inconclusive` : '';
+  if (counts.errors)
+    return { text: `$(error) ProSkill: ${counts.errors} of ${counts.total} bad${old}`, tooltip: '', background: 'error' };
+  if (counts.warnings)
+    return { text: `$(warning) ProSkill: ${plural(counts.warnings, 'warning')}, ${plural(counts.total, 'property').replace('propertys', 'properties')}${old}`, tooltip: '' };
+  return { text: `$(pass) ProSkill: ${counts.good} of ${counts.total}${open}${old}`, tooltip: '' };
+}
+
+/** What the status bar says of a program. */
+export function lookOf(program: Verdicts): Look {
+  const { progress } = program;
+  switch (program.state) {
+    case 'waiting': return program.verdicts.length ? outcome(program) : { text: '$(check) ProSkill', tooltip: '' };
+    case 'checking':
+      return {
+        text: `$(sync~spin) ProSkill: verifying ${progress?.decided ?? 0} of ${progress?.total ?? 0}`,
+        tooltip: progress
+          ? `${progress.classes.toLocaleString()} states, ${Math.round(progress.rate).toLocaleString()} a second, ` +
+            `${Math.round(progress.bytes / 1e6)} MB, ${progress.seconds.toFixed(1)} s`
+          : '',
+      };
+    case 'done': return outcome(program);
+    case 'errors': return { text: '$(error) ProSkill: errors', tooltip: 'The program has errors; nothing is verified' };
+    case 'failed': return { text: '$(warning) ProSkill: failed', tooltip: program.message, background: 'warning' };
+    case 'off': return { text: '$(check) ProSkill', tooltip: program.message };
+  }
+}
+
+/** The one place that says how things stand; everything else looks at the same `Programs`. */
+export class Status implements vscode.Disposable {
+  private readonly item = vscode.window.createStatusBarItem('proskill.status', vscode.StatusBarAlignment.Left, 10);
+  private readonly subscriptions: vscode.Disposable[];
+
+  constructor(private readonly client: Client, private readonly programs: Programs) {
+    this.item.name = 'ProSkill';
+    this.item.command = 'proskill.status';
+    this.subscriptions = [
+      this.item,
+      client.onLife(() => this.show()),
+      programs.onChange(() => this.show()),
+      vscode.window.onDidChangeActiveTextEditor(() => this.show()),
+      vscode.workspace.onDidGrantWorkspaceTrust(() => this.show()),
+    ];
+    this.show();
+  }
+
+  dispose(): void {
+    vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  private show(): void {
+    const look = this.look();
+    this.item.text = look.text;
+    const lines = [look.tooltip, ...this.about()].filter((line) => line);
+    this.item.tooltip = lines.join('\n');
+    this.item.accessibilityInformation = { label: `${look.text.replace(/\$\([^)]*\) ?/, '')}. ${lines.join('. ')}` };
+    this.item.backgroundColor = look.background && new vscode.ThemeColor(`statusBarItem.${look.background}Background`);
+    this.item.show();
+  }
+
+  private look(): Look {
+    if (this.client.life !== 'running') return kOfLife[this.client.life];
+    const program = this.current();
+    if (!vscode.workspace.isTrusted)
+      return { text: '$(shield) ProSkill: syntax and static checks', tooltip: 'The workspace is not trusted: nothing is verified' };
+    return program ? lookOf(program) : { text: '$(check) ProSkill', tooltip: 'Ready' };
+  }
+
+  /** The program of the text in view, else the only one there is. */
+  private current(): Verdicts | undefined {
+    const editor = vscode.window.activeTextEditor;
+    const here = editor?.document.languageId === 'proskill' ? this.programs.of(editor.document.uri) : [];
+    const open = this.programs.all().filter((program) => program.state !== 'off');
+    return here[0] ?? (open.length === 1 ? open[0] : undefined);
+  }
+
+  private about(): string[] {
+    const program = this.current();
+    const server = this.client.server;
+    return [program ? `Program: ${program.label}${program.main ? `, mission ${program.main}` : ''}` : '',
+      program?.stale ? 'The verdicts are for an older text' : '', server?.version ?? ''];
+  }
+}

@@ -1,0 +1,241 @@
+import * as vscode from 'vscode';
+import type { Client } from './client';
+import { locationOf } from './places';
+import type { Programs } from './programs';
+import * as protocol from './protocol';
+import type { panel } from './protocol';
+
+type Node =
+  | { kind: 'program'; program: string }
+  | { kind: 'subject'; program: string; properties: string[] }
+  | { kind: 'property'; program: string; name: string };
+
+const kRefresh = 400;
+
+/** The Testing view: program, skill, property. */
+export class Testing implements vscode.Disposable {
+  private readonly controller = vscode.tests.createTestController('proskill', 'ProSkill');
+  private readonly nodes = new WeakMap<vscode.TestItem, Node>();
+  private readonly live = new Map<string, string>();
+  private continuous: { programs: Set<string> | null } | undefined;
+  private readonly subscriptions: vscode.Disposable[];
+  private due: NodeJS.Timeout | undefined;
+  private asked = 0;
+
+  constructor(private readonly client: Client, private readonly programs: Programs) {
+    this.controller.createRunProfile(
+      'Verify', vscode.TestRunProfileKind.Run, (request, token) => this.run(request, token), true, undefined, true);
+    this.controller.refreshHandler = () => this.refresh();
+    this.controller.resolveHandler = async (item) => {
+      if (!item) await this.refresh();
+    };
+    this.subscriptions = [
+      this.controller,
+      client.onLife((life) => {
+        if (life === 'running') this.soon();
+      }),
+      programs.onChange((program) => this.news(program)),
+      vscode.workspace.onDidOpenTextDocument((document) => {
+        if (document.languageId === 'proskill') this.soon();
+      }),
+      vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
+        if (document.languageId === 'proskill' && contentChanges.length) this.edited(document.uri);
+      }),
+    ];
+    this.soon();
+  }
+
+  dispose(): void {
+    clearTimeout(this.due);
+    vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  // ---- the tree ---------------------------------------------------------------------------------
+
+  private soon(): void {
+    clearTimeout(this.due);
+    this.due = setTimeout(() => void this.refresh(), kRefresh);
+  }
+
+  private edited(uri: vscode.Uri): void {
+    this.soon();
+    for (const [, item] of this.controller.items)
+      if (item.uri?.toString() === uri.toString() || this.programs.of(uri).some(({ program }) => program === item.id))
+        this.controller.invalidateTestResults(item);
+  }
+
+  private async refresh(): Promise<void> {
+    if (!this.client.ready) return;
+    const asked = ++this.asked;
+    try {
+      const { programs } = await this.client.running.sendRequest(protocol.tests, {});
+      if (asked === this.asked) this.controller.items.replace(programs.map((program) => this.programItem(program)));
+    } catch (error) {
+      this.client.output.warn(`no list of properties: ${String(error)}`);
+    }
+  }
+
+  /** Items are kept where they are there already, with their results. */
+  private item(within: vscode.TestItemCollection, id: string, label: string, location: panel.Location | null, uri?: vscode.Uri): vscode.TestItem {
+    const place = location && locationOf(location);
+    const known = within.get(id);
+    const item = known && known.uri?.toString() === (place?.uri ?? uri)?.toString()
+      ? known : this.controller.createTestItem(id, label, place?.uri ?? uri);
+    item.label = label;
+    item.range = place?.range;
+    return item;
+  }
+
+  private programItem(program: protocol.TestedProgram): vscode.TestItem {
+    const item = this.item(this.controller.items, program.uri, program.label, null, vscode.Uri.parse(program.uri));
+    item.description = program.main ?? '';
+    item.error = program.error ?? undefined;
+    this.nodes.set(item, { kind: 'program', program: program.uri });
+    item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
+    return item;
+  }
+
+  private subjectItem(parent: vscode.TestItem, program: string, subject: protocol.TestedSubject, index: number): vscode.TestItem {
+    const item = this.item(parent.children, `${program}#${subject.id}`, subject.label, subject.location, parent.uri);
+    item.description = subject.kind;
+    item.sortText = String(index).padStart(5, '0');
+    this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
+    item.children.replace(subject.properties.map((property, place) => {
+      const child = this.item(item.children, `${program}##${property.id}`, property.label, property.location ?? subject.location, parent.uri);
+      child.description = property.kind;
+      child.sortText = String(place).padStart(5, '0');
+      this.nodes.set(child, { kind: 'property', program, name: property.id });
+      return child;
+    }));
+    return item;
+  }
+
+  // ---- running ----------------------------------------------------------------------------------
+
+  /** What a request selects, each program with its properties. */
+  private selected(request: vscode.TestRunRequest): Map<string, vscode.TestItem[]> {
+    const excluded = new Set(request.exclude ?? []);
+    const result = new Map<string, vscode.TestItem[]>();
+    const walk = (item: vscode.TestItem): void => {
+      if (excluded.has(item)) return;
+      const node = this.nodes.get(item);
+      if (node?.kind === 'property') result.set(node.program, [...(result.get(node.program) ?? []), item]);
+      item.children.forEach(walk);
+    };
+    if (request.include) request.include.forEach(walk);
+    else this.controller.items.forEach(walk);
+    return result;
+  }
+
+  private async run(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
+    if (request.continuous) return this.follow(request, token);
+    if (!vscode.workspace.isTrusted) {
+      void vscode.window.showWarningMessage('ProSkill verifies nothing in a workspace that is not trusted.');
+      return;
+    }
+    const run = this.controller.createTestRun(request, 'Verification');
+    try {
+      for (const [program, items] of this.selected(request)) await this.verify(run, program, items, token);
+    } finally {
+      run.end();
+    }
+  }
+
+  /** All properties of a program together: one exploration decides them. */
+  private async verify(run: vscode.TestRun, program: string, items: vscode.TestItem[], token: vscode.CancellationToken): Promise<void> {
+    if (token.isCancellationRequested || !items.length) return;
+    for (const item of items) run.started(item);
+    const cancelled = new vscode.CancellationTokenSource();
+    const stop = vscode.Disposable.from(
+      token.onCancellationRequested(() => cancelled.cancel()),
+      run.token.onCancellationRequested(() => cancelled.cancel()));
+    try {
+      const names = this.isAll(program, items) ? [] : items.map((item) => this.nameOf(item));
+      const result = await this.client.running.sendRequest(
+        protocol.verify, { textDocument: { uri: program }, names }, cancelled.token);
+      this.tell(run, items, result.verdicts, result.exploration.seconds);
+      run.appendOutput(summary(program, result).replace(/\n/g, '\r\n'));
+    } catch (error) {
+      for (const item of items) {
+        if (cancelled.token.isCancellationRequested) run.skipped(item);
+        else run.errored(item, new vscode.TestMessage(error instanceof Error ? error.message : String(error)));
+      }
+    } finally {
+      stop.dispose();
+      cancelled.dispose();
+    }
+  }
+
+  private nameOf(item: vscode.TestItem): string {
+    const node = this.nodes.get(item);
+    return node?.kind === 'property' ? node.name : item.id;
+  }
+
+  private isAll(program: string, items: vscode.TestItem[]): boolean {
+    let count = 0;
+    this.controller.items.get(program)?.children.forEach((subject) => (count += subject.children.size));
+    return count === items.length;
+  }
+
+  private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number): void {
+    const byName = new Map(verdicts.map((verdict) => [verdict.name, verdict]));
+    for (const item of items) {
+      const verdict = byName.get(this.nameOf(item));
+      if (!verdict) run.skipped(item);
+      else if (verdict.good) run.passed(item, seconds * 1000);
+      else if (verdict.verdict === 'inconclusive') run.errored(item, messageOf(item, verdict), seconds * 1000);
+      else run.failed(item, messageOf(item, verdict), seconds * 1000);
+    }
+  }
+
+  // ---- continuous runs: what the server verifies by itself ----------------------------------------
+
+  private follow(request: vscode.TestRunRequest, token: vscode.CancellationToken): void {
+    const programs = request.include ? new Set(this.selected(request).keys()) : null;
+    const following = { programs };
+    this.continuous = following;
+    this.live.clear();
+    token.onCancellationRequested(() => {
+      if (this.continuous === following) this.continuous = undefined;
+    });
+    for (const program of this.programs.all()) this.news(program);
+  }
+
+  private news(program: protocol.Verdicts): void {
+    if (!this.controller.items.get(program.program)) this.soon();
+    const wanted = this.continuous && (this.continuous.programs?.has(program.program) ?? true);
+    if (!wanted || program.state !== 'done' || program.stale) return;
+    const item = this.controller.items.get(program.program);
+    const known = JSON.stringify([program.texts, program.verdicts.map(({ name, verdict }) => [name, verdict])]);
+    if (!item || this.live.get(program.program) === known) return;
+    this.live.set(program.program, known);
+    const request = new vscode.TestRunRequest([item], undefined, undefined, true);
+    const run = this.controller.createTestRun(request, 'Live verification', false);
+    const items = [...this.selected(request).values()].flat();
+    const decided = new Set(program.verdicts.map(({ name }) => name));
+    this.tell(run, items.filter((it) => decided.has(this.nameOf(it))), program.verdicts, program.exploration?.seconds ?? 0);
+    run.end();
+  }
+}
+
+function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMessage {
+  const text = new vscode.MarkdownString();
+  text.appendText(`${verdict.words}: ${verdict.verdict}`);
+  if (verdict.reason) text.appendText(`\n${verdict.reason}`);
+  if (verdict.steps !== null) {
+    const node = encodeURIComponent(JSON.stringify([{ program: item.id.split('##')[0], name: verdict.name }]));
+    text.isTrusted = { enabledCommands: ['proskill.openTrace', 'proskill.debugTrace'] };
+    text.appendMarkdown(`\n\n[Open the trace](command:proskill.openTrace?${node}) of ${verdict.steps} steps, `
+      + `or [step through it in the debugger](command:proskill.debugTrace?${node})`);
+  }
+  const message = new vscode.TestMessage(text);
+  if (item.uri && item.range) message.location = new vscode.Location(item.uri, item.range);
+  message.contextValue = verdict.steps === null ? 'verdict' : 'trace';
+  return message;
+}
+
+function summary(program: string, { verdicts, exploration }: protocol.VerifyResult): string {
+  const lines = verdicts.filter(({ good }) => !good).map(({ name, verdict, reason }) => `  ${name}: ${verdict}${reason ? ` (${reason})` : ''}`);
+  return [`${program}: ${verdicts.filter(({ good }) => good).length} of ${verdicts.length} good`, ...lines,
+    `  ${exploration.classes} states in ${exploration.seconds.toFixed(2)} s` + (exploration.stopped ? `; ${exploration.stopped}` : ''), ''].join('\n');
+}

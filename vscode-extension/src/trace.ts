@@ -1,0 +1,100 @@
+import * as vscode from 'vscode';
+import type { Client } from './client';
+import type { FiacreView } from './model';
+import { PanelHost } from './panel_host';
+import { currentText, reveal } from './places';
+import type { Programs } from './programs';
+import type { panel } from './protocol';
+import { StepMarks } from './step_marks';
+
+/** The trace view: one for each window; the editors and the Fiacre text go with its current step. */
+export class TraceView implements vscode.Disposable {
+  private host: PanelHost | undefined;
+  private shown: panel.Show = {};
+  private current: panel.CurrentStep | null = null;
+  private readonly marks = new StepMarks();
+
+  constructor(
+    private readonly client: Client,
+    private readonly programs: Programs,
+    private readonly extension: vscode.Uri,
+    private readonly fiacre: FiacreView,
+  ) {}
+
+  dispose(): void {
+    this.host?.dispose();
+    this.marks.dispose();
+  }
+
+  /** The trace of a property; without a name, one to choose. */
+  async open(uri?: vscode.Uri, name?: string): Promise<void> {
+    const text = uri ?? currentText().uri;
+    const trace = name ?? (await this.choose(text));
+    if (trace) this.show(text, { trace, step: 0 });
+  }
+
+  /** A trace of a file, such as one that the view has saved. */
+  async openFile(file?: vscode.Uri): Promise<void> {
+    const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { Trace: ['json'] }, openLabel: 'Open trace' }))?.[0];
+    if (!chosen) return;
+    const read = parse(Buffer.from(await vscode.workspace.fs.readFile(chosen)).toString('utf8'));
+    this.show(read.program ? vscode.Uri.parse(read.program) : currentText().uri, { given: read, step: 0 });
+  }
+
+  private async choose(uri: vscode.Uri): Promise<string | undefined> {
+    const traces = this.programs.of(uri).flatMap(({ verdicts }) => verdicts).filter(({ steps }) => steps !== null);
+    if (!traces.length)
+      throw new Error('There is no trace: verify the program first. A property that holds has none.');
+    const chosen = await vscode.window.showQuickPick(
+      traces.map(({ name, words, verdict, good, steps }) => ({
+        label: `${good ? '$(pass)' : '$(error)'} ${name}`, description: `${verdict}, ${steps} steps`, detail: words, name,
+      })), { placeHolder: 'The trace of which property?', matchOnDetail: true });
+    return chosen?.name;
+  }
+
+  private show(uri: vscode.Uri, show: panel.Show): void {
+    this.shown = show;
+    if (this.host && this.host.uri.toString() === uri.toString()) {
+      this.host.showIt(show);
+      this.host.reveal(true);
+      return;
+    }
+    this.host?.dispose();
+    const host = new PanelHost(this.client, this.programs, this.extension, 'trace', uri, show);
+    host.onStep((step) => void this.step(step));
+    host.onEnd(() => {
+      if (this.host !== host) return;
+      this.host = undefined;
+      void this.step(null);
+    });
+    this.host = host;
+  }
+
+  /** From an editor: the step after or before the current one. */
+  go(by: number): void {
+    if (!this.host || !this.current) throw new Error('No trace is open.');
+    const step = Math.max(0, Math.min(this.current.count - 1, this.current.index + by));
+    this.host.showIt({ ...this.shown, step });
+  }
+
+  private async step(current: panel.CurrentStep | null): Promise<void> {
+    this.current = current;
+    void vscode.commands.executeCommand('setContext', 'proskill.traceOpen', current !== null);
+    if (current?.step.location) await reveal(current.step.location, false);
+    this.marks.show(current);
+    this.fiacre.follow(current?.step ?? null);
+  }
+}
+
+function parse(text: string): panel.Trace & { program?: string } {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new Error('This file is not JSON. The trace view saves traces that can be opened again.');
+  }
+  const trace = value as panel.Trace;
+  if (!Array.isArray(trace?.steps) || typeof trace.initial !== 'object')
+    throw new Error('This file holds no trace: it has no `steps` or no `initial`.');
+  return trace;
+}

@@ -1,0 +1,60 @@
+import * as vscode from 'vscode';
+import type { Subject } from './arguments';
+import type { Client } from './client';
+import { currentText } from './places';
+import * as protocol from './protocol';
+
+/** `proskill.verify`: a program, or some of its properties, with progress that can be cancelled. */
+export async function verify(client: Client, { uri, names }: Subject): Promise<void> {
+  const program = uri ?? currentText().uri;
+  if (!vscode.workspace.isTrusted)
+    throw new Error('Nothing is verified in a workspace that is not trusted. Trust it first: "Workspaces: Manage Workspace Trust".');
+  const title = `ProSkill: verifying ${names?.join(', ') ?? vscode.workspace.asRelativePath(program)}`;
+  const result = await vscode.window.withProgress(
+    { location: vscode.ProgressLocation.Notification, title, cancellable: true },
+    (progress, token) => request(client, program, names ?? [], progress, token));
+  if (result) await tell(program, result);
+}
+
+let asked = 0;
+
+async function request(client: Client, program: vscode.Uri, names: string[],
+                       progress: vscode.Progress<{ message?: string }>, token: vscode.CancellationToken):
+                       Promise<protocol.VerifyResult | undefined> {
+  const listener = client.onVerdicts(({ progress: now }) => {
+    if (now) progress.report({ message: `${now.decided} of ${now.total}; ${now.classes.toLocaleString()} states, ` +
+      `${Math.round(now.rate).toLocaleString()} a second, ${Math.round(now.bytes / 1e6)} MB` });
+  });
+  const workDoneToken = `proskill.verify.${++asked}`;
+  const reports = client.running.onProgress(
+    { is: (value: unknown): value is { kind: string; message?: string } => typeof value === 'object' } as never,
+    workDoneToken, (value: { message?: string }) => {
+      if (value.message) progress.report({ message: value.message });
+    });
+  try {
+    return await client.running.sendRequest(
+      protocol.verify, { textDocument: { uri: program.toString() }, names, workDoneToken }, token);
+  } catch (error) {
+    if (token.isCancellationRequested) return undefined;
+    throw error;
+  } finally {
+    listener.dispose();
+    reports.dispose();
+  }
+}
+
+async function tell(program: vscode.Uri, { verdicts, exploration }: protocol.VerifyResult): Promise<void> {
+  const bad = verdicts.filter(({ good }) => !good);
+  const seconds = `${exploration.classes.toLocaleString()} states in ${exploration.seconds.toFixed(2)} s`;
+  if (!bad.length) {
+    void vscode.window.showInformationMessage(`ProSkill: ${verdicts.length} of ${verdicts.length} good (${seconds}).`);
+    return;
+  }
+  const traced = bad.find(({ steps }) => steps !== null);
+  const open = 'Open a trace';
+  const chosen = await vscode.window.showWarningMessage(
+    `ProSkill: ${bad.length} of ${verdicts.length} not good, first ${bad[0]!.name}: ${bad[0]!.verdict} (${seconds}).`,
+    ...(traced ? [open] : []));
+  if (chosen === open && traced)
+    await vscode.commands.executeCommand('proskill.openTrace', { program: program.toString(), name: traced.name });
+}
