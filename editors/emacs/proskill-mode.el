@@ -1,0 +1,252 @@
+;;; proskill-mode.el --- Major mode for ProSkill, a language for the skills of robots  -*- lexical-binding: t; -*-
+
+;; Version: 0.1.0
+;; Package-Requires: ((emacs "27.1"))
+;; Keywords: languages
+;; SPDX-License-Identifier: MIT
+
+;;; Commentary:
+
+;; Colours, indentation in the formatter's style, imenu, and the language server
+;; through eglot (M-x eglot).  M-x proskill-verify lists verdicts and traces, each step
+;; at its line; M-x proskill-automaton draws a definition.
+
+;;; Code:
+
+(require 'compile)
+(require 'imenu)
+(require 'subr-x)
+
+(defgroup proskill nil
+  "Robot skills in ProSkill."
+  :group 'languages)
+
+(defcustom proskill-program "proskill"
+  "The program `proskill', which is also the language server."
+  :type 'string)
+
+(defvar eglot-server-programs)
+
+(with-eval-after-load 'eglot
+  (add-to-list 'eglot-server-programs
+               (cons 'proskill-mode (lambda (&rest _) (list proskill-program "lsp")))))
+
+;;; Syntax and colours
+
+(defvar proskill-mode-syntax-table
+  (let ((table (make-syntax-table)))
+    (modify-syntax-entry ?\; "<" table)
+    (modify-syntax-entry ?\n ">" table)
+    (modify-syntax-entry ?\" "\"" table)
+    (modify-syntax-entry ?_ "_" table)
+    (dolist (character '(?: ?$ ?- ?+ ?* ?/ ?= ?< ?> ?& ?| ?~ ?^))
+      (modify-syntax-entry character "_" table))
+    (modify-syntax-entry ?. "." table)
+    ;; Intervals need not be balanced: ]0,1] and [1,...[
+    (modify-syntax-entry ?\[ "." table)
+    (modify-syntax-entry ?\] "." table)
+    table))
+
+(defconst proskill--definitions
+  '("defsv" "defevent" "defskill" "defresource" "defproperty" "defenvironment"))
+
+(defconst proskill--top-level
+  (concat "(" (regexp-opt (cons "include" proskill--definitions)) "\\_>"))
+
+(defconst proskill--patterns
+  '("always" "never" "reachable" "deadlockfree" "infinitelyoften" "leadsto" "precedes" "present"
+    "absent" "ltl" "running" "called" "ended" "occurs" "at" "value"))
+
+(defconst proskill--font-lock
+  `((,(concat "(" (regexp-opt '("defskill") t) "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
+     (1 font-lock-keyword-face) (2 font-lock-function-name-face))
+    (,(concat "(" (regexp-opt '("defevent" "defenvironment") t)
+              "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
+     (1 font-lock-keyword-face) (2 font-lock-type-face))
+    (,(concat "(" (regexp-opt '("defsv" "defresource" "defproperty") t)
+              "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
+     (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
+    ("(\\(include\\)\\_>" 1 font-lock-preprocessor-face)
+    (,(concat "(" (regexp-opt '("if" "while" "do" "do-until" "set" "label" "goto" "emit" "success"
+                                "failure" "choose" "printf" "//")
+                              t)
+              "\\_>")
+     1 font-lock-keyword-face)
+    (,(concat "^\\s-*" (regexp-opt '("elseif" "else" "until") t) "\\_>") 1 font-lock-keyword-face)
+    ("\\_<break\\_>" . font-lock-keyword-face)
+    (,(concat "(" (regexp-opt proskill--patterns t) "\\_>") 1 font-lock-builtin-face)
+    ("\\_<:[A-Za-z_]+\\_>" . font-lock-builtin-face)
+    ("\\_<\\$[A-Za-z_][A-Za-z0-9_]*" . font-lock-variable-name-face)
+    ("\\_<\\(?:true\\|false\\)\\_>" . font-lock-constant-face)
+    ("\\_<[A-Z][A-Za-z0-9_]*\\_>" . font-lock-constant-face)
+    ("\\.\\(status\\|res\\|interrupt\\)\\_>" 1 font-lock-builtin-face)))
+
+;;; Indentation: the innermost parenthesis that is open decides, as in the formatter.
+
+(defconst proskill--list-fields
+  '(":states" ":transitions" ":input" ":precondition" ":invariant" ":success" ":failure"
+    ":resources" ":interrupt" ":body")
+  "Fields whose value is a list without a head word.")
+
+(defun proskill--word-before (position)
+  "The symbol before POSITION and white space; nil where there is none."
+  (save-excursion
+    (goto-char position)
+    (forward-comment (- (point)))
+    (let ((end (point)))
+      (skip-chars-backward "A-Za-z0-9_:$")
+      (and (< (point) end) (buffer-substring-no-properties (point) end)))))
+
+(defun proskill--parts (open limit)
+  "The positions of the parts of the form at OPEN that begin before LIMIT."
+  (save-excursion
+    (goto-char (1+ open))
+    (let (parts)
+      (forward-comment (buffer-size))
+      (while (and (< (point) limit) (not (eobp)) (not (looking-at ")")))
+        (push (point) parts)
+        (condition-case nil
+            (if (looking-at "\\s.") (forward-char) (forward-sexp))
+          (scan-error (goto-char limit)))
+        (forward-comment (buffer-size)))
+      (nreverse parts))))
+
+(defun proskill--column (position)
+  (save-excursion (goto-char position) (current-column)))
+
+(defun proskill--is-list (open)
+  "Whether the form at OPEN has no head word."
+  (or (memq (char-after (1+ open)) '(?\( ?:))
+      (member (proskill--word-before open) proskill--list-fields)))
+
+(defun proskill--hanging (parts line)
+  "The column below the field or tag that goes on in LINE, or nil.
+PARTS are those of the form around it."
+  (let* ((behind (reverse parts))
+         (last (car behind))
+         (before (cadr behind))
+         (opens (save-excursion (goto-char line) (looking-at "[ \t]*\\((\\|$\\)")))
+         (is-form (and last (memq (char-after last) '(?\( ?\" ?\[ ?\]))))
+         (is-field (lambda (at) (and at (eq (char-after at) ?:)))))
+    (cond ((or (not opens) (not last) is-form) nil)
+          ((funcall is-field last) (+ 2 (proskill--column last)))
+          ;; `:success landed', and a clause below it.
+          ((and (funcall is-field before)
+                (member (proskill--symbol-at before) '(":success" ":failure"))
+                (save-excursion (goto-char line) (looking-at "[ \t]*(")))
+           (+ 2 (proskill--column before))))))
+
+(defun proskill--symbol-at (position)
+  (save-excursion
+    (goto-char position)
+    (buffer-substring-no-properties
+     (point) (progn (skip-chars-forward "A-Za-z0-9_:$/^-") (point)))))
+
+(defun proskill--indentation ()
+  "The column in which the line at point begins."
+  (save-excursion
+    (beginning-of-line)
+    (let* ((line (point))
+           (open (nth 1 (syntax-ppss)))
+           (begins (lambda (words) (looking-at (concat "[ \t]*" (regexp-opt words) "\\_>")))))
+      (if (or (not open) (looking-at proskill--top-level))
+          0
+        (let* ((base (proskill--column open))
+               (head (proskill--symbol-at (1+ open)))
+               (parts (proskill--parts open line)))
+          (cond
+           ((member head proskill--definitions)
+            (or (proskill--hanging (cdr parts) line) (+ base 2)))
+           ((proskill--is-list open)
+            (or (and (eq (char-after (1+ open)) ?:) (proskill--hanging parts line))
+                (let ((tag (car (last parts))))
+                  (and tag (looking-at "[ \t]*(") (not (memq (char-after tag) '(?\( ?:)))
+                       (not (equal (proskill--word-before open) ":body"))
+                       (+ 2 (proskill--column tag))))
+                (1+ base)))
+           ((member head '("if" "while" "do" "do-until"))
+            (+ base (if (funcall begins '("elseif" "else" "until")) 1 3)))
+           ((and (cdr parts) (= (line-number-at-pos open) (line-number-at-pos (cadr parts))))
+            (proskill--column (cadr parts)))
+           (t (1+ base))))))))
+
+(defun proskill-indent-line ()
+  "Indent the line as the formatter does."
+  (interactive)
+  (let ((column (proskill--indentation)))
+    (if (<= (current-column) (current-indentation))
+        (indent-line-to column)
+      (save-excursion (indent-line-to column)))))
+
+;;; Commands
+
+(defun proskill--file ()
+  (or (and (derived-mode-p 'proskill-mode) buffer-file-name)
+      (user-error "This is no ProSkill program")))
+
+(define-compilation-mode proskill-verdicts-mode "Verdicts"
+  "Verdicts of `proskill verify'; \\[next-error] goes through the steps of their traces."
+  (setq-local compilation-error-regexp-alist-alist
+              '((proskill "\\(?:^ *--> \\| \\)\\([^ \n:]+\\.proskill\\):\\([0-9]+\\):\\([0-9]+\\)$"
+                          1 2 3)))
+  (setq-local compilation-error-regexp-alist '(proskill)))
+
+(defun proskill-verify (property)
+  "Verify the program, or only PROPERTY: a name, or its beginning up to a dot."
+  (interactive "sProperty (empty: all): ")
+  (let ((file (proskill--file)))
+    (save-some-buffers nil (lambda () (derived-mode-p 'proskill-mode)))
+    (compilation-start
+     (mapconcat #'shell-quote-argument
+                (append (list proskill-program "verify" "--color" "never")
+                        (and (not (string-empty-p property)) (list "--property" property))
+                        (list file))
+                " ")
+     #'proskill-verdicts-mode)))
+
+(defun proskill-automaton (name)
+  "Draw the state variable, skill or environment that is called NAME."
+  (interactive
+   (list (completing-read "Draw: " (imenu--make-index-alist t) (lambda (it) (stringp (car it))))))
+  (let ((file (proskill--file))
+        (picture (expand-file-name (concat name ".svg") temporary-file-directory)))
+    (with-temp-buffer
+      (unless (zerop (call-process proskill-program nil t nil
+                                   "graph" "--format" "svg" "--name" name "-o" picture file))
+        (user-error "%s" (string-trim (buffer-string)))))
+    (if (image-type-available-p 'svg)
+        (find-file-other-window picture)
+      (browse-url-of-file picture))))
+
+;;; The mode
+
+(defvar proskill-mode-map
+  (let ((map (make-sparse-keymap)))
+    (define-key map (kbd "C-c C-v") #'proskill-verify)
+    (define-key map (kbd "C-c C-a") #'proskill-automaton)
+    map))
+
+(defvar proskill--imenu
+  (mapcar (lambda (it)
+            (list nil (concat "^(" it "\\s-+\\([A-Za-z_][A-Za-z0-9_]*\\)") 1))
+          proskill--definitions))
+
+;;;###autoload
+(define-derived-mode proskill-mode prog-mode "ProSkill"
+  "Major mode for programs in ProSkill."
+  (setq-local comment-start "; ")
+  (setq-local comment-start-skip ";+ *")
+  (setq-local comment-end "")
+  (setq-local font-lock-defaults '(proskill--font-lock))
+  (setq-local indent-line-function #'proskill-indent-line)
+  (setq-local indent-tabs-mode nil)
+  (setq-local imenu-generic-expression proskill--imenu)
+  (setq-local beginning-of-defun-function
+              (lambda (&optional count) (re-search-backward "^(" nil 'move (or count 1))))
+  (setq-local electric-indent-chars (append "():" electric-indent-chars)))
+
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.proskill\\'" . proskill-mode))
+
+(provide 'proskill-mode)
+;;; proskill-mode.el ends here

@@ -1,0 +1,34 @@
+"""Runs the tests of the Emacs mode in Emacs.
+
+usage: emacs.py
+
+PROSKILL_EMACS names another Emacs than the one on the PATH.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+program = os.environ.get("PROSKILL_EMACS") or shutil.which("emacs")
+if not program:
+    print("skipped: emacs is not installed")
+    sys.exit(77)
+
+with tempfile.TemporaryDirectory() as directory:
+    done = subprocess.run([program, "-q", "--no-site-file", "--batch", "-L", ROOT / "editors/emacs",
+                           "-l", HERE / "emacs/proskill-mode-test.el",
+                           "-f", "ert-run-tests-batch-and-exit"],
+                          env=dict(os.environ, HOME=directory, PROSKILL_ROOT=str(ROOT), LC_ALL="C.UTF-8"),
+                          cwd=directory, stdin=subprocess.DEVNULL, timeout=280)
+    if done.returncode == 0:
+        # What the compiler of Emacs warns of is a mistake here.
+        mode = shutil.copy(ROOT / "editors/emacs/proskill-mode.el", directory)
+        done = subprocess.run([program, "-Q", "--batch", "--eval", "(setq byte-compile-error-on-warn t)",
+                               "-f", "batch-byte-compile", mode], stdin=subprocess.DEVNULL)
+sys.exit(done.returncode)

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lsp/position.h"
+#include "lsp/rpc.h"
+#include "syntax/document.h"
+
+#include <map>
+#include <string>
+
+namespace proskill::test {
+
+/// Takes the protocol's positions out of answers: each becomes a byte of its text. Throws
+/// `std::runtime_error` where one is none: outside of the text, or within a character.
+class BytePlaces {
+public:
+  /// \param documents by their URIs; outlives this
+  BytePlaces(const std::map<std::string, syntax::Document>& documents, lsp::Encoding encoding)
+      : documents(documents), encoding(encoding) {}
+
+  /// \param uri of the text that positions belong to where nothing else is said
+  [[nodiscard]] lsp::Json convert(const lsp::Json& answer, const std::string& uri) const;
+  /// Of `semanticTokens`: each as begin, end, type and modifiers.
+  [[nodiscard]] lsp::Json convertTokens(const lsp::Json& data, const std::string& uri) const;
+
+private:
+  [[nodiscard]] lsp::Json convertObject(const lsp::Json& object, const std::string& uri) const;
+  [[nodiscard]] syntax::Offset byteOf(lsp::EditorPosition position, const std::string& uri) const;
+
+  const std::map<std::string, syntax::Document>& documents;
+  lsp::Encoding encoding;
+};
+
+} // namespace proskill::test

@@ -1,0 +1,229 @@
+#include "tests/lsp/desk.h"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+using namespace proskill;
+using lsp::Encoding;
+using lsp::Json;
+using syntax::Offset;
+using test::Desk;
+
+/// Every feature is asked at every place of every example, of what they are while they are typed,
+/// and with all kinds of characters in them. Nothing may go wrong, every answer must fit its text,
+/// and how many there are is kept in scan/answers.txt: `PROSKILL_UPDATE=1 test_lsp "scan*"` writes
+/// it anew. `PROSKILL_SCAN=full` asks at every byte, and for every prefix, which takes minutes.
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+bool isSet(const char* name) { return std::getenv(name) != nullptr; }
+const bool kFull = isSet("PROSKILL_SCAN");
+
+std::string read(const std::filesystem::path& path) {
+  std::ostringstream result;
+  result << std::ifstream(path).rdbuf();
+  return result.str();
+}
+
+const std::filesystem::path kExamples = PROSKILL_SOURCE_DIR "/examples";
+
+/// The programs of one example, by their names.
+Files example(const std::string& name) {
+  Files result;
+  for (const auto& entry : std::filesystem::directory_iterator(kExamples / name))
+    if (entry.path().extension() == ".proskill")
+      result[entry.path().filename().string()] = read(entry.path());
+  return result;
+}
+
+std::vector<std::string> examples() {
+  std::vector<std::string> result;
+  for (const auto& entry : std::filesystem::directory_iterator(kExamples))
+    if (entry.is_directory()) result.push_back(entry.path().filename().string());
+  std::ranges::sort(result);
+  return result;
+}
+
+bool isInWord(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' || c == ':';
+}
+bool isWithinCharacter(char c) { return (c & 0xc0) == 0x80; }
+
+/// Where words begin and end, and behind parentheses: between two of these answers hardly differ.
+std::vector<Offset> places(const std::string& text) {
+  std::vector<Offset> result{0};
+  for (Offset i = 1; i < text.size(); ++i) {
+    if (isWithinCharacter(text[i])) continue;
+    bool edge = isInWord(text[i - 1]) != isInWord(text[i]) || text[i - 1] == '(';
+    if (kFull || edge) result.push_back(i);
+  }
+  if (!text.empty()) result.push_back(static_cast<Offset>(text.size()));
+  return result;
+}
+
+bool isNothing(const Json& answer) {
+  if (answer.is_object() && answer.contains("error")) return true;
+  const auto& items = lsp::memberAt(answer, {"items"});
+  return answer.is_null() || answer.empty() || (items.is_array() && items.empty());
+}
+
+/// What makes an answer another one than those before: of lists to choose from the labels, not
+/// where they would go.
+std::string essenceOf(const Json& answer) {
+  const auto& items = lsp::memberAt(answer, {"items"});
+  if (!items.is_array() || items.empty() || !items[0].contains("label")) return answer.dump();
+  std::string result;
+  for (const auto& item : items) result += item["label"].dump();
+  return result;
+}
+
+/// How often a method was asked about a text, and what came of it.
+struct Tally {
+  std::size_t asked = 0;
+  std::size_t answered = 0;
+  std::set<std::size_t> distinct;
+
+  /// Whether this is the first answer of its kind.
+  bool add(const Json& answer) {
+    ++asked;
+    if (isNothing(answer)) return false;
+    ++answered;
+    return distinct.insert(std::hash<std::string>()(essenceOf(answer))).second;
+  }
+};
+
+using Tallies = std::map<std::string, Tally>;
+
+/// Asks a method, and what follows from each new answer.
+void askAll(const Desk& desk, const std::string& file, const std::string& method, Offset at,
+            Tallies& tallies) {
+  INFO(file << ", byte " << at << ": " << method);
+  try {
+    if (!tallies[method].add(desk.ask(method, file, at))) return;
+    for (const auto& [next, answer] : desk.followUps(method, file, at)) tallies[next].add(answer);
+  } catch (const std::exception& problem) {
+    FAIL(problem.what());
+  }
+}
+
+Tallies scan(const Desk& desk, const std::string& file) {
+  Tallies tallies;
+  for (const auto& method : desk.methodsOfPlaces())
+    for (auto at : places(desk.text(file))) askAll(desk, file, method, at, tallies);
+  for (const auto& method : desk.methodsOfDocuments()) askAll(desk, file, method, 0, tallies);
+  return tallies;
+}
+
+std::string linesOf(const std::string& name, const Tallies& tallies) {
+  std::string result;
+  for (const auto& [method, tally] : tallies)
+    result += fmt::format("{:24} {:40} asked {:5}  answered {:5}  distinct {:5}\n", name, method,
+                          tally.asked, tally.answered, tally.distinct.size());
+  return result;
+}
+
+/// Makes characters of two, three and four bytes of some letters in comments and strings, and puts
+/// a message of such before the first statement of every body, on its line.
+std::string widened(const std::string& text) {
+  std::string result;
+  bool inComment = false;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') inComment = inString = false;
+    if (c == ';' && !inString) inComment = true;
+    if (c == '"' && !inComment) inString = !inString;
+    const bool prose = inComment || (inString && text[i - 1] != '%');
+    if (prose && c == 'e')
+      result += "é";
+    else if (prose && c == 'a')
+      result += "€";
+    else if (prose && c == 't')
+      result += "😀";
+    else
+      result += c;
+    if (c == '(' && result.ends_with(":body\n    (")) result += "(printf \"😀é€𝄞\") ";
+  }
+  return result;
+}
+
+/// A definition a line, so that much stands behind wide characters. Comments go.
+std::string joined(const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (auto comment = line.find(';'); comment != std::string::npos) line.resize(comment);
+    result += line.starts_with('(') ? '\n' + line : line.empty() ? "" : ' ' + line;
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("scan: every feature at every place of every example") {
+  std::string found;
+  for (const auto& name : examples()) {
+    const Desk desk(example(name), Encoding::Utf16);
+    for (const auto& [file, text] : example(name))
+      found += linesOf(name + "/" + file, scan(desk, file));
+    Tallies ofWorkspace;
+    for (const auto& method : desk.methodsOfWorkspaces())
+      askAll(desk, example(name).begin()->first, method, 0, ofWorkspace);
+    found += linesOf(name, ofWorkspace);
+  }
+  if (kFull) return;
+  const auto* kept = PROSKILL_SOURCE_DIR "/tests/lsp/scan/answers.txt";
+  if (isSet("PROSKILL_UPDATE")) std::ofstream(kept) << found;
+  INFO("right? then PROSKILL_UPDATE=1 test_lsp \"scan*\" keeps it");
+  std::istringstream now(found);
+  std::istringstream before(read(kept));
+  std::string wanted;
+  for (std::string line; std::getline(now, line);) {
+    std::getline(before, wanted);
+    CHECK(line == wanted);
+  }
+  CHECK_FALSE(std::getline(before, wanted));
+}
+
+TEST_CASE("scan: every feature while the examples are typed") {
+  const std::size_t stride = kFull ? 1 : 41;
+  for (const auto& name : examples())
+    for (const auto& [file, text] : example(name)) {
+      const auto all = places(text);
+      for (std::size_t i = stride / 2; i < all.size(); i += stride) {
+        auto files = example(name);
+        files[file].resize(all[i]);
+        const Desk desk(files, Encoding::Utf8);
+        Tallies tallies;
+        for (const auto& method : desk.methodsOfPlaces())
+          askAll(desk, file, method, all[i], tallies);
+        for (const auto& method : desk.methodsOfDocuments()) askAll(desk, file, method, 0, tallies);
+      }
+    }
+}
+
+TEST_CASE("scan: answers are the same bytes in every encoding") {
+  for (const auto& name : {"arm", "drone"}) {
+    Files files = example(name);
+    for (auto& [file, text] : files) text = widened(file == "cell.proskill" ? text : joined(text));
+    const Desk utf8(files, Encoding::Utf8);
+    const Desk utf16(files, Encoding::Utf16);
+    const Desk utf32(files, Encoding::Utf32);
+    for (const auto& [file, text] : files) {
+      auto same = [&](const std::string& method, Offset at) {
+        const auto wanted = utf8.ask(method, file, at).dump();
+        INFO(file << ", byte " << at << ": " << method);
+        REQUIRE(utf16.ask(method, file, at).dump() == wanted);
+        REQUIRE(utf32.ask(method, file, at).dump() == wanted);
+      };
+      for (const auto& method : utf8.methodsOfPlaces())
+        for (auto at : places(text)) same(method, at);
+      for (const auto& method : utf8.methodsOfDocuments()) same(method, 0);
+    }
+  }
+}
