@@ -24,6 +24,8 @@ install(DIRECTORY editors/nvim/ DESTINATION ${nvim_site}
         PATTERN ".gitignore" EXCLUDE)
 install(DIRECTORY tree-sitter-proskill/queries/ DESTINATION ${nvim_site}/queries/proskill)
 install(TARGETS proskill_parser LIBRARY DESTINATION ${nvim_site}/parser)
+install(DIRECTORY editors/helix/ DESTINATION ${CMAKE_INSTALL_DATADIR}/proskill/helix
+        PATTERN "*.py" EXCLUDE)
 install(FILES editors/emacs/proskill-mode.el DESTINATION ${CMAKE_INSTALL_DATADIR}/emacs/site-lisp)
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

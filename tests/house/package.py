@@ -25,7 +25,8 @@ WANTED = [
     f"{GRAMMAR}/queries/highlights.scm", f"{GRAMMAR}/tree-sitter.json",
     f"{NVIM}/ftplugin/proskill.lua", f"{NVIM}/doc/proskill.txt", f"{NVIM}/parser/proskill.so",
     f"{NVIM}/queries/proskill/highlights.scm",
-    "usr/share/emacs/site-lisp/proskill-mode.el",
+    "usr/share/emacs/site-lisp/proskill-mode.el", "usr/share/proskill/helix/languages.toml",
+    "usr/share/proskill/helix/queries/proskill/highlights.scm",
     f"{DOC}/copyright", f"{DOC}/README.md", f"{DOC}/CHANGELOG.md", f"{DOC}/docs/language.md",
     f"{DOC}/examples/drone/drone.proskill",
 ]

@@ -22,10 +22,11 @@ struct Delete {
   void operator()(TSTree* tree) const { ts_tree_delete(tree); }
 };
 
-std::unique_ptr<TSQuery, Delete> load(const std::string& name) {
+const std::string kQueries = "tree-sitter-proskill/queries/";
+
+std::unique_ptr<TSQuery, Delete> load(const std::string& name, const std::string& folder) {
   std::ostringstream source;
-  source << std::ifstream(PROSKILL_SOURCE_DIR "/tree-sitter-proskill/queries/" + name + ".scm")
-                .rdbuf();
+  source << std::ifstream(PROSKILL_SOURCE_DIR "/" + folder + name + ".scm").rdbuf();
   auto text = source.str();
   std::uint32_t place = 0;
   TSQueryError error = TSQueryErrorNone;
@@ -39,8 +40,9 @@ std::unique_ptr<TSQuery, Delete> load(const std::string& name) {
 }
 
 /// What the query captures in a text: `capture text`.
-std::set<std::string> capturesIn(const std::string& name, const std::string& text) {
-  auto query = load(name);
+std::set<std::string> capturesIn(const std::string& name, const std::string& text,
+                                 const std::string& folder = kQueries) {
+  auto query = load(name, folder);
   std::unique_ptr<TSParser, Delete> parser(ts_parser_new());
   ts_parser_set_language(parser.get(), tree_sitter_proskill());
   std::unique_ptr<TSTree, Delete> tree(ts_parser_parse_string(
@@ -66,6 +68,17 @@ std::set<std::string> capturesIn(const std::string& name, const std::string& tex
 TEST_CASE("every query fits the grammar and finds something in the paper's listings") {
   for (std::string name : {"highlights", "folds", "indents", "locals", "tags", "injections"})
     CHECK_FALSE(capturesIn(name, test::paperProgram()).empty());
+}
+
+TEST_CASE("the queries of editors fit the grammar") {
+  for (std::string name : {"highlights", "indents", "injections", "textobjects"}) {
+    INFO(name);
+    CHECK_FALSE(capturesIn(name, test::paperProgram(), "editors/helix/queries/proskill/").empty());
+  }
+  for (std::string name : {"highlights", "folds", "indents", "injections"}) {
+    INFO(name);
+    CHECK_FALSE(capturesIn(name, test::paperProgram(), "editors/nvim/queries/proskill/").empty());
+  }
 }
 
 TEST_CASE("highlights tell names, words of the language, and values apart") {

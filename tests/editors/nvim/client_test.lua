@@ -45,6 +45,20 @@ return {
     expect.equal({ it.col, it.end_col }, { column, column + 1 })
   end },
 
+  { 'names are completed, those that fit the place', function(child)
+    drone(child)
+    child:at('(^ (localization_status |Valid))')
+    child:keys('cw<C-x><C-o>')
+    child:wait('return vim.fn.pumvisible() == 1')
+    local words = child:lua([[
+      return vim.tbl_map(function(it) return it.word end, vim.fn.complete_info({ 'items' }).items)
+    ]])
+    expect.equal(words, { 'Invalid', 'Coarse', 'Valid' })
+    child:keys('<C-n><Esc>')
+    child:wait("return vim.fn.mode() == 'n'")
+    expect.contains(child:lua("return vim.fn.getline('.')"), '(^ (localization_status ')
+  end },
+
   { 'a definition is gone to, in another file too', function(child)
     local directory = child:copy('rover')
     child:open(directory .. '/mission.proskill')
