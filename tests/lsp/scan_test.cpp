@@ -1,4 +1,5 @@
 #include "tests/lsp/desk.h"
+#include "tests/lsp/examples.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -12,6 +13,9 @@ using lsp::Encoding;
 using lsp::Json;
 using syntax::Offset;
 using test::Desk;
+using test::example;
+using test::examples;
+using test::Files;
 
 /// Every feature is asked at every place of every example, of what they are while they are typed,
 /// and with all kinds of characters in them. Nothing may go wrong, every answer must fit its text,
@@ -19,52 +23,10 @@ using test::Desk;
 /// it anew. `PROSKILL_SCAN=full` asks at every byte, and for every prefix, which takes minutes.
 namespace {
 
-using Files = std::map<std::string, std::string>;
-
 bool isSet(const char* name) { return std::getenv(name) != nullptr; }
 const bool kFull = isSet("PROSKILL_SCAN");
 
-std::string read(const std::filesystem::path& path) {
-  std::ostringstream result;
-  result << std::ifstream(path).rdbuf();
-  return result.str();
-}
-
-const std::filesystem::path kExamples = PROSKILL_SOURCE_DIR "/examples";
-
-/// The programs of one example, by their names.
-Files example(const std::string& name) {
-  Files result;
-  for (const auto& entry : std::filesystem::directory_iterator(kExamples / name))
-    if (entry.path().extension() == ".proskill")
-      result[entry.path().filename().string()] = read(entry.path());
-  return result;
-}
-
-std::vector<std::string> examples() {
-  std::vector<std::string> result;
-  for (const auto& entry : std::filesystem::directory_iterator(kExamples))
-    if (entry.is_directory()) result.push_back(entry.path().filename().string());
-  std::ranges::sort(result);
-  return result;
-}
-
-bool isInWord(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' || c == ':';
-}
-bool isWithinCharacter(char c) { return (c & 0xc0) == 0x80; }
-
-/// Where words begin and end, and behind parentheses: between two of these answers hardly differ.
-std::vector<Offset> places(const std::string& text) {
-  std::vector<Offset> result{0};
-  for (Offset i = 1; i < text.size(); ++i) {
-    if (isWithinCharacter(text[i])) continue;
-    bool edge = isInWord(text[i - 1]) != isInWord(text[i]) || text[i - 1] == '(';
-    if (kFull || edge) result.push_back(i);
-  }
-  if (!text.empty()) result.push_back(static_cast<Offset>(text.size()));
-  return result;
-}
+std::vector<Offset> places(const std::string& text) { return test::placesIn(text, kFull); }
 
 bool isNothing(const Json& answer) {
   if (answer.is_object() && answer.contains("error")) return true;
@@ -181,7 +143,7 @@ TEST_CASE("scan: every feature at every place of every example") {
   if (isSet("PROSKILL_UPDATE")) std::ofstream(kept) << found;
   INFO("right? then PROSKILL_UPDATE=1 test_lsp \"scan*\" keeps it");
   std::istringstream now(found);
-  std::istringstream before(read(kept));
+  std::istringstream before(test::contents(kept));
   std::string wanted;
   for (std::string line; std::getline(now, line);) {
     std::getline(before, wanted);

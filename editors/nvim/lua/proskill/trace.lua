@@ -50,13 +50,14 @@ local function line_of_list(info)
   return lines
 end
 
+-- The changes first: a line that is too long for its window loses its end.
 local function note(shown, step)
-  local notes = { { ('  step %d of %d'):format(shown.at, #shown.trace.steps), 'ProskillStepNote' } }
+  local notes = { { ('  step %d of %d '):format(shown.at, #shown.trace.steps), 'ProskillStepNote' } }
+  for _, change in ipairs(step and step.changes or {}) do
+    table.insert(notes, { ' ' .. steps.change(change) .. ' ', 'ProskillStepChange' })
+  end
   if step then
-    table.insert(notes, { (' · %s · %s '):format(steps.date(step), step.words), 'ProskillStepNote' })
-    for _, change in ipairs(step.changes) do
-      table.insert(notes, { ' ' .. steps.change(change) .. ' ', 'ProskillStepChange' })
-    end
+    table.insert(notes, { (' %s · %s'):format(steps.date(step), step.words), 'ProskillStepNote' })
   end
   return notes
 end

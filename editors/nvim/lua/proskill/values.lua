@@ -37,6 +37,20 @@ local function lines_of(shown)
   return lines, changed
 end
 
+-- What the widest line of any step needs.
+local function width_of(shown)
+  local names, values = 0, 0
+  for name, value in pairs(shown.trace.initial) do
+    names, values = math.max(names, #name), math.max(values, #value)
+  end
+  for _, step in ipairs(shown.trace.steps) do
+    for _, change in ipairs(step.changes) do
+      values = math.max(values, #change.before + #' > ' + #change.after)
+    end
+  end
+  return names + values + 5
+end
+
 function M.open(shown)
   local back = vim.api.nvim_get_current_win()
   vim.cmd('vertical botright new')
@@ -46,8 +60,9 @@ function M.open(shown)
   pcall(vim.api.nvim_buf_set_name, buffer, 'proskill://values')
   vim.wo[window].number, vim.wo[window].relativenumber = false, false
   vim.wo[window].wrap, vim.wo[window].winfixwidth = false, true
-  vim.api.nvim_win_set_width(window, math.min(48, math.floor(vim.o.columns / 3)))
+  vim.wo[window].signcolumn, vim.wo[window].foldcolumn = 'no', '0'
   vim.api.nvim_set_current_win(back)
+  vim.api.nvim_win_set_width(window, math.min(width_of(shown), math.floor(vim.o.columns / 2)))
   M.show(shown)
 end
 
@@ -62,7 +77,7 @@ function M.show(shown)
   vim.api.nvim_buf_clear_namespace(buffer, space, 0, -1)
   for _, place in ipairs(changed) do
     vim.api.nvim_buf_set_extmark(buffer, space, place.line, 0,
-                                 { line_hl_group = 'DiffChange', sign_text = '~' })
+                                 { line_hl_group = 'DiffChange' })
     vim.api.nvim_buf_set_extmark(buffer, space, place.line, place.first,
                                  { end_col = #lines[place.line + 1], hl_group = 'DiffText' })
   end
