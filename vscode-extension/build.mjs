@@ -1,6 +1,6 @@
 // Bundles the extension into dist/, and puts beside it what the .vsix carries.
 //   node build.mjs [--server PROGRAM]
-import { chmodSync, copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
+import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import * as esbuild from 'esbuild';
@@ -21,7 +21,10 @@ await esbuild.build({
 
 for (const file of ['panel.js', 'panel.css']) put(join(tree, 'panel/dist', file), `panel/${file}`);
 put(join(tree, 'docs/proskill.schema.json'), 'schemas/proskill.schema.json');
-for (const file of ['LICENSE', 'CHANGELOG.md']) put(join(tree, file), file);
+put(join(tree, 'LICENSE'), 'LICENSE');
+// Links to the manual lead nowhere within the .vsix.
+writeFileSync(join(here, 'CHANGELOG.md'),
+  readFileSync(join(tree, 'CHANGELOG.md'), 'utf8').replace(/\[([^\]]*)\]\((?!https?:)[^)]*\)/g, '$1'));
 
 const at = process.argv.indexOf('--server');
 if (at > 0) {

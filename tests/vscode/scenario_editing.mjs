@@ -1,25 +1,111 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { equal, expect } from './expect.mjs';
 
+/** Milliseconds from the last key of a mistake to its squiggle, as the browser sees both. */
+async function typeAndWait(page, key) {
+  await page.evaluate(() => {
+    window.seen = new Promise((resolve) => {
+      let pressed = 0;
+      window.addEventListener('keydown', () => (pressed = performance.now()), { capture: true, once: true });
+      const look = new MutationObserver(() => {
+        if (!pressed || !document.querySelector('.squiggly-error')) return;
+        look.disconnect();
+        resolve(performance.now() - pressed);
+      });
+      look.observe(document.body, { subtree: true, childList: true, attributes: true, attributeFilter: ['class'] });
+    });
+  });
+  await page.keyboard.press(key);
+  return page.evaluate(() => window.seen);
+}
+
 export const scenarios = {
-  async untrusted({ editor, server }) {
+  /** `Free` becomes `Freex` in `:init`, and its problem appears; it is undone, and it disappears. */
+  async mistake({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
-    await editor.statusSays('syntax and static checks', 60_000);
-    await editor.goTo(29, 15);
-    await editor.type('Nothing');
+    await editor.squiggles().first().waitFor({ state: 'detached' });
+    const times = [];
+    for (let i = 0; i < 8; ++i) {
+      await editor.goTo(30, 13);
+      times.push(await typeAndWait(page, 'x'));
+      if (i === 0) {
+        const problems = await editor.problems();
+        await problems.filter({ hasText: 'Freex' }).first().waitFor();
+        await editor.picture('mistake');
+        await editor.press('Control+Shift+M', 'Control+1');
+      }
+      await editor.press('Control+z');
+      await editor.squiggles().first().waitFor({ state: 'detached' });
+    }
+    times.sort((a, b) => a - b);
+    console.log(`        from the key to the squiggle: median ${times[4].toFixed(0)} ms, slowest ${times.at(-1).toFixed(0)} ms`);
+  },
+
+  /** A condition that is half typed is completed with the values of its variable. */
+  async completion({ editor, page }) {
+    await editor.goTo(89, 45);
+    await page.keyboard.press('Control+Home');
+    await editor.goTo(30, 9);
+    await editor.press('Shift+End', 'Delete');
+    await editor.press('Control+Space');
+    const list = page.locator('.suggest-widget.visible .monaco-list-row');
+    await list.filter({ hasText: 'Controlled' }).first().waitFor();
+    await list.filter({ hasText: 'Free' }).first().waitFor();
+    await editor.picture('completion');
+    await editor.type('Con');
+    await list.filter({ hasText: 'Free' }).first().waitFor({ state: 'detached' });
+    await editor.press('Enter');
+    await page.locator('.view-line', { hasText: ':init Controlled' }).first().waitFor();
+    await editor.press('Control+z', 'Control+z', 'Control+z', 'Control+z');
+    await expect('the text as it was', async () => !(await page.locator('.tab.active.dirty').count())
+      || ((await editor.press('Control+z')), false));
+  },
+
+  /** `energy` is defined in one file of the rover and used in others. */
+  async rename({ editor, page, root }) {
+    const world = join(root, 'rover/world.proskill');
+    const line = readFileSync(world, 'utf8').split('\n').findIndex((it) => it.startsWith('(defsv energy')) + 1;
+    await editor.openFile('rover/world.proskill');
+    await editor.goTo(line, 9);
+    await editor.press('F2');
+    const input = page.locator('.rename-box input');
+    await input.waitFor();
+    await input.fill('charge_left');
+    await editor.press('Enter');
+    await page.locator('.view-line', { hasText: 'charge_left' }).first().waitFor();
+    await editor.command('File: Save All Files');
+    await expect('the new name in both files', () => ['world', 'mission']
+      .every((name) => readFileSync(join(root, `rover/${name}.proskill`), 'utf8').includes('charge_left')));
+    for (const name of ['world', 'skills', 'mission', 'rover'])
+      equal(`the old name in ${name}`, /\(energy |\benergy\)/.test(readFileSync(join(root, `rover/${name}.proskill`), 'utf8')), false);
+  },
+
+  /** The server is killed: it comes back, and so do its problems. */
+  async killed({ editor, server }) {
+    await editor.openFile('drone/drone.proskill');
+    const [{ pid }] = server.servers();
+    process.kill(pid, 'SIGKILL');
+    await expect('another server', () => server.servers().some((it) => it.pid !== pid && it.args[0] === 'lsp'));
+    await editor.goTo(30, 13);
+    await editor.type('x');
     await editor.squiggles().first().waitFor();
-    equal('programs that run', server.servers().map(({ args }) => args[0]), ['lsp']);
     await editor.press('Control+z');
     await editor.squiggles().first().waitFor({ state: 'detached' });
   },
 
-  async trusted({ editor, page, server }) {
-    const before = server.servers().map(({ pid }) => pid);
-    await editor.command('Workspaces: Manage Workspace Trust');
-    await page.locator('.workspace-trust-editor .monaco-button', { hasText: /^Trust$/ }).first().click();
-    await expect('the server started again, with trust', () => {
-      const now = server.servers().map(({ pid }) => pid);
-      return now.length === 1 && !before.includes(now[0]);
-    });
-    await editor.press('Control+F4');
+  /** Killed again and again, it is given up, and a message says what to do; asked to, it starts again. */
+  async givenUp({ editor, page, server }) {
+    for (let i = 0; i < 5; ++i) {
+      const [{ pid }] = await expect('a server', () => server.servers().length && server.servers());
+      process.kill(pid, 'SIGKILL');
+      await expect('its end', () => !server.servers().some((it) => it.pid === pid));
+    }
+    await editor.statusSays('crashed');
+    equal('servers', server.servers().length, 0);
+    await page.locator('.notification-toast', { hasText: 'more than five times' }).first().waitFor();
+    await editor.picture('givenUp');
+    await page.locator('.notification-toast .monaco-button', { hasText: 'Start it again' }).click();
+    await expect('a server', () => server.servers().length === 1);
   },
 };
