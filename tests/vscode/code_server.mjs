@@ -4,6 +4,7 @@ import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSyn
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
+const kSettings = {
   'workbench.startupEditor': 'none', 'security.workspace.trust.startupPrompt': 'never',
   'security.workspace.trust.banner': 'never', 'telemetry.telemetryLevel': 'off', 'extensions.ignoreRecommendations': true,
   'git.enabled': false, 'workbench.tips.enabled': false, 'editor.minimap.enabled': false, 'files.autoSave': 'off',

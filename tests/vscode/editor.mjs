@@ -24,33 +24,37 @@ export class Editor {
     return this.page.locator('.quick-input-widget:visible');
   }
 
-  /** A command of the palette, by its full name. */
-  async command(title) {
-    await this.press('F1');
-    const input = this.quickInput().locator('input.input');
-    await input.waitFor();
-    await input.fill(`>${title}`);
-    await this.quickInput().locator('.monaco-list-row').filter({ hasText: title }).first().waitFor();
-    await this.press('Enter');
+  /** A line of what Ctrl+P or F1 offers; again, where something has taken the keyboard away. */
+  async pick(key, text, row) {
+    await expect(`${row} in the list of ${key}`, async () => {
+      await this.press('Escape', key);
+      const input = this.quickInput().locator('input.input');
+      await input.waitFor({ timeout: 2000 });
+      await input.fill(text);
+      await this.quickInput().locator('.monaco-list-row').filter({ hasText: row }).first().waitFor({ timeout: 5000 });
+      await this.press('Enter');
+      await this.quickInput().waitFor({ state: 'hidden', timeout: 2000 });
+      return true;
+    });
   }
 
-  async openFile(name) {
-    await this.press('Control+p');
-    const input = this.quickInput().locator('input.input');
-    await input.waitFor();
-    await input.fill(name);
-    await this.quickInput().locator('.monaco-list-row').filter({ hasText: name.split('/').pop() }).first().waitFor();
-    await this.press('Enter');
-    await this.tab(name.split('/').pop()).waitFor();
-    await this.editorOf(name.split('/').pop()).waitFor();
+  /** A command of the palette, by its full name. */
+  command(title) {
+    return this.pick('F1', `>${title}`, title);
+  }
+
+  async openFile(path) {
+    const name = path.split('/').pop();
+    await expect(`${path} in an editor`, async () => {
+      await this.pick('Control+p', path, name);
+      await this.tab(name).waitFor({ timeout: 5000 });
+      return true;
+    }, 30_000);
+    await this.page.locator(`.monaco-editor[data-uri$="${path}"] .view-line`).first().waitFor();
   }
 
   tab(name) {
     return this.page.locator('.tab.active').filter({ hasText: name });
-  }
-
-  editorOf(name) {
-    return this.page.locator(`.editor-group-container .editor-instance[aria-label*="${name}"], .monaco-editor[data-uri$="${name}"]`).first();
   }
 
   async goTo(line, column = 1) {

@@ -20,6 +20,5 @@ export const scenarios = {
       const now = server.servers().map(({ pid }) => pid);
       return now.length === 1 && !before.includes(now[0]);
     });
-    await editor.press('Control+F4');
   },
 };
