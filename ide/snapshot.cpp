@@ -60,6 +60,7 @@ const analysis::flow::Flow* AnalysedProgram::flow() const {
   std::call_once(flowOnce, [this] {
     if (analysis::flow::hasFlow(program, analysis))
       knownFlow = std::make_unique<const analysis::flow::Flow>(program);
+    readyFlow = knownFlow.get();
   });
   return knownFlow.get();
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/flow/inspect.h"
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -37,12 +38,15 @@ public:
 
   /// Which values a variable can have where; null in a program with errors.
   [[nodiscard]] const analysis::flow::Flow* flow() const;
+  /// The same where somebody has asked for it before; null else. For who cannot wait.
+  [[nodiscard]] const analysis::flow::Flow* flowIfKnown() const { return readyFlow.load(); }
   /// All that `proskill check` tells of the program, weighed by its settings.
   [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
 
 private:
   mutable std::once_flag flowOnce;
   mutable std::unique_ptr<const analysis::flow::Flow> knownFlow;
+  mutable std::atomic<const analysis::flow::Flow*> readyFlow = nullptr;
   mutable std::once_flag findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;
 };

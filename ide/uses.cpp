@@ -2,7 +2,6 @@
 
 #include "ide/symbol_key.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace proskill::ide {
@@ -32,7 +31,8 @@ std::vector<analysis::SymbolId> usersOf(const View& view, analysis::SymbolId sym
   for (const auto& place : view.index().occurrencesOf(symbol)) {
     if (place.role == analysis::Role::Definition || !matters(view, place)) continue;
     const auto user = definitionAround(view, place.at);
-    const bool known = std::ranges::find(users, user) != users.end();
+    // The places are in the order of the text: those of one definition follow each other.
+    const bool known = !users.empty() && users.back() == user;
     if (user != analysis::kNoSymbol && !known) users.push_back(user);
   }
   return users;

@@ -43,6 +43,10 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.snippets = isTrue(item, {"snippetSupport"});
   client.insertReplace = isTrue(item, {"insertReplaceSupport"});
   client.markdownCompletion = lists(memberAt(item, {"documentationFormat"}), "markdown");
+  const auto& signature =
+      memberAt(capabilities, {"textDocument", "signatureHelp", "signatureInformation"});
+  client.markdownSignature = lists(memberAt(signature, {"documentationFormat"}), "markdown");
+  client.labelOffsets = isTrue(signature, {"parameterInformation", "labelOffsetSupport"});
   client.hierarchicalSymbols =
       isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.markdownHover =

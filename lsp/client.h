@@ -15,6 +15,8 @@ struct ClientFeatures {
   bool snippets = false;
   bool insertReplace = false;      ///< completions may say both what to insert and to replace
   bool markdownCompletion = false; ///< in the documentation of completions
+  bool markdownSignature = false;
+  bool labelOffsets = false; ///< of a signature's parameters
   bool hierarchicalSymbols = false;
   bool markdownHover = false;
   bool documentChanges = false; ///< workspace edits with versions

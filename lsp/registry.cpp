@@ -4,7 +4,9 @@ namespace proskill::lsp {
 
 Registry allFeatures() {
   Registry registry;
-  for (auto add : {addCompletion, addDiagnostics, addNavigation}) add(registry);
+  for (auto add : {addCompletion, addDiagnostics, addHierarchy, addHints, addHover, addLenses,
+                   addNavigation, addRename, addSymbols})
+    add(registry);
   return registry;
 }
 

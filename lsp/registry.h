@@ -52,7 +52,13 @@ struct Registry {
 
 void addCompletion(Registry& registry);
 void addDiagnostics(Registry& registry);
+void addHierarchy(Registry& registry);
+void addHints(Registry& registry);
+void addHover(Registry& registry);
+void addLenses(Registry& registry);
 void addNavigation(Registry& registry);
+void addRename(Registry& registry);
+void addSymbols(Registry& registry);
 
 [[nodiscard]] Registry allFeatures();
 

@@ -3,8 +3,6 @@
 #include "analysis/flow/durations.h"
 #include "syntax/codes.h"
 
-#include <fmt/format.h>
-
 /// Bodies that take less or more time than their skill's `:time_interval` says.
 namespace proskill::analysis::flow {
 
@@ -13,12 +11,6 @@ namespace {
 using syntax::Code;
 using syntax::Interval;
 using syntax::Rational;
-
-std::string words(const Duration& duration) {
-  if (!duration.most) return fmt::format("at least {} s", toString(duration.least));
-  if (duration.least == *duration.most) return fmt::format("{} s", toString(duration.least));
-  return fmt::format("{} to {} s", toString(duration.least), toString(*duration.most));
-}
 
 /// A body of at most `most` always ends before the interval begins.
 bool alwaysShort(const Interval& interval, const std::optional<Rational>& most) {

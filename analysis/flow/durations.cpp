@@ -3,6 +3,7 @@
 #include "analysis/flow/loops.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace proskill::analysis::flow {
 
@@ -151,6 +152,12 @@ Durations::Date Durations::latestExit(ProcessId process) {
     if (exits && dates[node]) last = std::max(last, dates[node]);
   }
   return last;
+}
+
+std::string words(const Duration& duration) {
+  if (!duration.most) return fmt::format("at least {} s", toString(duration.least));
+  if (duration.least == *duration.most) return fmt::format("{} s", toString(duration.least));
+  return fmt::format("{} to {} s", toString(duration.least), toString(*duration.most));
 }
 
 } // namespace proskill::analysis::flow

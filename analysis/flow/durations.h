@@ -4,6 +4,7 @@
 #include "syntax/rational.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace proskill::analysis::flow {
@@ -13,6 +14,9 @@ struct Duration {
   syntax::Rational least;
   std::optional<syntax::Rational> most; ///< nothing: no bound is known
 };
+
+/// "5 s", "5 to 35 s", "at least 5 s".
+[[nodiscard]] std::string words(const Duration& duration);
 
 /// How long skills take, from their parts: sequences, branches, parallel branches, loops.
 class Durations {

@@ -1,0 +1,170 @@
+#include "ide/inlay_hints.h"
+
+#include "analysis/flow/durations.h"
+#include "analysis/flow/values_at.h"
+#include "analysis/walk.h"
+#include "ide/flow_values.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <ranges>
+#include <tuple>
+
+namespace proskill::ide {
+
+namespace {
+
+namespace flow = analysis::flow;
+using syntax::ExprKind;
+
+bool touches(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
+
+bool isLiteral(const syntax::Expr& expr) {
+  return expr.kind == ExprKind::Number || expr.kind == ExprKind::String ||
+         expr.kind == ExprKind::True || expr.kind == ExprKind::False;
+}
+
+/// A name of a variable of the flow, as a condition has it.
+struct Mention {
+  std::string name;
+  syntax::Range at;
+};
+
+/// A word beside a variable may be one of its values.
+bool isVariable(const View& view, const syntax::Name& name) {
+  const auto* occurrence = view.index().at(view.file, name.range.begin);
+  return occurrence &&
+         view.index().symbols()[occurrence->symbol].kind == analysis::SymbolKind::StateVariable;
+}
+
+void collect(const View& view, const syntax::Expr& expr, std::vector<Mention>& mentions) {
+  const bool isName = expr.kind == ExprKind::Test || expr.kind == ExprKind::Symbol;
+  if (isName && isVariable(view, expr.name))
+    mentions.push_back({std::string(expr.name.text), expr.name.range});
+  if (expr.kind == ExprKind::Access)
+    mentions.push_back({fmt::format("{}.{}", expr.name.text, expr.member.text), expr.range});
+  for (const auto& operand : expr.operands) collect(view, operand, mentions);
+}
+
+class Hints {
+public:
+  Hints(const View& view, syntax::Range range) : view(view), range(range), flow(quickFlow(view)) {}
+
+  std::vector<InlayHint> gather() && {
+    for (const auto& form : view.document().forms()) {
+      if (!touches(form.range, range)) continue;
+      if (const auto* skill = std::get_if<syntax::Skill>(&form.node)) ofSkill(*skill);
+    }
+    if (flow) values();
+    std::ranges::stable_sort(hints, {}, &InlayHint::at);
+    return std::move(hints);
+  }
+
+private:
+  void add(InlayHint hint) {
+    if (range.begin <= hint.at && hint.at <= range.end) hints.push_back(std::move(hint));
+  }
+
+  void ofSkill(const syntax::Skill& skill) {
+    if (!skill.body) return;
+    analysis::forEachStatement(*skill.body, [&](const syntax::Statement& statement) {
+      const bool isCall = statement.kind == syntax::StatementKind::Call;
+      if (isCall && touches(statement.range, range)) ofCall(statement);
+    });
+    if (flow) duration(skill);
+  }
+
+  void ofCall(const syntax::Statement& call) {
+    const auto* callee = view.program().skills.find(call.head.text);
+    if (!callee) return;
+    for (const auto& argument : call.arguments) {
+      if (!isLiteral(argument.value)) continue;
+      for (const auto& input : (*callee)->inputs)
+        if (analysis::withoutDollar(input.name).text == argument.name.text && input.type)
+          add({HintKind::ArgumentType,
+               argument.name.range.end,
+               fmt::format(": {}", input.type.text),
+               {}});
+    }
+  }
+
+  /// Of a skill that some run starts.
+  void duration(const syntax::Skill& skill) {
+    const auto& skills = view.program().skills;
+    const auto* definition = skills.find(skill.name.text);
+    if (!definition || definition->node != &skill) return;
+    const auto id = flow->system.ofSkill(static_cast<std::size_t>(definition - skills.all.data()));
+    if (!flow->solver.started(id)) return;
+    if (!durations) durations.emplace(flow->solver);
+    const auto taken = durations->of(id);
+    const auto text = taken ? flow::words(*taken) : std::string("never ends");
+    add({HintKind::Duration, skill.name.range.end, text,
+         "From the start of the skill to its end, in runs that nobody stops; computed from its "
+         "parts."});
+  }
+
+  /// One text may be several steps.
+  void values() {
+    std::map<std::pair<syntax::Offset, syntax::Offset>, std::vector<flow::Point>> byText;
+    for (const auto& point : flow::pointsTouching(*flow, {view.file, range}))
+      byText[{point.at.range.begin, point.at.range.end}].push_back(point);
+    for (const auto& [text, points] : byText) {
+      const auto& first = points.front();
+      const auto& node = (*flow->system[first.process].graph)[first.node];
+      for (const auto* condition : node.conditions) ofCondition(*condition, points);
+    }
+  }
+
+  void ofCondition(const syntax::Expr& condition, const std::vector<flow::Point>& points) {
+    std::vector<Mention> mentions;
+    collect(view, condition, mentions);
+    for (const auto& mention : mentions) {
+      const auto variable = flowVariable(view, *flow, mention.name);
+      if (!variable) continue;
+      const auto values = flow::valuesAt(*flow, points, *variable);
+      if (!values || *values == flow->solver.ever(*variable)) continue;
+      add({HintKind::Values, mention.at.end,
+           fmt::format("= {}", flow->system.variables().words(*variable, *values)),
+           fmt::format("What `{}` can be when the program comes here.", mention.name)});
+    }
+  }
+
+  const View& view;
+  syntax::Range range;
+  const flow::Flow* flow;
+  std::optional<flow::Durations> durations;
+  std::vector<InlayHint> hints;
+};
+
+} // namespace
+
+std::vector<InlayHint> inlayHints(const View& view, syntax::Range range) {
+  return Hints(view, range).gather();
+}
+
+std::vector<InlineVariable> inlineVariables(const View& view, syntax::Range range) {
+  std::vector<InlineVariable> result;
+  const auto& symbols = view.index().symbols();
+  const auto& lines = view.document().lines();
+  auto lineOf = [&](syntax::Range at) { return lines.position(at.begin).line; };
+  const auto all = view.index().occurrences();
+  auto from = std::ranges::lower_bound(all, std::tuple(view.file, range.begin), {},
+                                       [](const analysis::Occurrence& place) {
+                                         return std::tuple(place.at.file, place.at.range.begin);
+                                       });
+  for (; from != all.end() && from->at.file == view.file && from->at.range.begin < range.end;
+       ++from) {
+    const auto& symbol = symbols[from->symbol];
+    if (symbol.kind != analysis::SymbolKind::StateVariable) continue;
+    const auto line = lineOf(from->at.range);
+    const bool isKnown = std::ranges::any_of(
+        result | std::views::reverse |
+            std::views::take_while([&](const auto& it) { return lineOf(it.range) == line; }),
+        [&](const auto& it) { return it.name == symbol.name; });
+    if (!isKnown) result.push_back({from->at.range, std::string(symbol.name)});
+  }
+  return result;
+}
+
+} // namespace proskill::ide

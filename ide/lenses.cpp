@@ -1,0 +1,114 @@
+#include "ide/lenses.h"
+
+#include "ide/symbol_key.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace proskill::ide {
+
+namespace {
+
+using analysis::SymbolId;
+using analysis::SymbolKind;
+
+bool hasReferences(SymbolKind kind) {
+  return kind != SymbolKind::Property && kind != SymbolKind::Environment;
+}
+
+bool hasAutomaton(SymbolKind kind) {
+  return kind == SymbolKind::StateVariable || kind == SymbolKind::Skill;
+}
+
+bool isVerified(SymbolKind kind) {
+  return kind == SymbolKind::Skill || kind == SymbolKind::Property;
+}
+
+/// What is known of a subject, counted.
+struct Summary {
+  std::size_t good = 0;
+  std::size_t bad = 0;
+  std::size_t open = 0;
+  const PropertyVerdict* worst =
+      nullptr; ///< the first bad one, one with a trace where there is one
+
+  explicit Summary(const std::vector<const PropertyVerdict*>& verdicts) {
+    for (const auto* verdict : verdicts) {
+      good += verdict->good() ? 1 : 0;
+      bad += verdict->bad() ? 1 : 0;
+      open += !verdict->good() && !verdict->bad() ? 1 : 0;
+      if (!verdict->bad()) continue;
+      if (!worst || (!worst->steps && verdict->steps)) worst = verdict;
+    }
+  }
+
+  [[nodiscard]] std::string words() const {
+    std::string text;
+    auto add = [&](std::size_t count, std::string_view what) {
+      if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+    };
+    add(bad, "violated");
+    add(good, "verified");
+    add(open, "inconclusive");
+    return (bad > 0 ? "✗ " : open > 0 ? "? " : "✓ ") + text;
+  }
+};
+
+class Lenses {
+public:
+  Lenses(const View& view, const Verdicts& all) : view(view) {
+    auto found = all.find(view.program().files.front().path);
+    if (found == all.end()) return;
+    verdicts = found->second;
+    isStale = !areCurrent(*verdicts, view.program());
+    for (const auto& verdict : verdicts->properties) bySubject[verdict.subject].push_back(&verdict);
+  }
+
+  std::vector<Lens> gather() && {
+    for (const auto& form : view.document().forms()) {
+      const auto id = symbolOf(view, view.file, form);
+      if (id != analysis::kNoSymbol && !view.index().symbols()[id].name.empty()) ofSymbol(id);
+    }
+    return std::move(result);
+  }
+
+private:
+  void ofSymbol(SymbolId id) {
+    const auto& symbol = view.index().symbols()[id];
+    auto add = [&](LensKind kind, std::string title) {
+      result.push_back({kind, id, symbol.at.range, std::move(title), {}});
+    };
+    if (verdicts) ofVerdicts(id, symbol);
+    if (hasReferences(symbol.kind)) add(LensKind::References, {});
+    if (hasAutomaton(symbol.kind)) add(LensKind::Automaton, "show automaton");
+    if (isVerified(symbol.kind)) add(LensKind::Verify, "verify");
+  }
+
+  void ofVerdicts(SymbolId id, const analysis::Symbol& symbol) {
+    auto found = bySubject.find(symbol.name);
+    if (found == bySubject.end()) return;
+    const Summary summary(found->second);
+    Lens lens{LensKind::Verdicts, id, symbol.at.range, summary.words(), {}};
+    if (isStale) lens.title += " (stale)";
+    if (summary.worst && summary.worst->steps) lens.property = summary.worst->name;
+    result.push_back(std::move(lens));
+  }
+
+  const View& view;
+  std::shared_ptr<const ProgramVerdicts> verdicts;
+  bool isStale = false;
+  std::map<std::string_view, std::vector<const PropertyVerdict*>> bySubject;
+  std::vector<Lens> result;
+};
+
+} // namespace
+
+std::vector<Lens> lenses(const View& view, const Verdicts& verdicts) {
+  return Lenses(view, verdicts).gather();
+}
+
+std::string referencesTitle(std::size_t count) {
+  return count == 1 ? "1 reference" : fmt::format("{} references", count);
+}
+
+} // namespace proskill::ide

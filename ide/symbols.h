@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ide/snapshot.h"
+
+#include <string>
+#include <vector>
+
+namespace proskill::ide {
+
+/// An entry of a file's outline.
+struct OutlineEntry {
+  std::string name; ///< never empty: what has no name yet is called by its keyword
+  std::string detail;
+  analysis::SymbolKind kind = analysis::SymbolKind::Skill;
+  bool isFile = false;     ///< an include; `kind` means nothing
+  syntax::Range range;     ///< of the whole definition
+  syntax::Range selection; ///< of its name, within `range`
+  std::vector<OutlineEntry> children;
+};
+
+/// The definitions of a file with what is defined inside of them, in the order of the text.
+[[nodiscard]] std::vector<OutlineEntry> outline(const View& view);
+
+struct FoundSymbol {
+  std::shared_ptr<const AnalysedProgram> owner;
+  analysis::SymbolId symbol = analysis::kNoSymbol;
+};
+
+/// The symbols of all files of the workspace whose names match, best first, at most 256; inputs and
+/// tags are found under the names of their skills alone. An empty query matches everything.
+/// \param isCancelled is asked now and then; what was found so far is given
+[[nodiscard]] std::vector<FoundSymbol> workspaceSymbols(const Snapshot& snapshot,
+                                                        std::string_view query,
+                                                        const std::function<bool()>& isCancelled);
+
+} // namespace proskill::ide

@@ -1,0 +1,77 @@
+#include "ide/lenses.h"
+#include "tests/ide/marked_program.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using test::MarkedProgram;
+
+namespace {
+
+const std::string kProgram = "(defsv lamp :states (On Off) :init Off)\n"
+                             "(defevent e :effects (lamp On))\n"
+                             "(defskill go :action (x))\n"
+                             "(defproperty p (reachable (lamp On)))\n";
+
+std::vector<std::string> titles(const MarkedProgram& program, const ide::Verdicts& verdicts,
+                                std::string_view name) {
+  std::vector<std::string> result;
+  for (const auto& lens : ide::lenses(program.view(), verdicts))
+    if (program.view().index().symbols()[lens.symbol].name == name) result.push_back(lens.title);
+  return result;
+}
+
+using Titles = std::vector<std::string>;
+
+ide::PropertyVerdict verdict(std::string name, ide::Verdict what,
+                             std::optional<std::size_t> steps) {
+  ide::PropertyVerdict result;
+  result.subject = "go";
+  result.name = std::move(name);
+  result.verdict = what;
+  result.steps = steps;
+  return result;
+}
+
+ide::Verdicts verdictsFor(const MarkedProgram& program) {
+  auto verdicts = std::make_shared<ide::ProgramVerdicts>();
+  verdicts->program = program.view().owner;
+  verdicts->properties = {verdict("go.a", ide::Verdict::Holds, {}),
+                          verdict("go.b", ide::Verdict::Violated, {}),
+                          verdict("go.c", ide::Verdict::Unreachable, 3),
+                          verdict("go.d", ide::Verdict::Inconclusive, {})};
+  return {{program.view().program().files.front().path, verdicts}};
+}
+
+} // namespace
+
+TEST_CASE("each definition has the lenses that fit it") {
+  const MarkedProgram program(kProgram);
+  CHECK(titles(program, {}, "lamp") == Titles{"", "show automaton"});
+  CHECK(titles(program, {}, "e") == Titles{""});
+  CHECK(titles(program, {}, "go") == Titles{"", "show automaton", "verify"});
+  CHECK(titles(program, {}, "p") == Titles{"verify"});
+  CHECK(ide::lenses(MarkedProgram("(defsv) (defskill").view(), {}).empty());
+}
+
+TEST_CASE("verdicts are counted, and lead to a trace where there is one") {
+  const MarkedProgram program(kProgram);
+  const auto verdicts = verdictsFor(program);
+  CHECK(titles(program, verdicts, "go").front() == "✗ 2 violated, 1 verified, 1 inconclusive");
+  for (const auto& lens : ide::lenses(program.view(), verdicts))
+    if (lens.kind == ide::LensKind::Verdicts) CHECK(lens.property == "go.c");
+}
+
+TEST_CASE("verdicts on an older text are called stale") {
+  const MarkedProgram before(kProgram);
+  const MarkedProgram now(kProgram + "(defresource arm)\n");
+  CHECK(titles(now, verdictsFor(before), "go").front().ends_with("(stale)"));
+  // The same text, parsed again, is the same text.
+  CHECK_FALSE(
+      titles(MarkedProgram(kProgram), verdictsFor(before), "go").front().ends_with("(stale)"));
+}
+
+TEST_CASE("references are counted in words") {
+  CHECK(ide::referencesTitle(0) == "0 references");
+  CHECK(ide::referencesTitle(1) == "1 reference");
+}

@@ -1,0 +1,120 @@
+#include "ide/rename.h"
+#include "tests/ide/marked_program.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using test::MarkedProgram;
+
+namespace {
+
+std::expected<ide::RenamePlan, std::string> plan(const MarkedProgram& program,
+                                                 std::string_view name) {
+  return ide::rename(program.snapshot(), program.view(), program.at(), name);
+}
+
+/// The places of the renaming are those that are marked, in all files of the program.
+void checkPlaces(const MarkedProgram& program, std::string_view name) {
+  auto renaming = plan(program, name);
+  if (!renaming) FAIL(renaming.error());
+  std::vector<analysis::Location> places;
+  const auto& files = program.view().program().files;
+  for (analysis::FileId file = 0; file < files.size(); ++file)
+    for (auto range : renaming->places[files[file].path]) places.push_back({file, range});
+  CHECK(places == program.marked());
+}
+
+std::string refusal(const std::string& text, std::string_view name) {
+  auto renaming = plan(MarkedProgram(text), name);
+  return renaming ? std::string() : renaming.error();
+}
+
+} // namespace
+
+TEST_CASE("a name is renamed where it is defined and used, and not in strings and comments") {
+  checkPlaces(MarkedProgram("; lamp\n(defsv [[^lamp]] :states (On Off) :init On) ; lamp\n"
+                            "(defevent lamp :effects ([[lamp]] On))\n"
+                            "(defskill m :body ((printf \"lamp %s\" [[lamp]])))"),
+              "light");
+}
+
+TEST_CASE("every kind of name") {
+  checkPlaces(
+      MarkedProgram("(defsv lamp :states ([[On]] Off) :init [[O^n]] :transitions (([[On]] Off)))"
+                    "(defsv other :states (On) :init On)"
+                    "(defevent e :effects (lamp [[On]]))"),
+      "Bright");
+  checkPlaces(MarkedProgram("(defskill [[go]] :input ($x int) :action (go $x))"
+                            "(defskill m :body (([[g^o]] x 1) (if (= [[go]].status failure) "
+                            "([[go]].interrupt))))"),
+              "drive");
+  checkPlaces(MarkedProgram("(defskill go :input ($[[x]] int) :action (go $[[x^]]))"
+                            "(defskill m :body ((go [[x]] 1)))"),
+              "$distance");
+  checkPlaces(MarkedProgram("(defskill m :body ((label [[^again]]) (goto [[again]])))"), "top");
+  checkPlaces(MarkedProgram("(defskill m :success [[do^ne]] :body ((success [[done]])))"), "ready");
+}
+
+TEST_CASE("over the files of a program, and over the programs of a file") {
+  checkPlaces(MarkedProgram({{"main.proskill", "(include \"lib.proskill\")\n"
+                                               "(defevent e :effects ([[la^mp]] On))"},
+                             {"lib.proskill", "(defsv [[lamp]] :states (On Off) :init On)"}}),
+              "light");
+  const MarkedProgram two(
+      {{"a.proskill", "(include \"lib.proskill\")\n(defevent a :effects (lamp On))"},
+       {"b.proskill", "(include \"lib.proskill\")\n(defevent b :effects (lamp On))"},
+       {"lib.proskill", "(defsv la^mp :states (On Off) :init On)"}});
+  auto renaming = plan(two, "light");
+  REQUIRE(renaming);
+  CHECK(renaming->places.size() == 3);
+}
+
+TEST_CASE("what is no name, or stands where no name is, is refused") {
+  const std::string text = "(defsv la^mp :states (On Off) :init On)";
+  for (const auto* name : {"", "3d", "take-off", "élan", "a b", "$x", ":init", "skill.status"})
+    CHECK(refusal(text, name).contains("is no name"));
+  CHECK(refusal("(def^sv lamp :states (On) :init On)", "x") ==
+        "there is no name of the program here");
+  CHECK(refusal("; la^mp", "x") == "there is no name of the program here");
+}
+
+TEST_CASE("a name that is taken is refused, with the place of who has it") {
+  CHECK(refusal("(defsv ^a :states (On) :init On)\n(defsv b :states (On) :init On)", "b") ==
+        "there is a state variable `b` already, at main.proskill:2");
+  CHECK(refusal("(defsv a :states (^On Off) :init On)", "Off").contains("there is a value `Off`"));
+  CHECK(refusal("(defskill f :success ^a :failure b :action (x))", "b").contains("there is a tag"));
+  CHECK(refusal("(defsv ^a :states (On) :init On) (defevent b :effects (a On))", "b").empty());
+}
+
+TEST_CASE("a name that would be captured is refused") {
+  // `(= a b)` compares two variables; as a value of `a`, the second would be that value.
+  const std::string compare = "(defsv a :states (On Off) :init On)\n"
+                              "(defsv ^b :states (On Off) :init On)\n"
+                              "(defskill m :body ((^ (= a b))))";
+  CHECK(refusal(compare, "Off") == "`Off` would mean something else at main.proskill:3");
+  CHECK(refusal(compare, "c").empty());
+  // Words of the language in the places where they are words.
+  CHECK_FALSE(refusal("(defskill ^f :action (x)) (defskill m :body ((f)))", "while").empty());
+  CHECK_FALSE(refusal("(defsv ^a :states (On Off) :init On) (defskill m :body ((^ (a On))))", "not")
+                  .empty());
+  CHECK_FALSE(
+      refusal("(defsv ^a :states (On Off) :init On) (defskill f :input ($x a) :action (f $x))",
+              "int")
+          .empty());
+}
+
+TEST_CASE("labels and tags are edited as one, other names are not") {
+  const MarkedProgram label("(defskill m :body ((label [[aga^in]]) (goto [[again]])))");
+  std::vector<syntax::Range> expected;
+  for (auto place : label.marked()) expected.push_back(place.range);
+  CHECK(ide::linkedPlaces(label.view(), label.at()) == expected);
+  const MarkedProgram tag("(defskill m :success d^one :body ((success done)))");
+  CHECK(ide::linkedPlaces(tag.view(), tag.at()).size() == 2);
+  const MarkedProgram skill("(defskill ^go :action (x)) (defskill m :body ((go)))");
+  CHECK(ide::linkedPlaces(skill.view(), skill.at()).empty());
+  const MarkedProgram far(
+      {{"main.proskill", "(include \"lib.proskill\")\n"
+                         "(defskill m :body ((go) (if (= go.res don^e) (^ 1))))"},
+       {"lib.proskill", "(defskill go :action (x) :success done)"}});
+  CHECK(ide::linkedPlaces(far.view(), far.at()).empty());
+}

@@ -1,0 +1,94 @@
+#include "ide/fuzzy.h"
+#include "ide/symbols.h"
+#include "tests/ide/marked_program.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using test::MarkedProgram;
+
+namespace {
+
+std::string written(const std::vector<ide::OutlineEntry>& entries) {
+  std::string result;
+  for (const auto& entry : entries) {
+    if (!result.empty()) result += ' ';
+    result += entry.name;
+    if (!entry.children.empty()) result += "(" + written(entry.children) + ")";
+  }
+  return result;
+}
+
+void checkRanges(const std::vector<ide::OutlineEntry>& entries, syntax::Range outer) {
+  for (const auto& entry : entries) {
+    INFO(entry.name);
+    CHECK_FALSE(entry.name.empty());
+    CHECK((outer.begin <= entry.range.begin && entry.range.end <= outer.end));
+    CHECK((entry.range.begin <= entry.selection.begin && entry.selection.end <= entry.range.end));
+    checkRanges(entry.children, entry.range);
+  }
+}
+
+std::vector<std::string> found(const MarkedProgram& program, std::string_view query) {
+  std::vector<std::string> result;
+  for (const auto& it : ide::workspaceSymbols(program.snapshot(), query, [] { return false; }))
+    result.emplace_back(it.owner->analysis.index.symbols()[it.symbol].name);
+  return result;
+}
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+TEST_CASE("the outline has every definition with what is inside of it, in the order of the text") {
+  const MarkedProgram program(
+      "(include \"other.proskill\")\n(defsv lamp :states (On Off) :init On)\n"
+      "(defskill go :input ($x int) :precondition (ok true) :invariant (safe (:guard true))\n"
+      "  :success done :failure (bad worse) :body ((label again) (goto again)))\n"
+      "(defevent e :effects (lamp On)) (defresource arm) (defproperty p (deadlockfree))\n"
+      "(defenvironment world :body ((label w)))");
+  CHECK(written(ide::outline(program.view())) ==
+        "other.proskill lamp(On Off) go(x ok safe done bad worse again) e arm p world(w)");
+  checkRanges(ide::outline(program.view()),
+              {0, static_cast<syntax::Offset>(program.view().text().size())});
+}
+
+TEST_CASE("the outline of a half-typed text has names for all, and ranges within each other") {
+  for (const auto* text :
+       {"(defsv", "(defskill )", "(defskill f :input ($", "(include", "(defsv lamp :states (A B",
+        "(defskill f :precondition (a (b\n(defevent e :effects", "(defwhat x)", "()"}) {
+    INFO(text);
+    const MarkedProgram program{std::string(text)};
+    checkRanges(ide::outline(program.view()),
+                {0, static_cast<syntax::Offset>(program.view().text().size())});
+  }
+  CHECK(written(ide::outline(MarkedProgram("(defskill )").view())) == "defskill");
+}
+
+TEST_CASE("the workspace's symbols by what was typed of them, the best first") {
+  const MarkedProgram program({{"a.proskill", "(include \"lib.proskill\")\n"
+                                              "(defskill goto_waypoint :action (x))"},
+                               {"b.proskill", "(include \"lib.proskill\")\n"
+                                              "(defskill gather_wood :action (x))"},
+                               {"lib.proskill", "(defsv gw :states (Gone Waiting) :init Gone)"},
+                               {"lone.proskill", "(defresource gripper)"}});
+  CHECK(found(program, "gw") == Names{"gw", "gather_wood", "goto_waypoint"});
+  CHECK(found(program, "GRIP") == Names{"gripper"});
+  CHECK(found(program, "way") == Names{"goto_waypoint"});
+  CHECK(found(program, "xyz").empty());
+  CHECK(found(program, "").size() == 6);
+}
+
+TEST_CASE("a search that is cancelled ends") {
+  const MarkedProgram program("(defresource gripper)");
+  CHECK(ide::workspaceSymbols(program.snapshot(), "g", [] { return true; }).empty());
+}
+
+TEST_CASE("letters that begin a part of a name, or follow each other, count more") {
+  CHECK_FALSE(ide::fuzzyScore("ba", "ab"));
+  CHECK_FALSE(ide::fuzzyScore("abc", "ab"));
+  CHECK(ide::fuzzyScore("gw", "goto_waypoint") > ide::fuzzyScore("gw", "garrow"));
+  CHECK(ide::fuzzyScore("go", "goto") > ide::fuzzyScore("go", "gripper_open_wide"));
+  CHECK(ide::fuzzyScore("go", "go") > ide::fuzzyScore("go", "goto"));
+  CHECK(ide::fuzzyScore("GO", "go"));
+}
