@@ -35,8 +35,12 @@ lsp::EditorPosition positionOf(const Json& json) {
 std::string uriWithin(const Json& object, const std::string& uri) {
   for (const auto* name : {"uri", "targetUri"})
     if (object.contains(name) && object[name].is_string()) return object[name];
-  const auto& nested = lsp::memberAt(object, {"textDocument", "uri"});
-  return nested.is_string() ? nested.get<std::string>() : uri;
+  // The ranges of an incoming call are in the caller's text.
+  for (const auto* name : {"textDocument", "from"}) {
+    const auto& nested = lsp::memberAt(object, {name, "uri"});
+    if (nested.is_string()) return nested;
+  }
+  return uri;
 }
 
 } // namespace

@@ -147,16 +147,15 @@ Json Desk::raw(const std::string& method, const Json& params) const {
   return {{"error", answer.error().message}};
 }
 
-Json Desk::inBytes(const std::string& method, const Json& answer, const std::string& file) const {
+Json Desk::inBytes(const std::string& method, const Json& answer, const std::string& uri) const {
   const BytePlaces places(documents, client.encoding);
-  if (!method.starts_with("textDocument/semanticTokens/"))
-    return places.convert(answer, uriOf(file));
+  if (!method.starts_with("textDocument/semanticTokens/")) return places.convert(answer, uri);
   const auto& data = lsp::memberAt(answer, {"data"});
-  return data.is_array() ? places.convertTokens(data, uriOf(file)) : Json();
+  return data.is_array() ? places.convertTokens(data, uri) : Json();
 }
 
 Json Desk::ask(const std::string& method, const std::string& file, syntax::Offset at) const {
-  return inBytes(method, raw(method, params(method, file, at)), file);
+  return inBytes(method, raw(method, params(method, file, at)), uriOf(file));
 }
 
 std::vector<std::pair<std::string, Json>>
@@ -168,9 +167,12 @@ Desk::followUps(const std::string& method, const std::string& file, syntax::Offs
     const auto answer = raw(method, params(method, file, at));
     const auto& items = itemsOf(answer);
     if (!items.is_array()) continue;
-    for (const auto& item : items)
-      result.emplace_back(next,
-                          inBytes(next, raw(next, it.asItem ? Json{{"item", item}} : item), file));
+    for (const auto& item : items) {
+      const auto& own = lsp::memberAt(item, {"uri"}); // what an item leads to is told from there
+      const auto uri = own.is_string() ? own.get<std::string>() : uriOf(file);
+      const auto found = raw(next, it.asItem ? Json{{"item", item}} : item);
+      result.emplace_back(next, inBytes(next, found, uri));
+    }
   }
   return result;
 }

@@ -39,7 +39,7 @@ private:
   [[nodiscard]] lsp::Json params(const std::string& method, const std::string& file,
                                  syntax::Offset at) const;
   [[nodiscard]] lsp::Json inBytes(const std::string& method, const lsp::Json& answer,
-                                  const std::string& file) const;
+                                  const std::string& uri) const;
 
   lsp::Registry registry = lsp::allFeatures();
   lsp::ClientFeatures client;
