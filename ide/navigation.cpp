@@ -1,5 +1,7 @@
 #include "ide/navigation.h"
 
+#include "ide/uses.h"
+
 #include <algorithm>
 
 namespace proskill::ide {
@@ -51,10 +53,8 @@ std::vector<analysis::Location> implementations(const View& view, syntax::Offset
   std::vector<analysis::Location> result;
   auto occurrence = occurrenceAt(view, at);
   if (!occurrence) return result;
-  bool isValue = symbolOf(view, *occurrence).kind == SymbolKind::Value;
   for (const auto& place : view.index().occurrencesOf(occurrence->symbol))
-    if (place.role == Role::Write || (isValue && place.role == Role::Mention))
-      result.push_back(place.at);
+    if (isSetting(view, place)) result.push_back(place.at);
   return result;
 }
 

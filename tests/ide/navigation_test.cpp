@@ -78,6 +78,10 @@ TEST_CASE("what sets a state variable, or sets it to a value") {
       " (defskill f :precondition (t (lamp Off)) :action (x))";
   const MarkedProgram program("(defsv ^lamp :states (On Off) :init Off)" + rest);
   CHECK(ide::implementations(program.view(), program.at()) == program.marked());
+  const MarkedProgram value("(defsv lamp :states (^On Off) :init On :transitions ((On Off)))"
+                            "(defevent a :effects (lamp [[On]])) (defevent b :effects (lamp Off))"
+                            "(defskill f :precondition (t (lamp On)) :action (x))");
+  CHECK(ide::implementations(value.view(), value.at()) == value.marked());
 }
 
 TEST_CASE("references, with the definition and without") {
