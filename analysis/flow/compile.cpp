@@ -62,8 +62,8 @@ private:
       Assignment taken = system.resolver().constant(variable, count, process.slots);
       Term amount = taken.value;
       const Domain* domain = &system.variables()[variable].domain;
-      Term used{.kind = Term::Kind::Variable, .slot = *taken.slot, .domain = domain};
-      taken.value = {.kind = change, .operands = {used, amount}};
+      Term used{.kind = Term::Kind::Variable, .slot = taken.slot.value_or(0), .domain = domain};
+      taken.value = taken.slot ? Term{.kind = change, .operands = {used, amount}} : Term{};
       assignments.push_back(std::move(taken));
     }
   }
@@ -143,6 +143,9 @@ std::vector<VariableId> writesOf(const System& system, const Process& process) {
   if (process.kind == ProcessKind::Skill)
     for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Running})
       writes.push_back(system.variables().of(kind, process.definition));
+  if (process.kind == ProcessKind::Skill)
+    for (const auto& [resource, count] : resourcesOf(system, process))
+      writes.push_back(system.variables().of(VariableKind::Used, resource));
   return writes;
 }
 

@@ -56,7 +56,7 @@ private:
   NodeId outcome(const Outcome* outcome, bool success, Range range, const Statement* statement);
   void leaveFrom(NodeId fork, const Block& block);
   void resolveJumps();
-  void addStops(NodeId node);
+  void addStops(NodeId node, const std::vector<NodeId>& exits);
   void addExits(const std::vector<Outcome>& outcomes, bool success, NodeId run);
 
   SkillGraph& all;
@@ -259,10 +259,8 @@ void Builder::resolveJumps() {
 }
 
 /// From a node that waits, when an invariant fails or the skill is to stop.
-void Builder::addStops(NodeId node) {
-  for (NodeId exit = 0; exit < graph().nodes.size(); ++exit) {
-    NodeKind kind = graph().nodes[exit].kind;
-    if (kind != NodeKind::InvariantFailure && kind != NodeKind::Interrupted) continue;
+void Builder::addStops(NodeId node, const std::vector<NodeId>& exits) {
+  for (NodeId exit : exits) {
     Loose stop = edge(node);
     graph().nodes[node].edges[stop.edge].stops = true;
     connect({stop}, exit);
@@ -293,6 +291,7 @@ void Builder::skillThread() {
     connect({edge(first, Guard::Fails)}, refused);
     edge(refused, Guard::None, true);
   }
+  std::vector<NodeId> exits;
   for (const Invariant& each : skill->invariants) {
     NodeId node = add({.kind = NodeKind::InvariantFailure,
                        .range = each.range,
@@ -300,11 +299,13 @@ void Builder::skillThread() {
                        .effects = &each.effects,
                        .invariant = &each});
     connect(node, graph().end, true);
+    exits.push_back(node);
   }
   NodeId stopped = add({.kind = NodeKind::Interrupted,
                         .range = skill->interrupt ? skill->interrupt->range : skill->name.range,
                         .effects = skill->interrupt ? &skill->interrupt->effects : nullptr});
   connect(stopped, graph().end, true);
+  exits.push_back(stopped);
   Loose started = edge(first, Guard::Holds, true);
   if (skill->body) {
     LooseEnds ends = block(*skill->body, {started});
@@ -322,7 +323,7 @@ void Builder::skillThread() {
   }
   auto count = static_cast<NodeId>(graph().nodes.size());
   for (NodeId node = 0; node < count; ++node)
-    if (graph().nodes[node].waits()) addStops(node);
+    if (graph().nodes[node].waits()) addStops(node, exits);
 }
 
 } // namespace

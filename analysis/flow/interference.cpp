@@ -1,45 +1,45 @@
 #include "analysis/flow/interference.h"
 
+#include <algorithm>
+
 namespace proskill::analysis::flow {
 
-Interference::Interference(const Variables& variables, std::size_t processes)
-    : variables(variables), all(variables.size()) {
-  known.emplace(Bits(processes), 0);
+Interference::Interference(const Variables& variables)
+    : variables(variables), all(variables.size()) {}
+
+ValueSet Interference::added(ProcessId process, VariableId variable, unsigned from, ValueSet to) {
+  auto writer = all[variable].writers.try_emplace(process, variables[variable].domain.size()).first;
+  ValueSet before = writer->second.from(from);
+  if (!writer->second.add(from, to)) return {};
+  return writer->second.from(from) - before;
 }
 
-bool Interference::add(std::size_t process, VariableId variable, unsigned from, ValueSet to) {
+std::vector<View*> Interference::grown(ProcessId process, VariableId variable, unsigned from,
+                                       unsigned to) {
   PerVariable& here = all[variable];
-  auto writer = here.writers.try_emplace(process, variables[variable].domain.size()).first;
-  if (!writer->second.add(from, to)) return false;
-  for (auto& [key, view] : here.views)
-    if (view.processes->contains(process)) view.relation.add(from, to);
-  return true;
+  auto [entry, isNew] = here.without.try_emplace({from, to});
+  std::vector<View*>& without = entry->second;
+  if (isNew)
+    for (auto& [number, view] : here.views) without.push_back(&view);
+  auto gone = std::ranges::stable_partition(
+      without, [process](const View* view) { return !view->processes->contains(process); });
+  std::vector<View*> views(gone.begin(), gone.end());
+  without.erase(gone.begin(), gone.end());
+  return views;
 }
 
-const Bits* Interference::intern(const Bits& processes) {
-  return &known.try_emplace(processes, known.size()).first->first;
-}
-
-const Relation& Interference::of(const Bits& processes, VariableId variable) {
-  const Bits* set = intern(processes);
+View& Interference::of(const IdSet& processes, VariableId variable) {
+  auto set = known.try_emplace(processes, known.size()).first;
   PerVariable& here = all[variable];
-  auto found = here.views.find(set);
-  if (found != here.views.end()) return found->second.relation;
-  View view{set, Relation(variables[variable].domain.size())};
+  auto found = here.views.find(set->second);
+  if (found != here.views.end()) return found->second;
+  View view{.processes = &set->first, .relation = Relation(variables[variable].domain.size())};
   for (const auto& [process, relation] : here.writers)
-    if (set->contains(process)) view.relation.addAll(relation);
-  return here.views.emplace(set, std::move(view)).first->second.relation;
-}
-
-const Relation* Interference::by(std::size_t process, VariableId variable) const {
-  auto found = all[variable].writers.find(process);
-  return found == all[variable].writers.end() ? nullptr : &found->second;
-}
-
-std::vector<std::size_t> Interference::writers(VariableId variable) const {
-  std::vector<std::size_t> result;
-  for (const auto& [process, relation] : all[variable].writers) result.push_back(process);
-  return result;
+    if (processes.contains(process)) view.relation.addAll(relation);
+  View& made = here.views.emplace(set->second, std::move(view)).first->second;
+  for (auto& [move, without] : here.without)
+    if (!made.relation.from(move.first).contains(move.second)) without.push_back(&made);
+  return made;
 }
 
 } // namespace proskill::analysis::flow

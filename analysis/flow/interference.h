@@ -1,10 +1,11 @@
 #pragma once
 
-#include "analysis/flow/bits.h"
-#include "analysis/flow/variables.h"
+#include "analysis/flow/call_order.h"
+#include "analysis/flow/graph.h"
+#include "analysis/flow/state.h"
 
-#include <deque>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace proskill::analysis::flow {
@@ -45,6 +46,21 @@ private:
   ValueSet sources; ///< with a row that is not empty
 };
 
+/// Somebody who closes what it knows under a relation, and wants to know when that grows.
+struct Reader {
+  ProcessId process = 0;
+  NodeId node = kNoNode; ///< the node that looks at the moves; none: all that know the slot
+  bool inside = false;   ///< of these, those where the skill is running; or else the others
+  Slot slot = 0;
+};
+
+/// The moves that some processes make with one variable.
+struct View {
+  const IdSet* processes = nullptr;
+  Relation relation;
+  std::vector<Reader> readers;
+};
+
 /// Who changes what: the moves that each process makes with each variable, whenever it makes them.
 /// It only grows while the analysis runs. This is the rely-guarantee method, one variable at a
 /// time: C. B. Jones, "Tentative steps toward a development method for interfering programs",
@@ -52,32 +68,38 @@ private:
 /// programs", ESOP 2011.
 class Interference {
 public:
-  Interference(const Variables& variables, std::size_t processes);
+  explicit Interference(const Variables& variables);
 
-  /// Notes that a process may move a variable. \return something is new
-  bool add(std::size_t process, VariableId variable, unsigned from, ValueSet to);
+  /// Notes that a process may move a variable, and calls `tell(reader)` for each reader of a view
+  /// that grows.
+  template <class Tell>
+  void add(ProcessId process, VariableId variable, unsigned from, ValueSet to, Tell&& tell) {
+    forEach(added(process, variable, from, to), [&](unsigned index) {
+      for (View* view : grown(process, variable, from, index)) {
+        view->relation.add(from, ValueSet::of(index));
+        for (const Reader& reader : view->readers) tell(reader);
+      }
+    });
+  }
 
   /// The moves of a variable that any process of the set makes; it grows with them.
-  [[nodiscard]] const Relation& of(const Bits& processes, VariableId variable);
-  /// The moves of one process; null where it makes none.
-  [[nodiscard]] const Relation* by(std::size_t process, VariableId variable) const;
-  /// The processes that may move a variable, in their order.
-  [[nodiscard]] std::vector<std::size_t> writers(VariableId variable) const;
+  [[nodiscard]] View& of(const IdSet& processes, VariableId variable);
 
 private:
-  struct View {
-    const Bits* processes;
-    Relation relation;
-  };
   struct PerVariable {
-    std::map<std::size_t, Relation> writers;
-    std::map<const Bits*, View> views;
+    std::map<ProcessId, Relation> writers;
+    std::map<std::size_t, View> views; ///< by the number of the set
+    /// For each move that somebody makes, the views of which nobody makes it.
+    std::map<std::pair<unsigned, unsigned>, std::vector<View*>> without;
   };
 
-  const Bits* intern(const Bits& processes);
+  /// What is new of the moves that a process makes.
+  ValueSet added(ProcessId process, VariableId variable, unsigned from, ValueSet to);
+  /// The views that do not have the move yet, and do now.
+  std::vector<View*> grown(ProcessId process, VariableId variable, unsigned from, unsigned to);
 
   const Variables& variables;
-  std::map<Bits, std::size_t> known;
+  std::map<IdSet, std::size_t> known; ///< with their numbers
   std::vector<PerVariable> all;
 };
 

@@ -40,12 +40,12 @@ public:
   }
 
   /// The skills that hold it whenever they run.
-  [[nodiscard]] std::vector<ProcessId> holders() const {
-    std::vector<ProcessId> found;
-    for (ProcessId id = 0; isLock && id < system.size(); ++id)
-      if (system[id].kind == ProcessKind::Skill && system[id].analysed &&
-          (inherits[id] || takesAtStart(id)))
-        found.push_back(id);
+  [[nodiscard]] IdSet holders() const {
+    IdSet found;
+    if (!isLock) return found;
+    for (ProcessId id : inherits) found.insert(id);
+    for (ProcessId id : usage.writers)
+      if (system[id].kind == ProcessKind::Skill && takesAtStart(id)) found.insert(id);
     return found;
   }
 
@@ -89,24 +89,27 @@ private:
 
   [[nodiscard]] bool holdsAt(const Site& site) const {
     auto own = holds.find(site.caller);
-    return inherits[site.caller] || (own != holds.end() && own->second[site.node]);
+    return inherits.contains(site.caller) || (own != holds.end() && own->second[site.node]);
+  }
+
+  [[nodiscard]] bool isCalledByHolders(ProcessId id) const {
+    return !system[id].root && std::ranges::all_of(system.callers(id), [this](const Site& site) {
+      return !system[site.caller].analysed || holdsAt(site);
+    });
   }
 
   /// A call that a holder makes is made under the lock.
   void inherit() {
-    inherits.assign(system.size(), false);
-    for (ProcessId id = 0; id < system.size(); ++id)
-      inherits[id] = !system[id].root && system[id].analysed && !system.callers(id).empty();
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (ProcessId id = 0; id < system.size(); ++id) {
-        if (!inherits[id]) continue;
-        auto under = [this](const Site& site) {
-          return !system[site.caller].analysed || holdsAt(site);
-        };
-        if (std::ranges::all_of(system.callers(id), under)) continue;
-        inherits[id] = false;
-        changed = true;
+    std::vector<ProcessId> pending(usage.writers.begin(), usage.writers.end());
+    while (!pending.empty()) {
+      const Process& holder = system[pending.back()];
+      pending.pop_back();
+      for (NodeId node = 0; holder.graph && node < holder.actions.size(); ++node) {
+        ProcessId callee = holder.actions[node].target;
+        bool calls = (*holder.graph)[node].kind == NodeKind::Call && callee != kNoProcess;
+        if (!calls || inherits.contains(callee) || !isCalledByHolders(callee)) continue;
+        inherits.insert(callee);
+        pending.push_back(callee);
       }
     }
   }
@@ -128,7 +131,7 @@ private:
   ValueSet taken; ///< C
   bool isLock = false;
   std::map<ProcessId, std::vector<bool>> holds; ///< of those who write it, by node
-  std::vector<bool> inherits;
+  std::set<ProcessId> inherits;                 ///< whoever calls them holds it
 };
 
 void collect(const System& system, ProcessId id, std::map<VariableId, Usage>& usages) {
@@ -153,17 +156,16 @@ void collect(const System& system, ProcessId id, std::map<VariableId, Usage>& us
 
 } // namespace
 
-std::vector<Bits> exclusiveSkills(const System& system) {
+std::vector<IdSet> exclusiveSkills(const System& system) {
   std::map<VariableId, Usage> usages;
   for (ProcessId id = 0; id < system.size(); ++id)
     if (system[id].analysed) collect(system, id, usages);
-  std::vector<Bits> exclusive(system.size(), Bits(system.size()));
+  std::vector<IdSet> exclusive(system.size());
   for (const auto& [variable, usage] : usages) {
-    const std::vector<ProcessId> holders = Lock(system, usage).holders();
-    for (ProcessId a : holders)
-      for (ProcessId b : holders)
-        if (a != b) exclusive[a].insert(b);
+    IdSet holders = Lock(system, usage).holders();
+    forEach(holders, [&](std::size_t id) { exclusive[id].insertAll(holders); });
   }
+  for (ProcessId id = 0; id < system.size(); ++id) exclusive[id].erase(id);
   return exclusive;
 }
 

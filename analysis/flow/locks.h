@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/flow/bits.h"
+#include "analysis/flow/id_set.h"
 #include "analysis/flow/system.h"
 
 #include <vector>
@@ -19,6 +19,6 @@ namespace proskill::analysis::flow {
 /// F, so that nobody held it, and leaves one of C. A skill holds it while it runs where it takes it
 /// as it starts, or where every call of it is made by somebody who holds it; a thread that holds it
 /// makes one call at a time.
-[[nodiscard]] std::vector<Bits> exclusiveSkills(const System& system);
+[[nodiscard]] std::vector<IdSet> exclusiveSkills(const System& system);
 
 } // namespace proskill::analysis::flow

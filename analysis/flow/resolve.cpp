@@ -22,6 +22,11 @@ void collectSlots(const Term& term, std::vector<Slot>& slots) {
   for (const Term& operand : term.operands) collectSlots(operand, slots);
 }
 
+void moveToFirstSlot(Term& term) {
+  term.slot = 0;
+  for (Term& operand : term.operands) moveToFirstSlot(operand);
+}
+
 /// A comparison that reads one variable is a question to that variable's value alone.
 Condition simplified(Condition condition) {
   if (condition.slots.size() != 1) return condition;
@@ -29,10 +34,13 @@ Condition simplified(Condition condition) {
       condition.terms[0].reads(condition.slots[0]) ? condition.terms[0] : condition.terms[1];
   if (variable.kind != Term::Kind::Variable) return condition;
   Slot slot = condition.slots[0];
-  State one{.reachable = true, .values = std::vector<ValueSet>(slot + 1)};
   Condition member{.kind = Condition::Kind::Member, .slot = slot};
-  forEach(variable.domain->all(), [&](unsigned index) {
-    one.values[slot] = ValueSet::of(index);
+  const Domain& domain = *variable.domain;
+  for (Term& term : condition.terms) moveToFirstSlot(term);
+  condition.slots = {0};
+  State one{.reachable = true, .values = {{}}};
+  forEach(domain.all(), [&](unsigned index) {
+    one.values[0] = ValueSet::of(index);
     if (mayHold(one, condition)) member.holds |= ValueSet::of(index);
     if (mayFail(one, condition)) member.fails |= ValueSet::of(index);
   });

@@ -1,14 +1,23 @@
 #include "analysis/flow/solver.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace proskill::analysis::flow {
 
-Solver::Solver(const System& system) : model(system), moves(system.variables(), system.size()) {
+namespace {
+
+constexpr std::size_t kMostCases = 32;           ///< of a point
+constexpr std::size_t kMostCasesInAll = 200'000; ///< so that large programs do not take long
+
+} // namespace
+
+Solver::Solver(const System& system) : model(system), moves(system.variables()) {
   prepare();
   prepareEvents();
+  startRoots();
   while (!queue.empty()) {
-    ProcessId next = *queue.begin();
+    ProcessId next = queue.begin()->second;
     queue.erase(queue.begin());
     run(next);
   }
@@ -17,64 +26,89 @@ Solver::Solver(const System& system) : model(system), moves(system.variables(), 
 
 // Preparation -------------------------------------------------------------------------------------
 
-Solver::Closing Solver::closingOf(ProcessId process, const Bits& processes) {
-  Closing closing;
-  for (VariableId variable : model[process].slots.variables())
-    closing.push_back(&moves.of(processes, variable));
-  return closing;
-}
-
 /// While a skill runs, those that it excludes can only be refused.
-Solver::Closing Solver::closingInside(ProcessId process) {
-  Bits beside = model.concurrent(process);
-  beside.eraseAll(model.exclusive(process));
+Solver::Closing Solver::closingOf(ProcessId process, bool inside) {
+  IdSet beside = model.concurrent(process);
+  if (inside) beside.eraseAll(model.exclusive(process));
+  const Slots& slots = model[process].slots;
   Closing closing;
-  for (VariableId variable : model[process].slots.variables()) {
-    VariableKind kind = model.variables()[variable].kind;
+  for (Slot slot = 0; slot < slots.size(); ++slot) {
+    VariableKind kind = model.variables()[slots[slot]].kind;
     bool refusable = kind == VariableKind::Status || kind == VariableKind::Result;
-    closing.push_back(&moves.of(refusable ? model.concurrent(process) : beside, variable));
+    View& view = moves.of(refusable ? model.concurrent(process) : beside, slots[slot]);
+    view.readers.push_back({.process = process, .inside = inside, .slot = slot});
+    closing.relations.push_back(&view.relation);
   }
   return closing;
 }
 
 void Solver::prepare() {
   std::size_t count = model.size();
+  std::size_t nodes = 0;
+  for (const Process& process : model.all()) nodes += process.actions.size();
+  mostCases =
+      std::clamp<std::size_t>(kMostCasesInAll / std::max<std::size_t>(nodes, 1), 1, kMostCases);
   states.resize(count);
   rely.resize(count);
   relyInside.resize(count);
   whileCalling.resize(count);
   pending.resize(count);
+  grown.resize(count);
   stoppedEnds.resize(count);
   interrupted.resize(count);
   stopped.resize(count);
-  readers.resize(model.variables().size());
-  for (ProcessId id = 0; id < count; ++id) {
-    const Process& process = model[id];
-    if (!process.graph || !process.analysed) continue;
-    std::size_t nodes = process.graph->nodes.size();
-    states[id].resize(nodes);
-    pending[id].resize(nodes);
-    whileCalling[id].resize(nodes);
-    rely[id] = closingOf(id, model.concurrent(id));
-    relyInside[id] = closingInside(id);
-    for (VariableId variable : process.slots.variables()) readers[variable].push_back(id);
-    for (NodeId node = 0; node < nodes; ++node) {
-      const Action& action = process.actions[node];
-      bool calls = (*process.graph)[node].kind == NodeKind::Call && action.target != kNoProcess;
-      if (!calls && action.branches.empty()) continue;
-      Bits inside = model.concurrent(id);
-      if (calls) inside.insertAll(model.activity(action.target));
-      for (ProcessId branch : action.branches) inside.insertAll(model.activity(branch));
-      whileCalling[id][node] = closingOf(id, inside);
-    }
+  for (VariableId id = 0; id < model.variables().size(); ++id)
+    byAnyone.push_back(&moves.of(model.everybody(), id).relation);
+  for (ProcessId id = 0; id < count; ++id)
+    if (model[id].graph && model[id].analysed) prepare(id);
+}
+
+void Solver::prepare(ProcessId id) {
+  const Process& process = model[id];
+  std::size_t nodes = process.graph->nodes.size();
+  states[id].resize(nodes);
+  whileCalling[id].resize(nodes);
+  rely[id] = closingOf(id, false);
+  relyInside[id] = closingOf(id, true);
+  for (NodeId node = 0; node < nodes; ++node) prepareCall(id, node);
+  if (process.kind == ProcessKind::Skill && model.hasFreeEvents() && model.skill(process).interrupt)
+    interrupted[id] = true;
+}
+
+void Solver::prepareCall(ProcessId id, NodeId node) {
+  const Process& process = model[id];
+  const Action& action = process.actions[node];
+  std::vector<ProcessId> callees = action.branches;
+  if ((*process.graph)[node].kind == NodeKind::Call && action.target != kNoProcess)
+    callees.push_back(action.target);
+  IdSet written;
+  IdSet inside = model.concurrent(id);
+  inside.eraseAll(model.exclusive(id));
+  for (ProcessId callee : callees) {
+    written.insertAll(model.writes(callee));
+    inside.insertAll(model.activity(callee));
   }
-  for (ProcessId id = 0; id < count; ++id) {
+  if (callees.empty()) return;
+  IdSet refusable = inside;
+  refusable.insertAll(model.concurrent(id));
+  for (Slot slot = 0; slot < process.slots.size(); ++slot) {
+    if (!written.contains(process.slots[slot])) continue;
+    VariableKind kind = model.variables()[process.slots[slot]].kind;
+    bool refused = kind == VariableKind::Status || kind == VariableKind::Result;
+    View& view = moves.of(refused ? refusable : inside, process.slots[slot]);
+    view.readers.push_back({.process = id, .node = node, .slot = slot});
+    whileCalling[id][node].emplace_back(slot, &view.relation);
+  }
+  for (ProcessId callee : callees)
+    for (VariableId variable : model[callee].slots.variables())
+      if (!process.slots.find(variable))
+        moves.of(model.everybody(), variable).readers.push_back({.process = id, .node = node});
+}
+
+void Solver::startRoots() {
+  for (ProcessId id = 0; id < model.size(); ++id) {
     const Process& process = model[id];
-    if (!process.graph || !process.analysed) continue;
-    if (process.kind == ProcessKind::Skill && model.hasFreeEvents() &&
-        model.skill(process).interrupt)
-      interrupted[id] = true;
-    if (!process.root) continue;
+    if (!process.graph || !process.root) continue;
     State start{.reachable = true, .values = {}};
     for (VariableId variable : process.slots.variables())
       start.values.push_back(model.variables()[variable].initial);
@@ -95,8 +129,8 @@ void Solver::prepareEvents() {
 
 void Solver::close(State& state, const Closing& closing) {
   if (!state.reachable) return;
-  for (std::size_t slot = 0; slot < state.values.size(); ++slot)
-    state.values[slot] = closing[slot]->closure(state.values[slot]);
+  for (Slot slot : closing.moving)
+    state.values[slot] = closing.relations[slot]->closure(state.values[slot]);
 }
 
 /// Others may come in before it. A basic skill's action and its end are one step.
@@ -114,36 +148,55 @@ const Solver::Closing& Solver::relyAt(ProcessId process, NodeId node) const {
   return (inside ? relyInside : rely)[process];
 }
 
-/// After somebody's interference has grown.
-void Solver::closeAgain(ProcessId process, NodeId node) {
-  if (!isPoint(process, node)) return;
-  Cases closed;
-  bool changed = false;
-  for (const State& known : states[process][node].all()) {
-    State state = known;
-    close(state, relyAt(process, node));
-    changed |= state.values != known.values;
-    closed.add(std::move(state));
+void Solver::wake(ProcessId process, NodeId node) {
+  if (reachable(process, node)) pending[process].insert(node), schedule(process);
+}
+
+/// Somebody makes a move that is new to the reader.
+void Solver::grow(const Reader& reader) {
+  if (reader.node != kNoNode) return wake(reader.process, reader.node);
+  std::vector<Slot>& moving = (reader.inside ? relyInside : rely)[reader.process].moving;
+  if (std::ranges::find(moving, reader.slot) == moving.end()) moving.push_back(reader.slot);
+  grown[reader.process].insert(reader.slot);
+  schedule(reader.process);
+}
+
+/// Of the slots that have grown.
+bool Solver::isClosed(ProcessId process, NodeId node) const {
+  const Closing& closing = relyAt(process, node);
+  return std::ranges::all_of(cases(process, node), [&](const State& state) {
+    return std::ranges::all_of(grown[process], [&](Slot slot) {
+      return closing.relations[slot]->closure(state.values[slot]) == state.values[slot];
+    });
+  });
+}
+
+void Solver::closeAgain(ProcessId process) {
+  const Graph& graph = *model[process].graph;
+  for (NodeId node = 0; node < graph.nodes.size(); ++node) {
+    if (!reachable(process, node)) continue;
+    if (graph[node].kind == NodeKind::Call) wake(process, node); // what has returned meets others
+    if (!isPoint(process, node) || isClosed(process, node)) continue;
+    Cases closed;
+    for (State state : cases(process, node)) {
+      close(state, relyAt(process, node));
+      closed.add(std::move(state), mostCases);
+    }
+    states[process][node] = std::move(closed);
+    wake(process, node);
+    if (node == graph.end) announceEnd(process);
   }
-  if (!changed) return;
-  states[process][node] = std::move(closed);
-  if (node == model[process].graph->end) announceEnd(process);
+  grown[process].clear();
 }
 
 void Solver::run(ProcessId process) {
-  running = process;
-  std::vector<bool>& todo = pending[process];
-  for (NodeId node = 0; node < todo.size(); ++node) {
-    closeAgain(process, node);
-    todo[node] = reachable(process, node);
-  }
-  for (cursor = 0; cursor < todo.size();) {
-    NodeId node = cursor++;
-    if (!todo[node]) continue;
-    todo[node] = false;
+  if (!grown[process].empty()) closeAgain(process);
+  std::set<NodeId>& todo = pending[process];
+  while (!todo.empty()) {
+    NodeId node = *todo.begin();
+    todo.erase(todo.begin());
     step(process, node);
   }
-  running = kNoProcess;
 }
 
 void Solver::step(ProcessId process, NodeId id) {
@@ -151,9 +204,10 @@ void Solver::step(ProcessId process, NodeId id) {
   const Action& action = model[process].actions[id];
   if (node.kind == NodeKind::Interrupt && action.target != kNoProcess) interrupt(process, id);
   if (node.kind == NodeKind::Start && stopped[process]) stopBeforeStart(process);
+  bool stops = mayStop(process);
   for (const Edge& edge : node.edges) {
     if (edge.stops) {
-      stop(process, id, edge);
+      stops |= stop(process, id, edge);
     } else if (node.kind == NodeKind::Call && action.target != kNoProcess) {
       call(process, id, edge.target);
     } else if (node.kind == NodeKind::Fork) {
@@ -162,7 +216,7 @@ void Solver::step(ProcessId process, NodeId id) {
       flow(process, id, edge);
     }
   }
-  if (node.waits()) stopCallees(process, id);
+  if (node.waits()) stopCallees(process, id, stops);
 }
 
 void Solver::flow(ProcessId process, NodeId id, const Edge& edge) {
@@ -182,45 +236,40 @@ void Solver::flow(ProcessId process, NodeId id, const Edge& edge) {
       if (self.repeats) enter(process, state);
     } else if (returns)
       arrive(process, edge.target, std::move(state));
-    else if (stoppedEnds[process].add(std::move(state)))
+    else if (stoppedEnds[process].add(std::move(state), mostCases))
       announceEnd(process);
   }
 }
 
-void Solver::stop(ProcessId process, NodeId id, const Edge& edge) {
+bool Solver::stop(ProcessId process, NodeId id, const Edge& edge) {
   const Process& self = model[process];
   const Action& exit = self.actions[edge.target];
   NodeKind kind = (*self.graph)[edge.target].kind;
   bool fails = kind == NodeKind::InvariantFailure;
-  if (kind == NodeKind::Interrupted && !mayStop(process)) return;
-  if (kind == NodeKind::Outcome && !reachable(exit.leaver, exit.leave)) return;
-  State inside = during(process, id);
-  if (fails) refineAll(inside, exit.conditions, false);
-  if (!inside.reachable) return;
+  if (kind == NodeKind::Interrupted && !mayStop(process)) return false;
+  if (kind == NodeKind::Outcome && !reachable(exit.leaver, exit.leave)) return false;
   bool calls = (*self.graph)[id].kind == NodeKind::Call && self.actions[id].target != kNoProcess;
-  if (calls) return stopCall(process, id, edge.target);
+  bool possible = false;
   const std::vector<State> all = cases(process, id);
   for (const State& before : all) {
     State state = during(before, process, id);
     if (fails) refineAll(state, exit.conditions, false);
+    possible |= state.reachable;
     // The branches go on until they have returned.
-    arrive(process, edge.target, during(state, process, id));
+    if (!calls && state.reachable) arrive(process, edge.target, during(state, process, id));
   }
+  if (calls && possible) stopCall(process, id, edge.target);
+  return possible;
 }
 
 bool Solver::mayStop(ProcessId process) const { return interrupted[process] || stopped[process]; }
 
 /// Whatever may end a node from outside stops what the node has called.
-void Solver::stopCallees(ProcessId process, NodeId id) {
-  const Process& self = model[process];
-  const Node& node = (*self.graph)[id];
-  const Action& action = self.actions[id];
-  bool stops = mayStop(process);
-  for (const Edge& edge : node.edges)
-    if (edge.stops && (*self.graph)[edge.target].kind != NodeKind::Interrupted)
-      stops |= reachable(process, edge.target);
+void Solver::stopCallees(ProcessId process, NodeId id, bool stops) {
   if (!stops) return;
-  if (node.kind == NodeKind::Call && action.target != kNoProcess) mark(stopped, action.target);
+  const Action& action = model[process].actions[id];
+  bool calls = (*model[process].graph)[id].kind == NodeKind::Call && action.target != kNoProcess;
+  if (calls) mark(stopped, action.target);
   for (ProcessId branch : action.branches) mark(stopped, branch);
 }
 
@@ -242,7 +291,7 @@ void Solver::stopBeforeStart(ProcessId process) {
 void Solver::mark(std::vector<bool>& flags, ProcessId process) {
   if (flags[process]) return;
   flags[process] = true;
-  schedule(process);
+  for (NodeId node = 0; node < states[process].size(); ++node) wake(process, node);
 }
 
 void Solver::interrupt(ProcessId process, NodeId id) {
@@ -286,11 +335,10 @@ State Solver::assigned(State state, const Process& process, NodeId id, bool effe
 }
 
 void Solver::record(const State& before, ProcessId process, const Assignment& assignment) {
-  bool grew = false;
   const Domain& domain = model.variables()[assignment.variable].domain;
   for (const Move& move : flow::moves(assignment, domain, before))
-    grew |= moves.add(process, assignment.variable, move.from, move.to);
-  if (grew) scheduleReaders(process, assignment.variable);
+    moves.add(process, assignment.variable, move.from, move.to,
+              [this](const Reader& reader) { grow(reader); });
 }
 
 void Solver::record(const State& before, ProcessId process, NodeId id) {
@@ -298,32 +346,29 @@ void Solver::record(const State& before, ProcessId process, NodeId id) {
     record(before, process, assignment);
 }
 
-void Solver::scheduleReaders(ProcessId writer, VariableId variable) {
-  for (ProcessId reader : readers[variable])
-    if (model.concurrent(reader).contains(writer) || model.activity(reader).contains(writer))
-      schedule(reader);
-}
-
 void Solver::arrive(ProcessId process, NodeId node, State state) {
   if (!state.reachable || node == kNoNode) return;
+  const Process& self = model[process];
   if (isPoint(process, node)) close(state, relyAt(process, node));
-  if (!states[process][node].add(std::move(state))) return;
-  if (process == running) {
-    pending[process][node] = true;
-    cursor = std::min(cursor, node);
-  } else {
-    schedule(process);
-  }
-  if ((*model[process].graph)[node].kind == NodeKind::Leave && model[process].parent != kNoProcess)
-    schedule(model.ofSkill(model[process].definition));
-  if (node == model[process].graph->end) announceEnd(process);
+  if (!states[process][node].add(std::move(state), mostCases)) return;
+  wake(process, node);
+  if ((*self.graph)[node].kind == NodeKind::Leave && self.parent != kNoProcess)
+    wakeForks(model.ofSkill(self.definition));
+  if (node == self.graph->end) announceEnd(process);
+}
+
+/// One of the branches may end the skill.
+void Solver::wakeForks(ProcessId skill) {
+  const Graph& graph = *model[skill].graph;
+  for (NodeId node = 0; node < graph.nodes.size(); ++node)
+    if (graph[node].kind == NodeKind::Fork) wake(skill, node);
 }
 
 void Solver::announceEnd(ProcessId process) {
   const Process& self = model[process];
   for (const Site& site : model.callers(process))
-    if (model[site.caller].analysed) schedule(site.caller);
-  if (self.parent != kNoProcess) schedule(self.parent);
+    if (model[site.caller].analysed) wake(site.caller, site.node);
+  if (self.parent != kNoProcess) wake(self.parent, self.graph->fork);
   if (!self.repeats) return;
   const std::vector<State> ends = cases(process, self.graph->end);
   for (const State& end : ends) enter(process, end);
@@ -332,12 +377,7 @@ void Solver::announceEnd(ProcessId process) {
 }
 
 void Solver::summarise() {
-  Bits all(model.size());
-  for (ProcessId id = 0; id < model.size(); ++id) all.insert(id);
-  for (VariableId id = 0; id < model.variables().size(); ++id) {
-    byAnyone.push_back(&moves.of(all, id));
-    everything.push_back(byAnyone.back()->closure(model.variables()[id].initial));
-  }
+  for (VariableId id = 0; id < model.variables().size(); ++id) everything.push_back(anything(id));
 }
 
 } // namespace proskill::analysis::flow

@@ -3,8 +3,8 @@
 #include "analysis/flow/interference.h"
 #include "analysis/flow/system.h"
 
-#include <functional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace proskill::analysis::flow {
@@ -21,7 +21,6 @@ public:
   explicit Solver(const System& system);
 
   [[nodiscard]] const System& system() const { return model; }
-  [[nodiscard]] const Interference& interference() const { return moves; }
   /// When the process has come to the node, before it does what the node says.
   [[nodiscard]] const std::vector<State>& cases(ProcessId process, NodeId node) const {
     return states[process][node].all();
@@ -59,25 +58,37 @@ public:
   [[nodiscard]] State after(State before, const Process& process, NodeId node) const;
 
 private:
-  /// The moves that close a state, slot by slot.
-  using Closing = std::vector<const Relation*>;
+  /// The moves that close a state.
+  struct Closing {
+    std::vector<const Relation*> relations; ///< by slot
+    std::vector<Slot> moving;               ///< those whose relation is not empty
+  };
+  /// The same for what a node calls, of the few slots that this may change.
+  using Changes = std::vector<std::pair<Slot, const Relation*>>;
 
   void prepare();
+  void prepare(ProcessId process);
+  void prepareCall(ProcessId process, NodeId node);
   void prepareEvents();
-  [[nodiscard]] Closing closingOf(ProcessId process, const Bits& processes);
-  [[nodiscard]] Closing closingInside(ProcessId process);
+  void startRoots();
+  [[nodiscard]] Closing closingOf(ProcessId process, bool inside);
   static void close(State& state, const Closing& closing);
-  void closeAgain(ProcessId process, NodeId node);
+  void grow(const Reader& reader);
+  void closeAgain(ProcessId process);
+  [[nodiscard]] bool isClosed(ProcessId process, NodeId node) const;
+  void wake(ProcessId process, NodeId node);
+  void schedule(ProcessId process) { queue.emplace(model.rank(process), process); }
 
   void run(ProcessId process);
   void step(ProcessId process, NodeId node);
   void flow(ProcessId process, NodeId node, const Edge& edge);
-  void stop(ProcessId process, NodeId node, const Edge& edge);
+  /// \return the edge can be taken
+  bool stop(ProcessId process, NodeId node, const Edge& edge);
   void stopCall(ProcessId process, NodeId node, NodeId exit);
   void call(ProcessId process, NodeId node, NodeId next);
   void fork(ProcessId process, NodeId node, NodeId next);
   void interrupt(ProcessId process, NodeId node);
-  void stopCallees(ProcessId process, NodeId node);
+  void stopCallees(ProcessId process, NodeId node, bool stops);
   void stopBeforeStart(ProcessId process);
 
   [[nodiscard]] State during(const State& before, ProcessId process, NodeId node) const;
@@ -96,8 +107,11 @@ private:
   void arrive(ProcessId process, NodeId node, State state);
   void enter(ProcessId process, const State& state);
   void announceEnd(ProcessId process);
-  void schedule(ProcessId process) { queue.insert(process); }
-  void scheduleReaders(ProcessId writer, VariableId variable);
+  void wakeForks(ProcessId skill);
+  /// All that the variable may be, as far as is known.
+  [[nodiscard]] ValueSet anything(VariableId variable) const {
+    return byAnyone[variable]->closure(model.variables()[variable].initial);
+  }
   void mark(std::vector<bool>& flags, ProcessId process);
   [[nodiscard]] State project(const State& state, const Process& from, const Process& to) const;
   void summarise();
@@ -108,14 +122,13 @@ private:
   std::vector<Cases> stoppedEnds;                 ///< of each skill, when its caller was stopped
   std::vector<Closing> rely;                      ///< of each process
   std::vector<Closing> relyInside;                ///< of each skill while it is running
-  std::vector<std::vector<Closing>> whileCalling; ///< of each node that calls or forks
-  std::vector<std::vector<ProcessId>> readers;    ///< of each variable
-  std::vector<std::vector<bool>> pending;         ///< nodes to step
+  std::vector<std::vector<Changes>> whileCalling; ///< of each node that calls or forks
+  std::vector<std::set<NodeId>> pending;          ///< nodes to step
+  std::vector<std::set<Slot>> grown;              ///< slots that are to be closed again
   std::vector<bool> interrupted;
   std::vector<bool> stopped;
-  std::set<ProcessId> queue;
-  ProcessId running = kNoProcess;
-  NodeId cursor = 0; ///< of the running process: the next node to look at
+  std::set<std::pair<std::size_t, ProcessId>> queue; ///< those who are called first
+  std::size_t mostCases = 0;
   std::vector<ValueSet> everything;
   std::vector<const Relation*> byAnyone; ///< of each variable
 };

@@ -6,15 +6,18 @@ namespace proskill::analysis::flow {
 State Solver::project(const State& state, const Process& from, const Process& to) const {
   State result{.reachable = state.reachable, .values = {}};
   if (!state.reachable) return result;
-  for (VariableId variable : to.slots.variables())
-    result.values.push_back(state.values[*from.slots.find(variable)]);
+  for (VariableId variable : to.slots.variables()) {
+    auto slot = from.slots.find(variable);
+    result.values.push_back(slot ? state.values[*slot] : anything(variable));
+  }
   return result;
 }
 
 State Solver::during(const State& before, ProcessId process, NodeId node) const {
   State state = before;
-  const Closing& closing = whileCalling[process][node];
-  if (!closing.empty()) close(state, closing);
+  if (!state.reachable) return state;
+  for (const auto& [slot, relation] : whileCalling[process][node])
+    state.values[slot] = relation->closure(state.values[slot]);
   return state;
 }
 
@@ -49,9 +52,10 @@ State Solver::returned(const State& before, const State& exit, ProcessId process
   const Process& callee = model[self.actions[id].target];
   State state = during(before, process, id);
   for (Slot slot = 0; slot < callee.slots.size(); ++slot) {
-    Slot mine = *self.slots.find(callee.slots[slot]);
-    state.values[mine] &= rely[process][mine]->closure(exit.values[slot]);
-    if (state.values[mine].empty()) return {};
+    auto mine = self.slots.find(callee.slots[slot]);
+    if (!mine) continue;
+    state.values[*mine] &= rely[process].relations[*mine]->closure(exit.values[slot]);
+    if (state.values[*mine].empty()) return {};
   }
   return state;
 }
@@ -65,7 +69,7 @@ State Solver::refused(const State& before, ProcessId process, NodeId id) const {
   if (!entry.reachable) return {};
   State state = before;
   for (Slot slot = 0; slot < callee.slots.size(); ++slot)
-    state.values[*self.slots.find(callee.slots[slot])] = entry.values[slot];
+    if (auto mine = self.slots.find(callee.slots[slot])) state.values[*mine] = entry.values[slot];
   for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
     if (auto slot = self.slots.find(model.variables().of(kind, callee.definition)))
       state.values[*slot] = ValueSet::of(0);
@@ -109,7 +113,7 @@ void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
 Cases Solver::joined(const State& before, ProcessId process, NodeId id) const {
   const Process& self = model[process];
   Cases result;
-  result.add(during(before, process, id));
+  result.add(during(before, process, id), mostCases);
   for (ProcessId branch : self.actions[id].branches) {
     const Process& thread = model[branch];
     Cases further;
@@ -117,11 +121,12 @@ Cases Solver::joined(const State& before, ProcessId process, NodeId id) const {
       for (const State& end : cases(branch, thread.graph->end)) {
         State both = known;
         for (Slot slot = 0; both.reachable && slot < thread.slots.size(); ++slot) {
-          ValueSet& mine = both.values[*self.slots.find(thread.slots[slot])];
-          mine &= end.values[slot];
-          both.reachable = !mine.empty();
+          auto mine = self.slots.find(thread.slots[slot]);
+          if (!mine) continue;
+          both.values[*mine] &= end.values[slot];
+          both.reachable = !both.values[*mine].empty();
         }
-        further.add(std::move(both));
+        further.add(std::move(both), mostCases);
       }
     result = std::move(further);
   }

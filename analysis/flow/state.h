@@ -61,15 +61,15 @@ struct State {
 /// most one box.
 class Cases {
 public:
-  /// \return something is new
-  bool add(State box);
+  /// Keeps `most` boxes, or fewer where they have many slots. \return something is new
+  bool add(State box, std::size_t most);
   [[nodiscard]] bool reachable() const { return !boxes.empty(); }
   [[nodiscard]] const std::vector<State>& all() const { return boxes; }
   /// All cases in one box.
   [[nodiscard]] State hull() const;
 
 private:
-  void absorb(State box);
+  void absorb(State box, std::size_t most);
 
   std::vector<State> boxes;
 };

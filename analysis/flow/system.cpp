@@ -8,6 +8,30 @@
 
 namespace proskill::analysis::flow {
 
+namespace {
+
+/// How many values the states of all points of one thread, and of the program, may have. A program
+/// must be very large before a variable is left out.
+constexpr std::size_t kMostInThread = 16'000'000;
+constexpr std::size_t kMostInherited = 2'000'000;
+constexpr std::size_t kEnough = 64; ///< variables that are followed however many points there are
+
+/// What the process itself looks at; and what others that it calls do, as long as that is not too
+/// much. The values of what is left out are those that the variable has anywhere.
+Slots slotsOf(const IdSet& own, const IdSet& inherited, std::size_t nodes, std::size_t allNodes) {
+  std::vector<VariableId> variables;
+  auto add = [&](const IdSet& set, std::size_t most) {
+    forEach(set, [&](std::size_t variable) {
+      if (variables.size() < most) variables.push_back(static_cast<VariableId>(variable));
+    });
+  };
+  add(own, std::max(kEnough, kMostInThread / std::max<std::size_t>(nodes, 1)));
+  add(inherited, std::max(kEnough, kMostInherited / std::max<std::size_t>(allNodes, 1)));
+  return Slots(std::move(variables));
+}
+
+} // namespace
+
 System::System(const Program& program) : source(program), shared(program), names(program, shared) {
   addProcesses();
   link();
@@ -105,51 +129,59 @@ std::vector<ProcessId> System::startedBy(const Process& process) const {
   return started;
 }
 
-namespace {
-
-/// Adds to each process what it starts has, until nothing is new. \pre `started` per process
-void closeOver(std::vector<Bits>& sets, const std::vector<std::vector<ProcessId>>& started) {
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (std::size_t id = sets.size(); id-- > 0;)
-      for (ProcessId next : started[id]) grew |= next != id && sets[id].insertAll(sets[next]);
-  }
-}
-
-} // namespace
-
 void System::findActivities() {
   std::vector<std::vector<ProcessId>> started;
+  for (const Process& process : processes) started.push_back(startedBy(process));
+  calls.emplace(std::move(started));
+  activities.resize(processes.size());
   for (ProcessId id = 0; id < processes.size(); ++id) {
-    started.push_back(startedBy(processes[id]));
-    activities.emplace_back(processes.size()).insert(id);
+    activities[id].insert(id);
+    allProcesses.insert(id);
   }
-  closeOver(activities, started);
+  calls->closeOver(activities);
   for (const Process& root : processes)
     if (root.root)
       forEach(activities[&root - processes.data()],
               [this](std::size_t id) { processes[id].analysed = true; });
 }
 
+/// Each of the group, with all that it calls, runs beside the others.
+void System::letRunTogether(const std::vector<ProcessId>& group) {
+  IdSet all;
+  IdSet twice; ///< what more than one of them calls runs beside itself
+  for (ProcessId id : group) {
+    twice.insertAll(all.common(activities[id]));
+    all.insertAll(activities[id]);
+  }
+  for (ProcessId id : group) {
+    IdSet own = activities[id];
+    own.eraseAll(twice);
+    IdSet rest = all;
+    rest.eraseAll(own);
+    forEach(activities[id], [&](std::size_t each) { others[each].insertAll(rest); });
+  }
+}
+
+void System::letRunBeside(const std::vector<ProcessId>& some, const std::vector<ProcessId>& rest) {
+  IdSet left;
+  IdSet right;
+  for (ProcessId id : some) left.insertAll(activities[id]);
+  for (ProcessId id : rest) right.insertAll(activities[id]);
+  forEach(left, [&](std::size_t id) { others[id].insertAll(right); });
+  forEach(right, [&](std::size_t id) { others[id].insertAll(left); });
+}
+
 void System::findConcurrency() {
-  others.assign(processes.size(), Bits(processes.size()));
-  auto beside = [this](ProcessId a, ProcessId b) {
-    forEach(activities[a], [&](std::size_t id) { others[id].insertAll(activities[b]); });
-  };
-  std::vector<ProcessId> roots;
+  others.resize(processes.size());
+  std::vector<ProcessId> alternatives;
+  std::vector<ProcessId> always;
   for (ProcessId id = 0; id < eventProcess; ++id)
-    if (processes[id].root) roots.push_back(id);
-  auto alternatives = [this](ProcessId a, ProcessId b) {
-    return std::ranges::count(candidates, a) > 0 && std::ranges::count(candidates, b) > 0;
-  };
-  for (ProcessId a : roots)
-    for (ProcessId b : roots)
-      if (a != b && !alternatives(a, b)) beside(a, b);
+    if (processes[id].root)
+      (std::ranges::count(candidates, id) > 0 ? alternatives : always).push_back(id);
+  letRunTogether(always);
+  letRunBeside(alternatives, always);
   for (const Process& process : processes)
-    for (const Action& action : process.actions)
-      for (ProcessId a : action.branches)
-        for (ProcessId b : action.branches)
-          if (a != b) beside(a, b);
+    for (const Action& action : process.actions) letRunTogether(action.branches);
   for (ProcessId id = 0; id < processes.size(); ++id) {
     if (hasFreeEvents()) others[id].insert(eventProcess);
     others[id].erase(id);
@@ -157,33 +189,36 @@ void System::findConcurrency() {
 }
 
 void System::chooseSlots() {
-  std::vector<Bits> reads;
-  std::vector<std::vector<ProcessId>> started;
-  Bits readAnywhere(shared.size());
+  std::vector<IdSet> own;
+  IdSet readAnywhere;
   for (ProcessId id = 0; id < processes.size(); ++id) {
-    reads.push_back(readsOf(id));
-    readAnywhere.insertAll(reads.back());
-    started.push_back(startedBy(processes[id]));
+    own.push_back(readsOf(id));
+    readAnywhere.insertAll(own.back());
   }
+  written.resize(processes.size());
   for (ProcessId id = 0; id < processes.size(); ++id)
-    for (VariableId variable : writesOf(*this, processes[id]))
-      if (readAnywhere.contains(variable)) reads[id].insert(variable);
-  closeOver(reads, started);
+    for (VariableId variable : writesOf(*this, processes[id])) written[id].insert(variable);
+  for (ProcessId id = 0; id < processes.size(); ++id)
+    own[id].insertAll(written[id].common(readAnywhere));
+  calls->closeOver(written);
+  std::vector<IdSet> all = own;
+  calls->closeOver(all);
+  std::size_t nodes = 0;
+  for (const Process& process : processes) nodes += process.actions.size();
   for (ProcessId id = 0; id < processes.size(); ++id) {
-    std::vector<VariableId> variables;
-    forEach(reads[id], [&](std::size_t v) { variables.push_back(static_cast<VariableId>(v)); });
-    processes[id].slots = Slots(std::move(variables));
+    all[id].eraseAll(own[id]);
+    processes[id].slots = slotsOf(own[id], all[id], processes[id].actions.size(), nodes);
   }
 }
 
-Bits System::readsOf(ProcessId id) const {
+IdSet System::readsOf(ProcessId id) const {
   const Process& process = processes[id];
   std::vector<VariableId> reads;
   if (process.graph)
     addReads(*this, process, reads);
   else
     for (const auto& event : source.events.all) addReads(event->effects, names, shared, reads);
-  Bits set(shared.size());
+  IdSet set;
   for (VariableId variable : reads) set.insert(variable);
   return set;
 }

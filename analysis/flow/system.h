@@ -1,15 +1,15 @@
 #pragma once
 
-#include "analysis/flow/bits.h"
+#include "analysis/flow/call_order.h"
 #include "analysis/flow/graph.h"
 #include "analysis/flow/resolve.h"
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace proskill::analysis::flow {
 
-using ProcessId = std::uint32_t;
 constexpr ProcessId kNoProcess = ~ProcessId{0};
 
 enum class ProcessKind : std::uint8_t { Skill, Branch, Environment, Events };
@@ -60,11 +60,16 @@ public:
   /// The calls of a skill's process.
   [[nodiscard]] const std::vector<Site>& callers(ProcessId id) const { return sites[id]; }
   /// A process, its branches, all that these call, and so on.
-  [[nodiscard]] const Bits& activity(ProcessId id) const { return activities[id]; }
+  [[nodiscard]] const IdSet& activity(ProcessId id) const { return activities[id]; }
+  /// What calls comes after what it calls.
+  [[nodiscard]] std::size_t rank(ProcessId id) const { return calls->rank(id); }
+  /// The variables that these set.
+  [[nodiscard]] const IdSet& writes(ProcessId id) const { return written[id]; }
+  [[nodiscard]] const IdSet& everybody() const { return allProcesses; }
   /// Those that may act between two steps of a process and are not called by it.
-  [[nodiscard]] const Bits& concurrent(ProcessId id) const { return others[id]; }
+  [[nodiscard]] const IdSet& concurrent(ProcessId id) const { return others[id]; }
   /// Skills that cannot be running while this one is.
-  [[nodiscard]] const Bits& exclusive(ProcessId id) const { return excluded[id]; }
+  [[nodiscard]] const IdSet& exclusive(ProcessId id) const { return excluded[id]; }
   /// Events happen at any time: no environment restricts them.
   [[nodiscard]] bool hasFreeEvents() const { return source.environments.all.empty(); }
 
@@ -84,7 +89,9 @@ private:
   void compile();
   void findActivities();
   void findConcurrency();
-  [[nodiscard]] Bits readsOf(ProcessId id) const;
+  void letRunTogether(const std::vector<ProcessId>& group);
+  void letRunBeside(const std::vector<ProcessId>& some, const std::vector<ProcessId>& rest);
+  [[nodiscard]] IdSet readsOf(ProcessId id) const;
   [[nodiscard]] std::vector<ProcessId> startedBy(const Process& process) const;
 
   const Program& source;
@@ -96,9 +103,12 @@ private:
   ProcessId eventProcess = 0;        ///< the last
   std::vector<ProcessId> candidates; ///< each may be the main skill, one is
   std::vector<std::vector<Site>> sites;
-  std::vector<Bits> activities;
-  std::vector<Bits> others;
-  std::vector<Bits> excluded;
+  std::optional<CallOrder> calls;
+  std::vector<IdSet> activities;
+  std::vector<IdSet> written;
+  IdSet allProcesses;
+  std::vector<IdSet> others;
+  std::vector<IdSet> excluded;
 };
 
 } // namespace proskill::analysis::flow
