@@ -27,10 +27,21 @@ std::unordered_set<std::string_view> skillsRead(const syntax::Block& body) {
   return read;
 }
 
-void checkSkill(Report& report, const Definition<syntax::Skill>& skill) {
+/// Calls that are never made, or about which more has been said.
+std::unordered_set<const syntax::Statement*> silentCalls(const Report& report) {
+  std::unordered_set<const syntax::Statement*> silent;
+  forEachNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
+    if (report.isExplained(id, node) || !report.solver.reachable(id, node))
+      silent.insert(each.statement);
+  });
+  return silent;
+}
+
+void checkSkill(Report& report, const Definition<syntax::Skill>& skill,
+                const std::unordered_set<const syntax::Statement*>& silent) {
   auto read = skillsRead(*skill->body);
   forEachStatement(*skill->body, [&](const syntax::Statement& statement) {
-    if (statement.kind != syntax::StatementKind::Call) return;
+    if (statement.kind != syntax::StatementKind::Call || silent.contains(&statement)) return;
     const auto* callee = report.program.skills.find(statement.name.text);
     if (!callee || (*callee)->failures.empty() || !read.insert(statement.name.text).second) return;
     report.findings
@@ -42,8 +53,9 @@ void checkSkill(Report& report, const Definition<syntax::Skill>& skill) {
 } // namespace
 
 void checkResults(Report& report) {
+  const auto silent = silentCalls(report);
   for (const auto& skill : report.program.skills.all)
-    if (skill->body) checkSkill(report, skill);
+    if (skill->body) checkSkill(report, skill, silent);
 }
 
 } // namespace proskill::analysis::flow
