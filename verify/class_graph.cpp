@@ -97,7 +97,9 @@ private:
     state.assign(markings.at(id), markings.at(id) + system.words);
     enabling.compute(state.data(), enabled);
     possible.clear();
-    eachIn(enabled, [&](TransitionId transition) { follow(signature, transition); });
+    eachIn(enabled, [&](TransitionId transition) {
+      if (!enabling.isBlocked(transition, enabled)) follow(signature, transition);
+    });
     countDomains();
   }
 

@@ -52,15 +52,21 @@ public:
       : program(of), model(from), expressions(in), events(known), system(to) {}
 
   void run() {
-    for (std::uint32_t port = 0; port < system.ports.size(); ++port) {
-      const auto& interval = model.component->ports[port].interval;
+    for (const auto& interval : model.intervals) {
       if (interval) requireSound(*interval, 0);
       timed.push_back(interval && isClocked(*interval));
     }
     for (InstanceId i = 0; i < system.instances.size(); ++i) addPaths(i);
-    for (PathId i = 0; i < system.paths.size(); ++i)
+    const auto written = static_cast<PathId>(system.paths.size());
+    for (PathId i = 0; i < written; ++i)
       if (system.paths[i].port == kNone) addTransition({i});
-    for (std::uint32_t port = 0; port < system.ports.size(); ++port) synchronise(port);
+    for (std::uint32_t port = 0; port < system.ports.size(); ++port) {
+      pathsWith.assign(system.instances.size(), {});
+      for (PathId i = 0; i < written; ++i)
+        if (system.paths[i].port == port) pathsWith[system.paths[i].instance].push_back(i);
+      for (auto& parts : synchronised(model.composition, port)) join(std::move(parts));
+    }
+    findBlockers();
   }
 
 private:
@@ -89,11 +95,12 @@ private:
     }
   }
 
-  void addTransition(std::vector<PathId> parts) {
+  void addTransition(std::vector<PathId> parts, std::optional<NodeId> agree = {}) {
     if (system.transitions.size() >= kMostTransitions) unsupported("too many synchronisations");
     auto& nodes = expressions.nodes();
     Transition made;
-    made.guard = nodes.number(1);
+    made.guard = agree.value_or(nodes.number(1));
+    addReads(system, made.guard, made.guardReads);
     for (auto id : parts) {
       const Path& path = system.paths[id];
       const Instance& instance = system.instances[path.instance];
@@ -111,7 +118,7 @@ private:
     const Path& first = system.paths[parts[0]];
     made.port = first.port;
     if (made.port != kNone) {
-      made.interval = model.component->ports[made.port].interval.value_or(fiacre::Interval{});
+      made.interval = model.intervals[made.port].value_or(fiacre::Interval{});
       made.event = events.askedPort(made.port);
     } else if (first.wait) {
       made.interval = *first.wait;
@@ -121,23 +128,103 @@ private:
     system.transitions.push_back(std::move(made));
   }
 
-  /// One transition for each choice of a path of every instance that has the port.
-  void synchronise(std::uint32_t port) {
-    std::vector<std::vector<PathId>> choices{{}};
-    for (auto member : model.members[port]) {
-      std::vector<std::vector<PathId>> longer;
-      for (const auto& choice : choices) {
-        for (PathId i = 0; i < system.paths.size(); ++i) {
-          if (system.paths[i].instance != member || system.paths[i].port != port) continue;
-          longer.push_back(choice);
-          longer.back().push_back(i);
-        }
-      }
-      if (longer.size() > kMostTransitions) unsupported("too many synchronisations");
-      choices = std::move(longer);
+  /// Every choice of paths that pass a port together: one of each part that waits on it for the
+  /// others, or those of a part that does not.
+  std::vector<std::vector<PathId>> synchronised(const Branch& branch, std::uint32_t port) const {
+    std::vector<std::vector<PathId>> together{{}};
+    std::vector<std::vector<PathId>> all;
+    if (branch.instance != kNone) {
+      for (auto path : pathsWith[branch.instance]) all.push_back({path});
+      return all;
     }
-    if (model.members[port].empty()) return;
-    for (auto& choice : choices) addTransition(std::move(choice));
+    bool some = false;
+    for (const auto& child : branch.children) {
+      if (!child.ports.contains(port)) continue;
+      auto choices = synchronised(child, port);
+      if (!child.waitsOn(port)) {
+        std::ranges::move(choices, std::back_inserter(all));
+        continue;
+      }
+      some = true;
+      std::vector<std::vector<PathId>> longer;
+      for (const auto& before : together)
+        for (const auto& choice : choices) {
+          longer.push_back(before);
+          longer.back().insert(longer.back().end(), choice.begin(), choice.end());
+        }
+      if (longer.size() > kMostTransitions) unsupported("too many synchronisations");
+      together = std::move(longer);
+    }
+    if (some) std::ranges::move(together, std::back_inserter(all));
+    return all;
+  }
+
+  /// What one part puts on the port, the others take: receivers become paths of their own for each
+  /// sender.
+  void join(std::vector<PathId> parts) {
+    const std::vector<NodeId>* sent = nullptr;
+    NodeId agree = expressions.nodes().number(1);
+    bool receives = false;
+    for (auto id : parts) {
+      const Path& path = system.paths[id];
+      receives = receives || path.receives;
+      if (path.sent.empty()) continue;
+      if (!sent) sent = &path.sent;
+      if (sent->size() != path.sent.size()) return; // of other types: nothing that crosses
+      for (std::size_t i = 0; i < sent->size(); ++i)
+        agree =
+            expressions.nodes().both(agree, expressions.nodes().equal((*sent)[i], path.sent[i]));
+    }
+    if (!receives) return addTransition(std::move(parts), agree);
+    if (!sent) return; // nobody sends
+    const std::vector<NodeId> values = *sent;
+    for (auto& id : parts)
+      if (system.paths[id].receives) id = received(system.paths[id], values);
+    addTransition(std::move(parts), agree);
+  }
+
+  PathId received(Path path, const std::vector<NodeId>& values) {
+    path.receives = false;
+    for (auto& assignment : path.assignments) {
+      assignment.value = expressions.nodes().substitute(assignment.value, [&](const Node& leaf) {
+        return leaf.op == NodeOp::Received ? std::optional(values.at(leaf.a)) : std::nullopt;
+      });
+      const Cell& cell = system.cells[assignment.target];
+      const auto bounds = valueBounds(system, assignment.value);
+      assignment.checked = assignment.checked || bounds.low < cell.low || bounds.high > cell.high;
+    }
+    summarise(system, path);
+    system.paths.push_back(std::move(path));
+    return static_cast<PathId>(system.paths.size() - 1);
+  }
+
+  /// Priorities between ports, and `unless` between silent paths. What goes first must be possible
+  /// at any time when it is enabled: then being enabled decides, and no date.
+  void findBlockers() {
+    const auto chosen = [](const Path& path) { return path.select != 0; };
+    if (model.priorities.empty() && std::ranges::none_of(system.paths, chosen)) return;
+    for (TransitionId low = 0; low < system.transitions.size(); ++low)
+      for (TransitionId high = 0; high < system.transitions.size(); ++high) {
+        if (low == high || !goesBefore(system.transitions[high], system.transitions[low])) continue;
+        const auto& interval = system.transitions[high].interval;
+        if (isClocked(interval) || interval.lowerOpen || interval.lower > 0)
+          unsupported("what has priority must have the interval [0,0] or [0,...[",
+                      system.paths[system.transitions[high].parts[0]].origin);
+        system.transitions[low].blockers.push_back(high);
+        system.hasPriorities = true;
+      }
+  }
+
+  [[nodiscard]] bool goesBefore(const Transition& high, const Transition& low) const {
+    if (high.port == kNone && low.port == kNone) {
+      const Path& first = system.paths[high.parts[0]];
+      const Path& second = system.paths[low.parts[0]];
+      return first.select != 0 && first.select == second.select &&
+             first.instance == second.instance && first.group > second.group;
+    }
+    return std::ranges::any_of(model.priorities, [&](const PortPriority& each) {
+      return each.higher.contains(high.port) && each.lower.contains(low.port);
+    });
   }
 
   const fiacre::Program& program;
@@ -146,6 +233,7 @@ private:
   const Events& events;
   System& system;
   std::vector<bool> timed;
+  std::vector<std::vector<PathId>> pathsWith; ///< by instance: those with the port at hand
 };
 
 } // namespace

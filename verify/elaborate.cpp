@@ -25,6 +25,10 @@ void cellNames(const Types& types, const Type& named, const std::string& name,
   } else if (type.kind == TypeKind::Array) {
     for (std::int64_t i = 0; i < type.size; ++i)
       cellNames(types, type.element.at(0), name + "[" + std::to_string(i) + "]", all);
+  } else if (type.kind == TypeKind::Queue) {
+    all.push_back("length of " + name);
+    for (std::int64_t i = 0; i < type.size; ++i)
+      cellNames(types, type.element.at(0), name + "[" + std::to_string(i) + "]", all);
   } else {
     all.push_back(name);
   }
@@ -36,8 +40,11 @@ void rootsAssigned(const Statement& statement, std::set<std::string>& roots) {
     while (!root->operands.empty()) root = &root->operands[0];
     roots.insert(root->name);
   }
+  if (statement.kind == StatementKind::Foreach) roots.insert(statement.name);
   for (const auto& child : statement.children) rootsAssigned(child, roots);
 }
+
+constexpr std::size_t kDeepest = 50;
 
 class Elaborator {
 public:
@@ -45,19 +52,18 @@ public:
       : program(of), types(known), expressions(in), system(to) {}
 
   Elaboration run() {
-    auto component = std::ranges::find(program.components, program.main, &fiacre::Component::name);
-    if (component == program.components.end())
-      unsupported("the component `" + program.main + "` is not declared");
-    made.component = &*component;
-    if (!component->priorities.empty()) unsupported("priorities are not verified yet");
-    if (!component->interfacePorts.empty() || !component->parameters.empty())
-      unsupported("the main component has parameters");
     for (const auto& constant : program.constants) addConstant(constant);
-    for (const auto& variable : component->variables)
-      declare(variable, variable.name, made.componentScope);
-    if (component->init) start(*component->init, made.componentScope, nullptr, kNone);
-    for (const auto& port : component->ports) addPort(port);
-    for (const auto& instance : component->instances) addInstance(instance);
+    const auto component = find(program.components, program.main);
+    const auto process = find(program.processes, program.main);
+    if (component) {
+      if (!component->interfacePorts.empty() || !component->parameters.empty())
+        unsupported("the main component has parameters");
+      made.composition = addComponent(*component, {}, made.componentScope, {});
+    } else if (process) { // a process alone: a path to it has no places
+      made.composition = addProcess(*process, {.process = process->name}, {}, {}, {});
+    } else {
+      unsupported("the component `" + program.main + "` is not declared");
+    }
     return std::move(made);
   }
 
@@ -68,16 +74,95 @@ private:
     if (value.parts.size() == 1) made.constants[constant.name] = initially(value.parts[0]);
   }
 
-  void addPort(const fiacre::Port& port) {
-    if (!port.values.empty()) unsupported("values over ports are not verified yet");
+  /// The names of ports within a component or a process, and which ports they are.
+  using PortNames = std::map<std::string, std::uint32_t, std::less<>>;
+
+  template <class Item>
+  static const Item* find(const std::vector<Item>& all, const std::string& name) {
+    auto found = std::ranges::find(all, name, &Item::name);
+    return found == all.end() ? nullptr : &*found;
+  }
+
+  static std::uint32_t portNamed(const PortNames& ports, const std::string& name) {
+    auto found = ports.find(name);
+    if (found == ports.end()) unsupported("the port `" + name + "` is not declared");
+    return found->second;
+  }
+
+  std::uint32_t addPort(const fiacre::Port& port) {
     system.ports.push_back(port.name);
-    made.members.emplace_back();
+    made.intervals.push_back(port.interval);
+    return static_cast<std::uint32_t>(system.ports.size() - 1);
+  }
+
+  /// Its variables and ports, then what it is composed of.
+  Branch addComponent(const fiacre::Component& component, const ModelPath& path, Scope& scope,
+                      PortNames ports) {
+    if (path.size() > kDeepest) unsupported("components contain each other too deeply");
+    const std::string prefix =
+        path.empty() ? "" : component.name + "_" + std::to_string(++counts[component.name]) + ".";
+    for (const auto& variable : component.variables)
+      declare(variable, prefix + variable.name, scope);
+    if (component.init) start(*component.init, scope, nullptr, kNone);
+    for (const auto& port : component.ports) ports[port.name] = addPort(port);
+    for (const auto& [name, port] : ports) made.portAt[{path, name}] = port;
+    addPriorities(component, ports);
+    Branch branch;
+    for (std::size_t i = 0; i < component.instances.size(); ++i) {
+      ModelPath below = path;
+      below.push_back(static_cast<std::uint32_t>(i + 1));
+      branch.children.push_back(addInstance(component.instances[i], below, scope, ports));
+      const auto& added = branch.children.back().ports;
+      branch.ports.insert(added.begin(), added.end());
+    }
+    if (!path.empty()) made.scopeAt[path] = scope;
+    return branch;
+  }
+
+  void addPriorities(const fiacre::Component& component, const PortNames& ports) {
+    const auto all = [&](const std::vector<std::string>& names) {
+      std::set<std::uint32_t> found;
+      for (const auto& name : names) found.insert(portNamed(ports, name));
+      return found;
+    };
+    for (const auto& priority : component.priorities)
+      made.priorities.push_back({all(priority.higher), all(priority.lower)});
+  }
+
+  Branch addInstance(const fiacre::Instance& instance, const ModelPath& path, const Scope& outer,
+                     const PortNames& ports) {
+    Branch branch;
+    if (const auto* process = find(program.processes, instance.process)) {
+      branch = addProcess(*process, instance, path, outer, ports);
+    } else if (const auto* component = find(program.components, instance.process)) {
+      Scope scope = bind(component->parameters, {}, instance, instance.process, outer);
+      branch =
+          addComponent(*component, path, scope, bound(component->interfacePorts, instance, ports));
+    } else {
+      unsupported("`" + instance.process + "` is neither a process nor a component");
+    }
+    if (!instance.synchronised) return branch;
+    branch.synchronised.emplace();
+    for (const auto& name : *instance.synchronised)
+      branch.synchronised->insert(portNamed(ports, name));
+    return branch;
+  }
+
+  static PortNames bound(const std::vector<fiacre::Port>& formal, const fiacre::Instance& instance,
+                         const PortNames& ports) {
+    if (formal.size() != instance.ports.size())
+      unsupported("`" + instance.process + "` gets the wrong number of ports");
+    PortNames names;
+    for (std::size_t i = 0; i < formal.size(); ++i)
+      names[formal[i].name] = portNamed(ports, instance.ports[i]);
+    return names;
   }
 
   CellId addCell(std::string name, Types::Bounds bounds, std::int64_t initial) {
     if (initial < bounds.low || initial > bounds.high)
       unsupported("`" + name + "` starts outside of its range");
     system.cells.push_back({std::move(name), bounds.low, bounds.high, initial});
+    made.cellTypes.push_back(nullptr);
     return static_cast<CellId>(system.cells.size() - 1);
   }
 
@@ -102,6 +187,7 @@ private:
       auto initial = initially(value.parts[i]);
       value.parts[i] =
           expressions.nodes().cell(addCell(names[i], types.bounds(*scalars[i]), initial));
+      made.cellTypes.back() = scalars[i];
     }
     value.type = &type;
   }
@@ -114,42 +200,47 @@ private:
     return *value;
   }
 
-  void addInstance(const fiacre::Instance& instance) {
-    auto process = std::ranges::find(program.processes, instance.process, &fiacre::Process::name);
-    if (process == program.processes.end())
-      unsupported("`" + instance.process +
-                  "` is no process; components within components are not verified yet");
+  Branch addProcess(const fiacre::Process& process, const fiacre::Instance& instance,
+                    const ModelPath& path, const Scope& outer, const PortNames& ports) {
     const auto id = static_cast<InstanceId>(system.instances.size());
-    const std::string name = process->name + "_" + std::to_string(++counts[process->name]);
-    Instance added{.name = name, .origin = process->origin};
-    for (const auto& state : process->states) {
+    const std::string name = process.name + "_" + std::to_string(++counts[process.name]);
+    Instance added{.name = name, .origin = process.origin};
+    for (const auto& state : process.states) {
       added.locations.push_back(state.name);
       added.locationOrigins.push_back(state.origin);
     }
-    if (added.locations.empty()) unsupported("`" + process->name + "` has no states");
+    if (added.locations.empty()) unsupported("`" + process.name + "` has no states");
     const auto last = static_cast<std::int64_t>(added.locations.size()) - 1;
     added.location = addCell(name, {0, last}, 0);
     system.instances.push_back(std::move(added));
-    made.processes.push_back(&*process);
-    made.scopes.push_back(bind(*process, instance, name));
-    bindPorts(*process, instance, id);
-    Scope& scope = made.scopes.back();
-    for (const auto& variable : process->variables)
-      declare(variable, name + "." + variable.name, scope);
-    if (process->init) start(*process->init, scope, &*process, id);
-  }
-
-  Scope bind(const fiacre::Process& process, const fiacre::Instance& instance,
-             const std::string& name) {
-    if (process.parameters.size() != instance.arguments.size())
-      unsupported("`" + process.name + "` gets the wrong number of arguments");
+    made.instanceAt[path] = id;
+    made.processes.push_back(&process);
     std::set<std::string> assigned;
     for (const auto& from : process.transitions) rootsAssigned(from.statement, assigned);
+    made.scopes.push_back(bind(process.parameters, assigned, instance, name, outer));
+    const PortNames names = bound(process.ports, instance, ports);
+    Branch branch{.instance = id};
+    auto& formal = made.portsOf.emplace_back();
+    for (const auto& port : process.ports) formal.push_back(names.at(port.name));
+    branch.ports.insert(formal.begin(), formal.end());
+    Scope& scope = made.scopes.back();
+    for (const auto& variable : process.variables)
+      declare(variable, name + "." + variable.name, scope);
+    if (process.init) start(*process.init, scope, &process, id);
+    return branch;
+  }
+
+  /// \param assigned those of the parameters that are variables of their own
+  Scope bind(const std::vector<fiacre::Parameter>& parameters,
+             const std::set<std::string>& assigned, const fiacre::Instance& instance,
+             const std::string& name, const Scope& outer) {
+    if (parameters.size() != instance.arguments.size())
+      unsupported("`" + instance.process + "` gets the wrong number of arguments");
     Scope scope;
-    for (std::size_t i = 0; i < process.parameters.size(); ++i) {
-      const auto& parameter = process.parameters[i];
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const auto& parameter = parameters[i];
       const Type& type = types.resolve(parameter.type);
-      Value argument = expressions.value(instance.arguments[i], made.componentScope, &type);
+      Value argument = expressions.value(instance.arguments[i], outer, &type);
       if (!parameter.reference) {
         if (assigned.contains(parameter.name))
           allocate(type, name + "." + parameter.name, argument);
@@ -160,19 +251,6 @@ private:
       scope[parameter.name] = std::move(argument);
     }
     return scope;
-  }
-
-  void bindPorts(const fiacre::Process& process, const fiacre::Instance& instance, InstanceId id) {
-    if (process.ports.size() != instance.ports.size())
-      unsupported("`" + process.name + "` gets the wrong number of ports");
-    auto& ports = made.portsOf.emplace_back();
-    for (const auto& actual : instance.ports) {
-      auto found = std::ranges::find(system.ports, actual);
-      if (found == system.ports.end()) unsupported("the port `" + actual + "` is not declared");
-      ports.push_back(static_cast<std::uint32_t>(found - system.ports.begin()));
-      auto& members = made.members[ports.back()];
-      if (std::ranges::find(members, id) == members.end()) members.push_back(id);
-    }
   }
 
   /// Runs an `init` on the cells' first values.

@@ -3,6 +3,8 @@
 #include "verify/expressions.h"
 
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace proskill::verify {
@@ -46,16 +48,43 @@ private:
   std::map<std::uint32_t, EventId> ports;
 };
 
+/// Places in `par`, from 1, from the main component down.
+using ModelPath = std::vector<std::uint32_t>;
+
+/// A composition of instances and of compositions, for what synchronises with what.
+struct Branch {
+  InstanceId instance = kNone; ///< of a process; else a composition
+  std::vector<Branch> children;
+  std::set<std::uint32_t> ports; ///< System::ports that it has
+  /// Those on which it waits for its neighbours; nothing: all.
+  std::optional<std::set<std::uint32_t>> synchronised;
+
+  [[nodiscard]] bool waitsOn(std::uint32_t port) const {
+    return !synchronised || synchronised->contains(port);
+  }
+};
+
+/// Ports of which one goes before another.
+struct PortPriority {
+  std::set<std::uint32_t> higher;
+  std::set<std::uint32_t> lower;
+};
+
 /// The main component with its instances: who they are, what they see, how they start.
 struct Elaboration {
-  const fiacre::Component* component = nullptr;
   Scope componentScope;
+  Branch composition;
+  std::map<ModelPath, InstanceId> instanceAt;
+  std::map<ModelPath, Scope> scopeAt; ///< of components within the main one
+  std::map<std::pair<ModelPath, std::string>, std::uint32_t> portAt;
+  std::vector<std::optional<fiacre::Interval>> intervals; ///< by port
+  std::vector<PortPriority> priorities;
+  std::vector<const fiacre::Type*> cellTypes; ///< by cell; null: where an instance is
   std::map<std::string, std::int64_t, std::less<>> constants; ///< those that are one number
   std::vector<const fiacre::Process*> processes;              ///< by instance
   std::vector<Scope> scopes;                                  ///< by instance
-  std::vector<std::vector<std::uint32_t>>
-      portsOf;                                  ///< by instance: System::ports of its formal ports
-  std::vector<std::vector<InstanceId>> members; ///< by port: the instances that have it
+  /// By instance: System::ports of its formal ports.
+  std::vector<std::vector<std::uint32_t>> portsOf;
 };
 
 /// Gives the system its cells, instances, ports and initial values. \throw CompileError

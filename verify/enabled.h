@@ -34,6 +34,12 @@ public:
   [[nodiscard]] SignatureId signature(const TransitionSet& enabled, bool isUrgent,
                                       Timing& timing) const;
   [[nodiscard]] bool isUrgent(const TransitionSet& enabled) const;
+  /// Whether another enabled transition has priority over it.
+  [[nodiscard]] bool isBlocked(TransitionId transition, const TransitionSet& enabled) const {
+    for (auto blocker : system.transitions[transition].blockers)
+      if (contains(enabled, blocker)) return true;
+    return false;
+  }
   [[nodiscard]] const TransitionSet& urgentOnes() const { return urgent; }
 
 private:

@@ -40,6 +40,7 @@ std::int64_t walk(const System& system, NodeId id, const Leaf& leaf, const Steps
   case NodeOp::Happens: return steps.event(node.a);
   case NodeOp::Entered:
   case NodeOp::Left: return steps.change(node, failed);
+  case NodeOp::Received: return 0; // replaced before anything runs
   }
   return 0;
 }

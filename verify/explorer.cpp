@@ -107,7 +107,7 @@ void Explorer::expand(NodeIndex index) {
   bool stopped = true;
   eachIn(loaded.enabled, [&](TransitionId transition) {
     stopped = false;
-    step(index, transition);
+    if (!graph.enabling.isBlocked(transition, loaded.enabled)) step(index, transition);
   });
   if (stopped) noticeDeadlock();
 }

@@ -35,13 +35,15 @@ Value Expressions::value(const Expr& expr, const Scope& scope, const Type* expec
   case ExprKind::Name: return name(expr.name, scope, expected);
   case ExprKind::Construct: return call(expr, scope);
   case ExprKind::Unary: return unary(expr, scope);
-  case ExprKind::Binary: return binary(expr, scope);
+  case ExprKind::Binary:
+    if (expr.op == Op::Enqueue || expr.op == Op::Append) return queueBinary(expr, scope, expected);
+    return binary(expr, scope);
   case ExprKind::Conditional: return conditional(expr, scope, expected);
   case ExprKind::Index: return index(expr, scope);
   case ExprKind::Field: return field(expr, scope);
   case ExprKind::Array:
   case ExprKind::Record: return literal(expr, scope, expected);
-  case ExprKind::Queue: unsupported("queues are not verified yet");
+  case ExprKind::Queue: return queueLiteral(expr, scope, expected);
   }
   unsupported("an unknown kind of expression");
 }
@@ -62,12 +64,14 @@ Value Expressions::name(const std::string& text, const Scope& scope, const Type*
 }
 
 Value Expressions::unary(const Expr& expr, const Scope& scope) {
+  if (expr.op == Op::Empty || expr.op == Op::Full || expr.op == Op::First || expr.op == Op::Dequeue)
+    return queueUnary(expr, scope);
   NodeId a = scalar(expr.operands.at(0), scope);
   switch (expr.op) {
   case Op::Not: return {&kBool, {maker.negation(a)}};
   case Op::Negate: return {&kInt, {maker.unary(NodeOp::Negate, a)}};
   case Op::Coerce: return {&kInt, {a}};
-  default: unsupported("queues are not verified yet");
+  default: unsupported("an unknown operator");
   }
 }
 
@@ -104,7 +108,7 @@ Value Expressions::binary(const Expr& expr, const Scope& scope) {
   case Op::Multiply: return {&kInt, {maker.binary(NodeOp::Multiply, a, b)}};
   case Op::Divide: return {&kInt, {maker.binary(NodeOp::Divide, a, b)}};
   case Op::Modulo: return {&kInt, {maker.binary(NodeOp::Modulo, a, b)}};
-  default: unsupported("queues are not verified yet");
+  default: unsupported("an unknown operator");
   }
 }
 

@@ -3,6 +3,7 @@
 #include "verify/nodes.h"
 #include "verify/types.h"
 
+#include <deque>
 #include <map>
 #include <string>
 
@@ -39,6 +40,11 @@ public:
   [[nodiscard]] const fiacre::Type& typeOf(const fiacre::Expr& lvalue, const Scope& scope);
 
   [[nodiscard]] Nodes& nodes() { return maker; }
+  /// The values of a scalar type, from the lowest on. \throw CompileError where there are too many
+  [[nodiscard]] Types::Bounds allValues(const fiacre::Type& type) const;
+  /// An assignment of a number, which lives as long as this.
+  [[nodiscard]] const fiacre::Statement& assignmentOf(const fiacre::Expr& target,
+                                                      std::int64_t value);
   /// A value of this type with every part the lowest.
   [[nodiscard]] Value lowest(const fiacre::Type& type);
 
@@ -54,6 +60,11 @@ private:
   Value field(const fiacre::Expr& expr, const Scope& scope);
   Value literal(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
   Value call(const fiacre::Expr& expr, const Scope& scope);
+  // queues.cpp
+  Value queueLiteral(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
+  Value queueUnary(const fiacre::Expr& expr, const Scope& scope);
+  Value queueBinary(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
+  Value queue(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected = nullptr);
   Value run(Statements rest, Scope scope, const fiacre::Type& result);
   Value choose(NodeId condition, const Value& then, const Value& otherwise);
   void assignInFunction(const fiacre::Statement& statement, Scope& scope);
@@ -71,7 +82,9 @@ private:
   const Types& types;
   System& system;
   Nodes maker;
-  int depth = 0; ///< of calls
+  int depth = 0;                      ///< of calls
+  int turns = 0;                      ///< of loops whose end is not known
+  std::deque<fiacre::Statement> made; ///< assignments of the turns of a `foreach`
 };
 
 } // namespace proskill::verify

@@ -14,6 +14,9 @@ using fiacre::Type;
 namespace {
 
 constexpr int kDeepest = 50;
+constexpr int kMostTurns = 64;
+constexpr int kMostKnownTurns = 100'000;
+constexpr std::int64_t kMostValues = 4096;
 
 void pushReversed(const std::vector<Statement>& children,
                   std::vector<const Statement*>& statements) {
@@ -22,6 +25,19 @@ void pushReversed(const std::vector<Statement>& children,
 }
 
 } // namespace
+
+Types::Bounds Expressions::allValues(const Type& type) const {
+  const auto bounds = types.bounds(type);
+  if (bounds.high - bounds.low >= kMostValues) unsupported("too many values to go through");
+  return bounds;
+}
+
+const Statement& Expressions::assignmentOf(const Expr& target, std::int64_t value) {
+  made.push_back({.kind = StatementKind::Assign,
+                  .targets = {target},
+                  .values = {{.kind = fiacre::ExprKind::Number, .number = value}}});
+  return made.back();
+}
 
 Value Expressions::call(const Expr& expr, const Scope& scope) {
   auto function = std::ranges::find(program.functions, expr.name, &fiacre::Function::name);
@@ -99,7 +115,32 @@ Value Expressions::run(Statements rest, Scope scope, const Type& result) {
       if (!chosen) unsupported("a `case` without patterns", statement.origin);
       return *chosen;
     }
-    default: unsupported("a loop in a function is not verified yet", statement.origin);
+    case StatementKind::Foreach: {
+      const Expr variable{.kind = fiacre::ExprKind::Name, .name = statement.name};
+      const auto all = allValues(typeOf(variable, scope));
+      for (auto turn = all.high; turn >= all.low; --turn) {
+        rest.push_back(&statement.children.at(0));
+        rest.push_back(&assignmentOf(variable, turn));
+      }
+      break;
+    }
+    case StatementKind::While: {
+      NodeId condition = scalar(statement.values.at(0), scope);
+      auto again = rest;
+      again.push_back(&statement);
+      again.push_back(&statement.children.at(0));
+      if (auto known = maker.constant(condition)) {
+        if (++turns > kMostKnownTurns) unsupported("a loop in a function does not end");
+        if (*known != 0) rest = std::move(again);
+        break;
+      }
+      if (++turns > kMostTurns)
+        unsupported("a loop in a function may run more than 64 times", statement.origin);
+      Value more = run(std::move(again), scope, result);
+      --turns;
+      return choose(condition, more, run(rest, scope, result));
+    }
+    default: unsupported("a statement that functions do not have", statement.origin);
     }
   }
   unsupported("a function may end without `return`");

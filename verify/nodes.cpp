@@ -96,6 +96,25 @@ NodeId Nodes::conditional(NodeId a, NodeId b, NodeId c) {
   return make({.op = NodeOp::Conditional, .a = a, .b = b, .c = c});
 }
 
+NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
+  const Node node = system.nodes[id]; // a copy: nodes are added
+  switch (node.op) {
+  case NodeOp::Number:
+  case NodeOp::Test:
+  case NodeOp::Happens: return id;
+  case NodeOp::Cell:
+  case NodeOp::Received: return leaf(node).value_or(id);
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Entered:
+  case NodeOp::Left: return unary(node.op, substitute(node.a, leaf));
+  case NodeOp::Conditional:
+    return conditional(substitute(node.a, leaf), substitute(node.b, leaf),
+                       substitute(node.c, leaf));
+  default: return binary(node.op, substitute(node.a, leaf), substitute(node.b, leaf));
+  }
+}
+
 namespace {
 
 template <class Combine> ValueBounds corners(ValueBounds a, ValueBounds b, Combine combine) {
@@ -160,6 +179,7 @@ template <class Visit> void eachNode(const System& system, NodeId id, Visit& vis
   case NodeOp::Number:
   case NodeOp::Cell:
   case NodeOp::Test:
+  case NodeOp::Received:
   case NodeOp::Happens: return;
   case NodeOp::Not:
   case NodeOp::Negate:

@@ -2,7 +2,9 @@
 
 #include "verify/system.h"
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <tuple>
 
 namespace proskill::verify {
@@ -21,6 +23,10 @@ public:
   NodeId both(NodeId a, NodeId b) { return binary(NodeOp::And, a, b); }
   NodeId equal(NodeId a, NodeId b) { return binary(NodeOp::Equal, a, b); }
   NodeId happens(EventId event);
+  NodeId received(std::uint32_t part) { return make({.op = NodeOp::Received, .a = part}); }
+  /// The node with leaves replaced: `leaf` gives what stands for a Cell or a Received, or nothing.
+  using Leaf = std::function<std::optional<NodeId>(const Node&)>;
+  NodeId substitute(NodeId node, const Leaf& leaf);
 
   [[nodiscard]] std::optional<std::int64_t> constant(NodeId node) const;
 

@@ -114,8 +114,11 @@ NodeId Observer::stateNode(const Observable& observable) {
 }
 
 NodeId Observer::valueNode(const Observable& observable) {
-  const Scope& scope =
-      observable.path.empty() ? model.componentScope : model.scopes[instance(observable)];
+  const auto component = model.scopeAt.find(observable.path);
+  const bool isWhole = observable.path.empty() && !model.instanceAt.contains({});
+  const Scope& scope = isWhole                            ? model.componentScope
+                       : component != model.scopeAt.end() ? component->second
+                                                          : model.scopes[instance(observable)];
   return expressions.scalar(observable.value, scope);
 }
 
@@ -127,10 +130,10 @@ NodeId Observer::happens(const std::vector<EventId>& of) {
 }
 
 InstanceId Observer::instance(const Observable& observable) const {
-  if (observable.path.size() != 1 || observable.path[0] == 0 ||
-      observable.path[0] > system.instances.size())
+  const auto found = model.instanceAt.find(observable.path);
+  if (found == model.instanceAt.end())
     unsupported("a property names an instance that the model does not have");
-  return observable.path[0] - 1;
+  return found->second;
 }
 
 std::uint32_t Observer::location(const Observable& observable) const {
@@ -144,21 +147,19 @@ std::uint32_t Observer::location(const Observable& observable) const {
 
 std::vector<EventId> Observer::tagEvents(const Observable& observable) {
   std::vector<EventId> all;
-  if (!observable.path.empty()) {
-    all.push_back(events.tag(instance(observable), observable.name));
-  } else {
-    for (InstanceId i = 0; i < system.instances.size(); ++i)
-      all.push_back(events.tag(i, observable.name));
-  }
+  for (const auto& [path, id] : model.instanceAt)
+    if (path.size() >= observable.path.size() &&
+        std::equal(observable.path.begin(), observable.path.end(), path.begin()))
+      all.push_back(events.tag(id, observable.name));
   return all;
 }
 
 EventId Observer::portEvent(const Observable& observable) {
-  auto port = std::ranges::find(system.ports, observable.name);
-  if (port == system.ports.end() || !observable.path.empty())
+  const auto port = model.portAt.find({observable.path, observable.name});
+  if (port == model.portAt.end())
     unsupported("a property names the port `" + observable.name +
                 "`, which the model does not have");
-  return events.port(static_cast<std::uint32_t>(port - system.ports.begin()));
+  return events.port(port->second);
 }
 
 } // namespace proskill::verify

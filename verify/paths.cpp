@@ -3,6 +3,7 @@
 #include "verify/unsupported.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -40,14 +41,18 @@ bool endsPath(const Statement& statement) {
   return std::ranges::any_of(statement.children, endsPath);
 }
 
+constexpr std::size_t kMostChoices = 4096;
+
 /// Statements still to come; the next is last.
 using Rest = std::vector<const Statement*>;
 
 /// A path that is being written.
 struct Draft {
   Path path;
-  bool assigned = false; ///< an `on` is no guard any more
-  bool ended = false;    ///< by `to` or `loop`
+  bool assigned = false;            ///< an `on` is no guard any more
+  bool branched = false;            ///< what cells hold is known no more
+  std::map<CellId, NodeId> current; ///< what assignments have put into cells, over the state before
+  bool ended = false;               ///< by `to` or `loop`
 };
 
 class Writer {
@@ -68,9 +73,15 @@ private:
   void assign(const Statement& statement, Draft& draft);
   void end(const Statement& statement, Draft& draft);
   void synchronise(const Statement& statement, Draft& draft);
+  [[nodiscard]] NodeId beforePath(NodeId value, const Draft& draft);
   void splitIf(const Statement& statement, const Draft& draft, const Rest& rest);
   void splitCase(const Statement& statement, const Draft& draft, const Rest& rest);
   void select(const Statement& statement, const Draft& draft, const Rest& rest);
+  void any(const Statement& statement, const Draft& draft, const Rest& rest);
+  void foreach (const Statement& statement, Rest & rest);
+  void send(const Statement& statement, Draft& draft);
+  void receive(const Statement& statement, Draft& draft);
+  void addAssignments(Draft& draft, std::uint32_t first);
   void finish(Draft draft);
 
   Nodes& nodes() { return expressions.nodes(); }
@@ -121,6 +132,10 @@ void Writer::write(Draft draft, Rest rest) {
       noteOrigin(statement, draft);
       return select(statement, draft, rest);
     }
+    if (statement.kind == StatementKind::Any) {
+      noteOrigin(statement, draft);
+      return any(statement, draft, rest);
+    }
     if (!step(statement, draft, rest)) return;
   }
   finish(std::move(draft));
@@ -148,8 +163,12 @@ bool Writer::step(const Statement& statement, Draft& draft, Rest& rest) {
     for (auto child = statement.children.rbegin(); child != statement.children.rend(); ++child)
       rest.push_back(&*child);
     return true;
-  case StatementKind::Send:
-  case StatementKind::Receive: synchronise(statement, draft); return true;
+  case StatementKind::Send: send(statement, draft); return true;
+  case StatementKind::Receive: receive(statement, draft); return true;
+  case StatementKind::Foreach:
+    foreach (statement, rest)
+      ;
+    return true;
   case StatementKind::Tag:
     emit(draft, InstructionKind::Tag).event = context.tag(statement.name);
     return true;
@@ -173,15 +192,89 @@ void Writer::assign(const Statement& statement, Draft& draft) {
     Value source = expressions.value(statement.values.at(i), *context.scope, &type);
     expressions.assign(statement.targets[i], source, *context.scope, draft.path.assignments);
   }
+  addAssignments(draft, first);
+}
+
+/// Those from `first` on happen at once.
+void Writer::addAssignments(Draft& draft, std::uint32_t first) {
   auto& instruction = emit(draft, InstructionKind::Assign);
   instruction.first = first;
   instruction.last = static_cast<std::uint32_t>(draft.path.assignments.size());
   draft.assigned = true;
+  auto next = draft.current;
+  for (auto i = first; i < instruction.last; ++i) {
+    const auto& assignment = draft.path.assignments[i];
+    next[assignment.target] = beforePath(assignment.value, draft);
+  }
+  draft.current = std::move(next);
+}
+
+/// A value within the path, over the state before it.
+NodeId Writer::beforePath(NodeId value, const Draft& draft) {
+  return nodes().substitute(value, [&](const Node& leaf) -> std::optional<NodeId> {
+    if (leaf.op != NodeOp::Cell) return std::nullopt;
+    const auto known = draft.current.find(leaf.a);
+    return known == draft.current.end() ? std::nullopt : std::optional(known->second);
+  });
+}
+
+void Writer::send(const Statement& statement, Draft& draft) {
+  synchronise(statement, draft);
+  if (!statement.values.empty() && draft.branched)
+    unsupported("a value is sent behind a choice on the same path", statement.origin);
+  const auto& types = context.valuesOf(statement.name);
+  for (std::size_t i = 0; i < statement.values.size(); ++i) {
+    const auto* type = i < types.size() ? &types[i] : nullptr;
+    for (auto part : expressions.value(statement.values[i], *context.scope, type).parts)
+      draft.path.sent.push_back(beforePath(part, draft));
+  }
+}
+
+/// What comes is assigned first, and `where` looks at it then.
+void Writer::receive(const Statement& statement, Draft& draft) {
+  synchronise(statement, draft);
+  const auto first = static_cast<std::uint32_t>(draft.path.assignments.size());
+  std::uint32_t part = 0;
+  for (const auto& target : statement.targets) {
+    Value source = expressions.lowest(expressions.typeOf(target, *context.scope));
+    for (auto& each : source.parts) each = nodes().received(part++);
+    expressions.assign(target, source, *context.scope, draft.path.assignments);
+  }
+  draft.path.receives = true;
+  addAssignments(draft, first);
+  for (const auto& condition : statement.values) require(scalar(condition), draft);
+}
+
+/// A path for each value.
+void Writer::any(const Statement& statement, const Draft& draft, const Rest& rest) {
+  std::vector<Draft> all{draft};
+  for (const auto& target : statement.targets) {
+    const auto values = expressions.allValues(expressions.typeOf(target, *context.scope));
+    std::vector<Draft> longer;
+    for (const auto& each : all)
+      for (auto value = values.low; value <= values.high; ++value) {
+        longer.push_back(each);
+        assign(expressions.assignmentOf(target, value), longer.back());
+      }
+    if (longer.size() > kMostChoices) unsupported("`any` has too many values", statement.origin);
+    all = std::move(longer);
+  }
+  for (auto& each : all) {
+    for (const auto& condition : statement.values) require(scalar(condition), each);
+    write(std::move(each), rest);
+  }
+}
+
+void Writer::foreach (const Statement& statement, Rest & rest) {
+  const fiacre::Expr variable{.kind = fiacre::ExprKind::Name, .name = statement.name};
+  const auto all = expressions.allValues(expressions.typeOf(variable, *context.scope));
+  for (auto turn = all.high; turn >= all.low; --turn) {
+    rest.push_back(&statement.children.at(0));
+    rest.push_back(&expressions.assignmentOf(variable, turn));
+  }
 }
 
 void Writer::synchronise(const Statement& statement, Draft& draft) {
-  if (!statement.values.empty() || !statement.targets.empty())
-    unsupported("values over ports are not verified yet", statement.origin);
   if (draft.path.port != kNone) unsupported("two ports on one path", statement.origin);
   auto port = context.ports.find(statement.name);
   if (port == context.ports.end())
@@ -226,6 +319,7 @@ void Writer::codeAll(Draft& draft, Rest rest) {
 
 /// The code of two sides; each is the whole of what is to come on it.
 void Writer::codeChoice(NodeId condition, Draft& draft, const Rest& then, const Rest& otherwise) {
+  draft.branched = true;
   const auto branch = draft.path.code.size();
   emit(draft, InstructionKind::JumpUnless).node = condition;
   codeAll(draft, then);
@@ -248,6 +342,7 @@ void Writer::codeIf(const Statement& statement, Draft& draft, const Rest& rest) 
 }
 
 void Writer::codeCase(const Statement& statement, Draft& draft, const Rest& rest) {
+  draft.branched = true;
   Value tested = expressions.value(statement.values.at(0), *context.scope);
   std::vector<std::size_t> jumps;
   bool allEnded = true;
@@ -297,9 +392,18 @@ void Writer::splitCase(const Statement& statement, const Draft& draft, const Res
 }
 
 void Writer::select(const Statement& statement, const Draft& draft, const Rest& rest) {
-  if (!statement.priorityGroups.empty())
-    unsupported("`unless` is not verified yet", statement.origin);
-  for (const auto& child : statement.children) write(draft, with(rest, child));
+  const auto& groups = statement.priorityGroups;
+  if (!groups.empty() && draft.path.select != 0)
+    unsupported("two `unless` on one path", statement.origin);
+  const auto select = groups.empty() ? draft.path.select : ++context.selects;
+  for (std::size_t i = 0; i < statement.children.size(); ++i) {
+    Draft taken = draft;
+    taken.path.select = select;
+    if (!groups.empty())
+      taken.path.group = static_cast<std::uint32_t>(
+          std::ranges::count_if(groups, [i](auto first) { return first <= i; }));
+    write(std::move(taken), with(rest, statement.children[i]));
+  }
 }
 
 void Writer::finish(Draft draft) {
@@ -333,6 +437,12 @@ Path restricted(Path path, const std::set<std::uint32_t>& kept, NodeId never) {
 }
 
 } // namespace
+
+const std::vector<fiacre::Type>& PathContext::valuesOf(const std::string& port) const {
+  static const std::vector<fiacre::Type> kNothing;
+  const auto found = std::ranges::find(process->ports, port, &fiacre::Port::name);
+  return found == process->ports.end() ? kNothing : found->values;
+}
 
 std::vector<Path> pathsOf(const fiacre::From& from, std::uint32_t location, PathContext& context,
                           Expressions& expressions) {

@@ -17,6 +17,10 @@ struct PathContext {
   std::function<EventId(const std::string&)> tag;          ///< the event of a tag, made when new
   std::function<EventId(std::uint32_t)> entering;          ///< a location
   std::uint32_t nextLeaf = 0; ///< counts over all `from`s of the process
+  std::uint32_t selects = 0;  ///< likewise: those with `unless`
+
+  /// The types of what crosses a port, by its formal name.
+  [[nodiscard]] const std::vector<fiacre::Type>& valuesOf(const std::string& port) const;
 };
 
 /// Normalises the statement of a `from` into its paths. `select` branches; an `if` or `case` with a

@@ -42,6 +42,8 @@ public:
   [[nodiscard]] bool isRipe(const Concrete& now, TransitionId id, std::int64_t date) const {
     auto enabled = now.since.find(id);
     if (enabled == now.since.end()) return false;
+    for (auto blocker : system.transitions[id].blockers)
+      if (now.since.contains(blocker)) return false;
     const auto& interval = system.transitions[id].interval;
     const std::int64_t age = date - enabled->second;
     return age > interval.lower * scale || (age == interval.lower * scale && !interval.lowerOpen);

@@ -54,7 +54,8 @@ enum class NodeOp : std::uint8_t {
   Conditional, // a ? b : c
   Happens,     // event a, in the step that is watched
   Entered,
-  Left, // a becomes true, false by the step
+  Left,     // a becomes true, false by the step
+  Received, // the a-th part of what a port brings; put in when parts are brought together
 };
 
 /// An expression over cells. Nodes are shared: equal expressions are the same node.
@@ -122,6 +123,8 @@ struct Path {
   bool loops = false; ///< ends in `loop`
   std::optional<fiacre::Interval> wait;
   std::uint32_t port = kNone;
+  std::vector<NodeId> sent; ///< what it puts on its port, over the state before the path
+  bool receives = false;    ///< its code has Received nodes
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
   std::vector<BitStore> stores;
@@ -130,6 +133,8 @@ struct Path {
   Bits writes;          ///< cells that the code may write, the location among them
   bool mayFail = false; ///< an assignment may leave its range, or a division may be by zero
   fiacre::OriginId origin = 0;
+  std::uint32_t group = 0;  ///< of an `unless`: a path of a later group goes before this one
+  std::uint32_t select = 0; ///< of that `unless`, within the process; 0: none
 };
 
 /// A silent path, or paths of several instances that synchronise on a port.
@@ -146,7 +151,8 @@ struct Transition {
   bool tentative = false;
   bool apart = false; ///< a part reads what another writes: each sees the state before the step
   Bits consumed;      ///< instances that do not end in `loop`
-  Bits guardReads;    ///< what being enabled depends on
+  std::vector<TransitionId> blockers; ///< none of which may be enabled: they have priority
+  Bits guardReads;                    ///< what being enabled depends on
   Bits reads;
   Bits writes;
 };
@@ -178,6 +184,7 @@ struct System {
   std::vector<Node> nodes;
   std::vector<Instance> instances;
   std::vector<std::string> ports;
+  bool hasPriorities = false; ///< some transition has blockers
   std::vector<Path> paths;
   std::vector<Transition> transitions;
   std::vector<Clock> clocks;

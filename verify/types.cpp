@@ -37,7 +37,13 @@ void Types::flatten(const Type& named, std::vector<const Type*>& all) const {
   case TypeKind::Array:
     for (std::int64_t i = 0; i < type.size; ++i) flatten(type.element.at(0), all);
     return;
-  case TypeKind::Queue: unsupported("queues are not verified yet");
+  case TypeKind::Queue: {
+    auto [length, _] =
+        lengths.try_emplace(type.size, Type{.kind = TypeKind::Range, .low = 0, .high = type.size});
+    all.push_back(&length->second);
+    for (std::int64_t i = 0; i < type.size; ++i) flatten(type.element.at(0), all);
+    return;
+  }
   case TypeKind::Union:
     for (const auto& member : type.members)
       if (!member.type.empty())

@@ -18,7 +18,8 @@ public:
 
   /// The type behind the names.
   [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
-  /// How many scalars a value has. \throw CompileError for queues and unions with values
+  /// How many scalars a value has. A queue is its length and
+  /// its places, the first one first. \throw CompileError for unions with values
   [[nodiscard]] std::size_t scalars(const fiacre::Type& type) const;
   /// The types of these scalars, in order; appended to `all`.
   void flatten(const fiacre::Type& type, std::vector<const fiacre::Type*>& all) const;
@@ -39,6 +40,7 @@ public:
 
 private:
   std::map<std::string, const fiacre::Type*, std::less<>> declared;
+  mutable std::map<std::int64_t, fiacre::Type> lengths; ///< types of the lengths of queues
 };
 
 } // namespace proskill::verify

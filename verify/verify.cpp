@@ -34,7 +34,12 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   LimitWatch limits(options);
   auto compiled = compile(program, provenance, questions);
   if (!compiled) return std::unexpected(compiled.error());
-  const auto takes = [&](Reduction reduction) { return options.reductions.contains(reduction); };
+  // Argued without priorities: steps that one drops or puts off might go before others.
+  const std::set<Reduction> withPriorities{Reduction::Inclusion, Reduction::Extrapolation};
+  const auto takes = [&](Reduction reduction) {
+    return options.reductions.contains(reduction) &&
+           (!compiled->system.hasPriorities || withPriorities.contains(reduction));
+  };
   const Relevance relevance = takes(Reduction::DeadVariables)
                                   ? findRelevant(compiled->system, compiled->goals)
                                   : everything(compiled->system);

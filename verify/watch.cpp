@@ -86,10 +86,18 @@ private:
   const System& system;
 };
 
+/// A model that nobody says anything about: all of its variables.
+void watchAll(const Elaboration& model, System& system) {
+  for (CellId i = 0; i < system.cells.size(); ++i)
+    if (const Type* type = model.cellTypes[i])
+      system.watched.push_back({system.cells[i].name, i, valueWords(*type, {})});
+}
+
 } // namespace
 
 void watch(const fiacre::Provenance& provenance, const Elaboration& model, const Types& types,
            System& system) {
+  if (provenance.watched.empty()) return watchAll(model, system);
   Finder finder(model, types, system);
   for (const auto& watched : provenance.watched)
     if (auto found = finder.find(watched)) system.watched.push_back(std::move(*found));

@@ -19,13 +19,14 @@ WRITTEN = "tests/house/verdicts"
 def roots():
     """The examples that no other example includes, or that have verdicts of their own all the same."""
     examples = [name for name in files(".proskill") if name.startswith("examples/")]
+    models = [name for name in files(".fcr") if name.startswith("examples/")]
     included = {name.rsplit("/", 1)[0] + "/" + path for name in examples
                 for path in re.findall(r'^\(include "([^"]+)"\)', read(name), re.M)}
-    return [name for name in examples if name not in included or page(name).exists()]
+    return [name for name in examples if name not in included or page(name).exists()] + models
 
 
 def page(example):
-    return ROOT / example.replace("examples", WRITTEN, 1).replace(".proskill", ".txt")
+    return ROOT / example.replace("examples", WRITTEN, 1).replace(".proskill", ".txt").replace(".fcr", ".txt")
 
 
 def verdicts(example):
