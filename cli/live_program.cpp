@@ -11,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace proskill::cli {
 
@@ -207,7 +208,7 @@ private:
   void take(Json whole) {
     std::map<std::string, Json> apart;
     for (auto& property : whole["properties"]) {
-      auto& trace = property["trace"];
+      const auto trace = std::exchange(property["trace"], nullptr);
       if (trace.is_null()) continue;
       property["steps"] = trace["steps"].size();
       Json about{{"name", property["name"]},
@@ -215,7 +216,6 @@ private:
                  {"verdict", property["verdict"]}};
       about.update(trace);
       apart[property["name"].get<std::string>()] = std::move(about);
-      trace = nullptr;
     }
     const std::lock_guard lock(mutex);
     report = std::move(whole);

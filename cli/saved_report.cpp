@@ -2,6 +2,7 @@
 #include "cli/panel_data.h"
 
 #include <set>
+#include <utility>
 
 namespace proskill::cli {
 
@@ -76,8 +77,8 @@ public:
 
 private:
   void takeTrace(Json& property) {
-    auto& trace = property["trace"];
-    if (!trace.is_object() || !trace["steps"].is_array()) return;
+    const auto trace = std::exchange(property["trace"], nullptr);
+    if (!trace.is_object() || !trace.at("steps").is_array()) return;
     property["steps"] = trace["steps"].size();
     for (const auto& step : trace["steps"]) {
       const auto location = step.find("location");
@@ -92,7 +93,6 @@ private:
         {"name", name}, {"words", property.value("words", name)}, {"verdict", property["verdict"]}};
     about.update(trace);
     traces[name] = std::move(about);
-    trace = nullptr;
   }
 
   Json report;

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <spawn.h>
@@ -46,13 +47,20 @@ void openBrowser(const std::string& url) {
   posix_spawn_file_actions_destroy(&actions);
 }
 
+/// By its name, or by its first character, which no program has.
+bool isJson(const std::filesystem::path& path) {
+  if (path.extension() == ".json") return true;
+  char first = 0;
+  return std::ifstream(path) >> first && first == '{';
+}
+
 std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& arguments,
                                                               NewsBoard& news) {
   const std::filesystem::path path(arguments.file);
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     return std::unexpected("there is no file `" + arguments.file + "`");
-  if (path.extension() == ".json") return savedReport(arguments.file);
+  if (isJson(path)) return savedReport(arguments.file);
   verify::Limits limits;
   limits.seconds = arguments.timeLimit;
   limits.bytes = arguments.memoryLimit * 1024 * 1024;

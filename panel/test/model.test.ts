@@ -6,7 +6,7 @@ import { compare, isDifferent } from '../src/model/compare.ts';
 import { difference } from '../src/model/diff.ts';
 import { fileName, traceJson, traceText } from '../src/model/export.ts';
 import { everything, groups, search, select } from '../src/model/filter.ts';
-import { axisOf, drawBars, drawMarks, lanesOf, nearest } from '../src/model/lanes.ts';
+import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest } from '../src/model/lanes.ts';
 import { open } from '../src/model/parse.ts';
 import { ticks, windowOf } from '../src/model/time.ts';
 import { Values } from '../src/model/values.ts';
@@ -79,6 +79,22 @@ test('actors are known by their names and words', () => {
   assert.equal(given.find((actor) => actor.name === 'takeoff')?.kind, 'environment');
 });
 
+test('who has no status is an event, or the automaton of a variable', () => {
+  const moved = trace({ battery: 'Good', 'takeoff.status': 'no_status' }, [
+    'battery_low: makes a forbidden move: x @0 battery=Good>Low', 'battery: has made a forbidden move @0', 'takeoff: is refused @1']);
+  assert.deepEqual(actorsOf(moved).map((actor) => actor.kind), ['event', 'variable', 'skill']);
+  assert.deepEqual(lanesOf(moved).map((lane) => [lane.name, lane.kind]),
+    [['takeoff', 'skill'], ['battery_low', 'event'], ['battery', 'variable']]);
+});
+
+test('what the last step did is seen beside it, and what was before the first', () => {
+  const changes = trace({ v: 'A' }, ['e: occurs @0 v=A>B', 'e: occurs @0 v=B>C']);
+  const axis = axisOf(changes, 'step');
+  const lane = lanesOf(changes).find((it) => it.name === 'v')!;
+  assert.deepEqual(drawBars(lane, axis, 0, endOfAxis(axis, 'step'), 300).map((it) => [it.bar!.label, it.x, it.width]),
+    [['A', 0, 100], ['B', 100, 100], ['C', 200, 100]]);
+});
+
 test('filters take actors, variables and steps that change something', () => {
   assert.deepEqual(select(flight, everything).length, flight.steps.length);
   assert.deepEqual(select(flight, { ...everything, actors: new Set(['takeoff']) }), [2, 4, 5]);
@@ -120,7 +136,7 @@ test('a call that is refused is no run', () => {
 test('a variable that changes has a bar for each value; what skills return is seen in their lanes', () => {
   const lanes = lanesOf(flight).filter((lane) => lane.kind === 'variable');
   assert.deepEqual(lanes.map((lane) => lane.name), ['battery', 'level']);
-  assert.deepEqual(lanes[0]!.bars.map((bar) => [bar.label, bar.from, bar.to]), [['Good', 0, 3], ['Low', 3, 9]]);
+  assert.deepEqual(lanes[0]!.bars.map((bar) => [bar.label, bar.from, bar.to]), [['Good', -1, 3], ['Low', 3, 9]]);
 });
 
 test('bars are drawn where they are on the axis, and only those in view', () => {

@@ -3,16 +3,16 @@ import type { Actor, ActorKind, Trace } from '../api.ts';
 const branch = /^(.*) branch [\d.]+$/;
 const watchdog = /^watchdog of (.*)$/;
 
-/** Where the trace does not say what its actors are, their names and words do. */
-function infer(name: string, words: Set<string>): Actor {
+/** Where the trace does not say what its actors are, their names and what has a value do. */
+function infer(name: string, words: Set<string>, initial: Trace['initial']): Actor {
   const of = (kind: ActorKind, skill: string | null): Actor => ({ name, kind, skill });
   const parent = branch.exec(name)?.[1];
   if (parent) return of('branch', parent);
   const watched = watchdog.exec(name)?.[1];
   if (watched) return of('watchdog', watched);
   if (name === 'environment') return of('environment', null);
-  if ([...words].every((word) => word === 'occurs')) return of('event', null);
-  return of('skill', name);
+  if (`${name}.status` in initial || words.has('starts')) return of('skill', name);
+  return name in initial ? of('variable', null) : of('event', null);
 }
 
 /** The actors of a trace, in the order in which they first act. */
@@ -25,8 +25,8 @@ export function actorsOf(trace: Trace): Actor[] {
   }
   const given = new Map(trace.actors?.map((actor) => [actor.name, actor]));
   return [...words].map(([name, said]) => {
-    const inferred = infer(name, said);
-    return inferred.kind === 'watchdog' ? inferred : (given.get(name) ?? inferred);
+    const inferred = infer(name, said, trace.initial);
+    return inferred.kind === 'watchdog' || inferred.kind === 'variable' ? inferred : (given.get(name) ?? inferred);
   });
 }
 

@@ -4,7 +4,7 @@ import { actorsOf } from './actors.ts';
 /** How a lane's bar is coloured: a value of a variable, or what became of a skill. */
 export type Tone = 'running' | 'success' | 'failure' | 'interrupted' | 'value';
 
-/** Between two steps. `to` is that of the end of the trace where it is still open. */
+/** Between two steps, or from the start where `from` is -1; `to` is the last step where it is still open. */
 export interface Bar {
   from: number;
   to: number;
@@ -14,7 +14,7 @@ export interface Bar {
 }
 export interface Lane {
   name: string;
-  kind: ActorKind | 'variable';
+  kind: ActorKind;
   bars: Bar[];
   /** Steps by this actor, or that change this variable. */
   marks: number[];
@@ -63,7 +63,7 @@ function variableLane(trace: Trace, name: string): Lane {
   const value = (label: string, from: number): Bar => ({
     from, to: trace.steps.length - 1, open: true, label, tone: 'value',
   });
-  lane.bars.push(value(trace.initial[name] ?? '', 0));
+  lane.bars.push(value(trace.initial[name] ?? '', -1));
   trace.steps.forEach((step, index) => {
     const change = step.changes.find((it) => it.variable === name);
     if (!change) return;
@@ -87,7 +87,7 @@ export function lanesOf(trace: Trace): Lane[] {
   for (const actor of actorsOf(trace)) {
     if (actor.kind === 'skill' || actor.kind === 'branch' || actor.kind === 'watchdog') {
       lanes.push(skillLane(trace, actor.name, actor.kind));
-    } else {
+    } else if (actor.kind !== 'variable') {
       const marks: number[] = [];
       trace.steps.forEach((step, index) => step.actor === actor.name && marks.push(index));
       lanes.push({ name: actor.name, kind: actor.kind, bars: [], marks });
@@ -102,9 +102,15 @@ export function lanesOf(trace: Trace): Lane[] {
     .map(({ lane }) => lane);
 }
 
-/** Where each step stands on the axis: its date, or its number. */
+/** Where each step stands on the axis: its date, or its number from 1; 0 is the start in both. */
 export function axisOf(trace: Trace, by: 'date' | 'step'): Float64Array {
-  return Float64Array.from(trace.steps, (step, index) => (by === 'date' ? step.date.seconds : index));
+  return Float64Array.from(trace.steps, (step, index) => (by === 'date' ? step.date.seconds : index + 1));
+}
+
+/** Up to where the axis goes, so that what the last step did is seen beside it. */
+export function endOfAxis(axis: Float64Array, by: 'date' | 'step'): number {
+  const last = axis.at(-1) ?? 0;
+  return Math.max(by === 'date' ? last * 1.05 : last + 1, 1e-9);
 }
 
 export interface Drawn {
@@ -120,11 +126,10 @@ export interface Drawn {
  */
 export function drawBars(lane: Lane, axis: Float64Array, from: number, to: number, width: number): Drawn[] {
   const scale = width / (to - from || 1);
-  const end = axis.at(-1) ?? 0;
   const out: Drawn[] = [];
   for (const bar of lane.bars) {
-    const begin = axis[bar.from] ?? 0;
-    const stop = bar.open ? Math.max(end, to) : (axis[bar.to] ?? end);
+    const begin = bar.from < 0 ? 0 : axis[bar.from]!;
+    const stop = bar.open ? Math.max(to, begin) : axis[bar.to]!;
     if (stop < from || begin > to) continue;
     const x = Math.max((begin - from) * scale, -4);
     const right = Math.min((stop - from) * scale, width + 4);

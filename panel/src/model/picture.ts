@@ -25,7 +25,10 @@ const holds = (outer: Location, inner: Location): boolean =>
 
 const rank = { node: 0, edge: 1, cluster: 2 };
 
-/** The innermost part at a place: of nodes, then of edges, then of clusters. Else the largest within it. */
+/**
+ * The innermost part at a place: of nodes, then of edges, then of clusters. Else the largest node within it, else
+ * the nearest one that begins on its line, as for a caret on the `if` of a test.
+ */
 export function partAt(picture: Picture, place: Location): Part | null {
   let best: Part | null = null;
   for (const part of partsOf(picture).values()) {
@@ -37,6 +40,17 @@ export function partAt(picture: Picture, place: Location): Part | null {
   if (best) return best;
   for (const part of partsOf(picture).values())
     if (part.type === 'node' && part.location && holds(place, part.location) && (!best || holds(part.location, best.location!))) best = part;
+  return best ?? onLine(picture, place);
+}
+
+function onLine(picture: Picture, place: Location): Part | null {
+  const { line, character } = place.range.start;
+  let best: Part | null = null;
+  const away = (part: Part): number => Math.abs(part.location!.range.start.character - character);
+  for (const part of partsOf(picture).values()) {
+    if (part.type !== 'node' || part.location?.uri !== place.uri || part.location.range.start.line !== line) continue;
+    if (!best || away(part) < away(best)) best = part;
+  }
   return best;
 }
 

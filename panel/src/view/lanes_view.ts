@@ -1,6 +1,6 @@
 import type { Trace } from '../api.ts';
 import { hue } from '../model/actors.ts';
-import { axisOf, drawBars, drawMarks, lanesOf, nearest, type Drawn, type Lane } from '../model/lanes.ts';
+import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest, type Drawn, type Lane } from '../model/lanes.ts';
 import { ticks, windowOf } from '../model/time.ts';
 import { h, isTyping, onceAFrame, s } from './dom.ts';
 import { button, toggle } from './icons.ts';
@@ -87,7 +87,7 @@ export class LanesView {
   }
 
   private get end(): number {
-    return Math.max(this.axis.at(-1) ?? 0, 1e-9);
+    return endOfAxis(this.axis, this.byStep.on ? 'step' : 'date');
   }
 
   private fit(): void {
@@ -146,11 +146,10 @@ export class LanesView {
   }
 
   private drawAxis(top: Element, rows: Element, plot: number, height: number): void {
-    const unit = this.byStep.on ? '' : ' s';
     for (const tick of ticks(this.view[0], this.view[1], plot / 90)) {
       if (this.byStep.on && !Number.isInteger(tick)) continue;
       const x = Math.round(this.x(tick, plot)) + 0.5;
-      const label = this.byStep.on ? `step ${tick + 1}` : `${tick}${unit}`;
+      const label = this.byStep.on ? (tick === 0 ? 'start' : `step ${tick}`) : `${tick} s`;
       top.append(s('line', { class: 'tick', x1: x, x2: x, y1: axisHeight - 5, y2: axisHeight }),
         s('text', { class: 'tick-label', x, y: axisHeight - 10, 'text-anchor': 'middle' }, label));
       rows.append(s('line', { class: 'grid', x1: x, x2: x, y1: 0, y2: height }));
@@ -201,7 +200,7 @@ export class LanesView {
   }
 
   private barTip(lane: Lane, label: string, from: number, to: number | null, tone: string): string {
-    const date = (step: number): string => `${this.trace!.steps[step]?.date.exact ?? 0} s`;
+    const date = (step: number): string => (step < 0 ? 'the start' : `${this.trace!.steps[step]?.date.exact ?? 0} s`);
     const what = lane.kind === 'variable' ? `${lane.name} = ${label}` : `${lane.name}: ${tone}`;
     return `${what}\nfrom ${date(from)} ${to === null ? 'to the end of the trace' : `to ${date(to)}`}`;
   }

@@ -1,0 +1,97 @@
+// What every test in the browser needs: a program served or a page of a file, and a page that may not complain.
+import assert from 'node:assert/strict';
+import { execFileSync, spawn } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const { PROSKILL, CHROMIUM, SCREENSHOTS, EXAMPLES } = process.env;
+export const proskill = PROSKILL;
+
+/** A copy of the examples that a test may change. */
+export function workspace() {
+  const path = mkdtempSync(join(tmpdir(), 'proskill-panel-'));
+  cpSync(EXAMPLES, path, { recursive: true });
+  return { path, remove: () => rmSync(path, { recursive: true, force: true }) };
+}
+
+export function report(...words) {
+  try {
+    return JSON.parse(execFileSync(PROSKILL, ['verify', '--format', 'json', ...words], { maxBuffer: 1 << 28 }));
+  } catch (error) {
+    if (error.status !== 1) throw error; // 1: something is violated
+    return JSON.parse(error.stdout);
+  }
+}
+
+const children = new Set();
+
+/** `proskill view` on a file; `end` sends what Ctrl-C sends, and gives the exit code. */
+export async function view(file, ...more) {
+  const child = spawn(PROSKILL, ['view', '--no-open', ...more, file], { stdio: ['ignore', 'pipe', 'inherit'] });
+  children.add(child);
+  const ended = new Promise((done) => child.on('exit', (code) => { children.delete(child); done(code); }));
+  const url = await new Promise((done, failed) => {
+    child.stdout.on('data', (bytes) => done(String(bytes).trim()));
+    child.on('exit', (code) => failed(new Error(`proskill view ended with ${code}`)));
+  });
+  return { url, end: () => { child.kill('SIGINT'); return ended; } };
+}
+
+let browser = null;
+export async function page(options = {}) {
+  browser ??= await chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox'] });
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const it = await context.newPage();
+  it.complaints = [];
+  it.requests = [];
+  it.on('console', (message) => message.type() === 'error' && it.complaints.push(message.text()));
+  it.on('pageerror', (error) => it.complaints.push(error.message));
+  it.on('request', (request) => it.requests.push(request.url()));
+  it.setDefaultTimeout(15000);
+  return it;
+}
+/** What a test that failed has left behind ends too. */
+export async function closeBrowser() {
+  for (const child of children) child.kill('SIGKILL');
+  await browser?.close();
+}
+
+export async function shot(it, name) {
+  await it.screenshot({ path: join(SCREENSHOTS, `${name}.png`) });
+}
+
+/** Lines that are marked in the source, from 1, with the name of the file. */
+export async function marked(it) {
+  return it.evaluate(() => ({
+    file: document.querySelector('.source .files').value,
+    lines: [...document.querySelectorAll('.source .marked-line')].map((line) => Number(line.dataset.line) + 1),
+    text: [...document.querySelectorAll('.source .marked')].map((part) => part.textContent).join(''),
+  }));
+}
+
+/** Asks again and again for as long as a page may take. */
+export async function eventually(check) {
+  const end = Date.now() + 10000;
+  for (;;) {
+    try {
+      return await check();
+    } catch (error) {
+      if (Date.now() > end) throw error;
+      await new Promise((done) => setTimeout(done, 25));
+    }
+  }
+}
+
+export async function chooseFrom(it, opener, label) {
+  await it.locator(`button[title^="${opener}"]:visible`).click();
+  await it.locator('.menu-list:visible .menu-item', { hasText: label }).first().click();
+}
+
+export async function downloaded(it, opener, label) {
+  const [download] = await Promise.all([it.waitForEvent('download'), chooseFrom(it, opener, label)]);
+  const path = await download.path();
+  assert.ok(path);
+  return { name: download.suggestedFilename(), path };
+}
