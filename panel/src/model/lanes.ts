@@ -122,7 +122,7 @@ export interface Drawn {
 
 /**
  * The bars of a lane that are in view, in pixels, for a stretch of the axis drawn this wide. Bars
- * narrower than a pixel are drawn together, so that there are never more than pixels.
+ * too narrow to be told apart are drawn together, so that there are never more than pixels.
  */
 export function drawBars(lane: Lane, axis: Float64Array, from: number, to: number, width: number): Drawn[] {
   const scale = width / (to - from || 1);
@@ -134,7 +134,7 @@ export function drawBars(lane: Lane, axis: Float64Array, from: number, to: numbe
     const x = Math.max((begin - from) * scale, -4);
     const right = Math.min((stop - from) * scale, width + 4);
     const last = out.at(-1);
-    if (last && right - x < 1.5 && x - (last.x + last.width) < 1 && last.width < 3) {
+    if (last && right - x < 3 && x - (last.x + last.width) < 1 && (!last.bar || last.width < 3)) {
       last.width = Math.max(last.width, right - last.x);
       last.bar = null;
       ++last.count;

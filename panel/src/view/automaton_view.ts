@@ -180,10 +180,11 @@ export class AutomatonView {
   private search(): void {
     if (!this.picture) return;
     this.found = find(this.picture, this.field.value);
+    const found = new Set(this.found);
     const searching = this.field.value.trim() !== '';
     this.field.classList.toggle('fails', searching && this.found.length === 0);
     this.stage.svg?.classList.toggle('searching', searching);
-    for (const part of this.parts.values()) this.stage.group(part.id)?.classList.toggle('found', this.found.includes(part.id));
+    for (const part of this.parts.values()) this.stage.group(part.id)?.classList.toggle('found', found.has(part.id));
     if (searching && this.found[0] && !this.found.includes(this.selected ?? '')) this.toFound(this.found[0]);
   }
 

@@ -27,7 +27,11 @@ export class LanesView {
   private axis: Float64Array = new Float64Array();
   private view: [number, number] = [0, 1];
   private current = -1;
+  private readonly cursorTop = s('g');
+  private readonly cursorRows = s('g');
   private readonly draw = onceAFrame(() => this.drawNow());
+  /** The line alone: lanes are many elements, and steps are gone through quickly. */
+  private readonly drawLine = onceAFrame(() => this.drawCursor(this.cursorTop, this.cursorRows, this.plotWidth));
 
   constructor(private readonly events: LanesEvents) {
     this.byStep = toggle({
@@ -59,7 +63,7 @@ export class LanesView {
     const at = this.axis[index];
     const [from, to] = this.view;
     if (at !== undefined && (at < from || at > to)) this.move(at - (to - from) / 2 - from);
-    this.draw();
+    else this.drawLine();
   }
 
   /** Only lanes of these actors and variables; those of neither kind stay. */
@@ -77,7 +81,9 @@ export class LanesView {
     const rows = this.shownLanes().length * laneHeight;
     const svg = s('svg', { class: 'lanes-picture' });
     const lower = s('g', { transform: `translate(0, ${axisHeight})` });
-    this.fill(svg, lower, width);
+    const plot = width - labelWidth - room;
+    this.fill(svg, lower, plot);
+    this.drawCursor(svg.appendChild(s('g')), lower.appendChild(s('g')), plot);
     svg.append(lower);
     return { svg, width, height: axisHeight + rows + 8 };
   }
@@ -128,16 +134,16 @@ export class LanesView {
     this.lanesSvg.setAttribute('height', String(this.shownLanes().length * laneHeight + 4));
     this.axisSvg.replaceChildren();
     this.lanesSvg.replaceChildren();
-    this.fill(this.axisSvg, this.lanesSvg, width);
+    this.fill(this.axisSvg, this.lanesSvg, this.plotWidth);
+    this.drawCursor(this.cursorTop, this.cursorRows, this.plotWidth);
+    this.axisSvg.append(this.cursorTop);
+    this.lanesSvg.append(this.cursorRows);
   }
 
-  private fill(top: Element, rows: Element, width: number): void {
-    const plot = width - labelWidth - room;
+  private fill(top: Element, rows: Element, plot: number): void {
     const lanes = this.shownLanes();
-    const height = lanes.length * laneHeight;
-    this.drawAxis(top, rows, plot, height);
+    this.drawAxis(top, rows, plot, lanes.length * laneHeight);
     lanes.forEach((lane, at) => rows.append(this.laneElement(lane, at, plot)));
-    this.drawCursor(top, rows, plot, height);
   }
 
   private x(at: number, plot: number): number {
@@ -166,17 +172,22 @@ export class LanesView {
     const group = s('g', { class: `lane ${lane.kind} hue-${hue(lane.name, 10)}`, 'data-lane': lane.name, transform: `translate(0, ${y})` });
     group.append(s('line', { class: 'base', x1: labelWidth, x2: labelWidth + plot, y1: laneHeight / 2, y2: laneHeight / 2 }));
     for (const drawn of drawBars(lane, this.axis, this.view[0], this.view[1], plot)) group.append(...this.barElements(lane, drawn));
-    for (const mark of drawMarks(lane, this.axis, this.view[0], this.view[1], plot)) {
-      const x = labelWidth + mark.x;
-      const tip = s('title', {}, mark.count > 1 ? `${mark.count} steps` : this.stepTip(mark.step));
-      if (lane.kind === 'event' || lane.kind === 'environment')
-        group.append(s('path', { class: 'event-mark', d: `M${x} 6l5 6-5 6-5-6z` }, tip));
-      else if (lane.kind !== 'variable')
-        group.append(s('line', { class: 'mark', x1: x, x2: x, y1: laneHeight - 8, y2: laneHeight - 4 }, tip));
-    }
+    group.append(...this.markElements(lane, plot));
     group.append(s('rect', { class: 'label-ground', x: 0, y: 0, width: labelWidth - 6, height: laneHeight }),
       s('text', { class: 'label', x: 12, y: 16 }, shorten(lane.name, 24), s('title', {}, `${lane.name}: ${lane.kind}`)));
     return group;
+  }
+
+  /** Diamonds for events, with what they are; for who runs a line a step, all as one element. */
+  private markElements(lane: Lane, plot: number): SVGElement[] {
+    if (lane.kind === 'variable') return [];
+    const marks = drawMarks(lane, this.axis, this.view[0], this.view[1], plot);
+    const isEvent = lane.kind === 'event' || lane.kind === 'environment';
+    const shape = (x: number): string => (isEvent ? `M${x} 6l5 6-5 6-5-6z` : `M${x} ${laneHeight - 8}v4`);
+    const drawn = (some: typeof marks): string => some.map((mark) => shape(Math.round((labelWidth + mark.x) * 10) / 10)).join('');
+    if (!isEvent || marks.length > 60) return [s('path', { class: isEvent ? 'event-mark' : 'mark', d: drawn(marks) })];
+    return marks.map((mark) => s('path', { class: 'event-mark', d: drawn([mark]) },
+      s('title', {}, mark.count > 1 ? `${mark.count} steps` : this.stepTip(mark.step))));
   }
 
   private barElements(lane: Lane, drawn: Drawn): SVGElement[] {
@@ -187,7 +198,7 @@ export class LanesView {
     const hueOf = bar?.tone === 'value' ? ` hue-${hue(bar.label, 10)}` : '';
     const out: SVGElement[] = [s('rect', {
       class: `lane-bar ${tone}${bar?.open ? ' open' : ''}${hueOf}`, x, y: 4, width, height: laneHeight - 8, rx: Math.min(3, width / 2),
-    }, s('title', {}, bar ? this.barTip(lane, bar.label, bar.from, bar.open ? null : bar.to, tone) : `${drawn.count} too short to be told apart`))];
+    }, width > 3 && s('title', {}, bar ? this.barTip(lane, bar.label, bar.from, bar.open ? null : bar.to, tone) : `${drawn.count} too short to be told apart`))];
     const words = bar && (tone === 'value' ? bar.label : tone === 'failure' || tone === 'interrupted' ? tone : '');
     const left = Math.max(x, labelWidth);
     if (words && x + width - left > words.length * 6.4 + 10) out.push(s('text', { class: 'bar-label', x: left + 6, y: 16 }, words));
@@ -206,15 +217,18 @@ export class LanesView {
   }
 
   /** A line at the current step, and a band over the dates that it may have. */
-  private drawCursor(top: Element, rows: Element, plot: number, height: number): void {
+  private drawCursor(top: Element, rows: Element, plot: number): void {
+    const height = this.shownLanes().length * laneHeight;
     const at = this.axis[this.current];
+    top.replaceChildren();
+    rows.replaceChildren();
     if (at === undefined) return;
     const clamp = (x: number): number => Math.min(Math.max(x, labelWidth), labelWidth + plot);
     const step = this.trace!.steps[this.current]!;
     if (!this.byStep.on) {
       const left = clamp(this.x(step.earliest.seconds, plot));
       const right = clamp(step.latest ? this.x(step.latest.seconds, plot) : labelWidth + plot);
-      if (right > left) rows.prepend(s('rect', { class: 'window', x: left, y: 0, width: right - left, height }));
+      if (right > left) rows.append(s('rect', { class: 'window', x: left, y: 0, width: right - left, height }));
     }
     const x = this.x(at, plot);
     if (x < labelWidth - 1 || x > labelWidth + plot + 1) return;

@@ -9,6 +9,7 @@ const smallest = 0.02;
 export class Stage {
   readonly element: HTMLElement;
   svg: SVGSVGElement | null = null;
+  private groups = new Map<string, SVGGElement>();
   private size = { width: 1, height: 1 };
   private scale = 1;
   private left = 0;
@@ -30,6 +31,7 @@ export class Stage {
     svg.setAttribute('width', '100%');
     svg.setAttribute('height', '100%');
     this.svg = svg;
+    this.groups = new Map([...svg.querySelectorAll<SVGGElement>('g[id]')].map((group) => [group.id, group]));
     this.rings.replaceChildren();
     (svg.querySelector('g.graph') ?? svg).append(this.rings);
     this.element.replaceChildren(svg);
@@ -66,7 +68,7 @@ export class Stage {
   }
 
   group(id: string): SVGGElement | null {
-    return this.svg?.querySelector<SVGGElement>(`[id="${CSS.escape(id)}"]`) ?? null;
+    return this.groups.get(id) ?? null;
   }
 
   /** In units of the picture's own. */
