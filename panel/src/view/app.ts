@@ -119,8 +119,13 @@ class App {
     const { picture, trace, step } = this.remembered;
     const show = this.hello.show ?? { ...(picture && { picture }), ...(trace && { trace }), ...(step !== undefined && { step }) };
     await this.show(show);
+    await this.showFirst();
+  }
+
+  /** Where nothing was chosen yet, what a reader looks for: the first violated property. */
+  private async showFirst(): Promise<void> {
     const first = this.program?.verdicts.find((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
-    if (this.hello.layout === 'all' && !this.trace.trace && first) await this.choose(first, true);
+    if (this.hello.layout === 'all' && !this.trace.trace && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true);
   }
 
   private async show(show: Show): Promise<void> {
@@ -187,6 +192,7 @@ class App {
     if (program.pictures.length > 0) this.automaton.setProgram(program);
     void this.source?.setProgram(program);
     if (former && former.state !== 'done' && program.state === 'done') this.refresh();
+    if (former && !this.trace.trace) void this.showFirst();
   }
 
   /** After another verification the trace may be another one. */
