@@ -10,18 +10,30 @@ namespace {
 
 using syntax::Code;
 
+/// What the effects of the text set, reached or not: the latter is told where they stand.
+std::vector<ValueSet> writtenAnywhere(const Report& report) {
+  std::vector<ValueSet> written(report.variables().size());
+  for (const Process& process : report.system().all())
+    for (const Action& action : process.actions)
+      for (const Assignment& each : action.assignments)
+        if (each.value.kind == Term::Kind::Number)
+          written[each.variable] |= report.variables()[each.variable].domain.saturated(
+              {each.value.number, each.value.number});
+  return written;
+}
+
 class Values {
 public:
-  Values(Report& report, std::size_t definition)
+  Values(Report& report, std::size_t definition, const std::vector<ValueSet>& written)
       : report(report),
         definition(report.program.stateVariables.all[definition]),
         id(report.variables().of(VariableKind::StateVariable, definition)),
-        variable(report.variables()[id]) {}
+        variable(report.variables()[id]),
+        set(written[id]) {}
 
   void check() {
     if (variable.domain.isNumeric() || isMerged() || report.told.contains(id)) return;
     if (isFrozen()) return;
-    findSet();
     for (const syntax::Name& state : definition->states) {
       auto value = valueOf(state);
       if (!value || (set | report.solver.ever(id)).contains(*value)) continue;
@@ -41,15 +53,6 @@ private:
     auto number = variable.domain.numberOf(name.text);
     if (!number) return std::nullopt;
     return static_cast<unsigned>(*number);
-  }
-
-  /// What the effects of the text set, reached or not: the latter is told where they stand.
-  void findSet() {
-    for (const Process& process : report.system().all())
-      for (const Action& action : process.actions)
-        for (const Assignment& each : action.assignments)
-          if (each.variable == id && each.value.kind == Term::Kind::Number)
-            set |= variable.domain.saturated({each.value.number, each.value.number});
   }
 
   void checkTransitions() {
@@ -93,8 +96,9 @@ private:
 } // namespace
 
 void checkValues(Report& report) {
+  const std::vector<ValueSet> written = writtenAnywhere(report);
   for (std::size_t i = 0; i < report.program.stateVariables.all.size(); ++i)
-    Values(report, i).check();
+    Values(report, i, written).check();
 }
 
 } // namespace proskill::analysis::flow

@@ -88,6 +88,34 @@ TEST_CASE("memory grows as the program does") {
   CHECK(many.peakKiB < 15 * few.peakKiB);
 }
 
+TEST_CASE("very large programs of one kind each are checked, with memory in proportion") {
+  test::TemporaryDirectory directory;
+  auto program = [](const std::string& kind, std::size_t count) {
+    std::string text;
+    std::string body;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string n = std::to_string(i);
+      text += "(defskill s" + n + " :success ok :failure no ";
+      text += kind == "a chain" && i > 0
+                  ? ":body ((s" + std::to_string(i - 1) + ") (success ok)))\n"
+                  : ":action (act))\n";
+      if (kind == "a sequence")
+        body += "(s" + n + ") (if (= s" + n + ".status success) (success))\n";
+      if (kind == "branches") body += "((s" + n + "))";
+    }
+    if (kind == "branches") body = "(// " + body + ")";
+    return body.empty() ? text : text + "(defskill mission :body (" + body + "))\n";
+  };
+  for (const char* kind : {"a library", "a chain", "a sequence", "branches"}) {
+    INFO(kind);
+    Finished few = proskillOn("check", directory.write("few.proskill", program(kind, 1'000)));
+    Finished many = proskillOn("check", directory.write("many.proskill", program(kind, 10'000)));
+    CHECK(isOrderly(few));
+    CHECK(isOrderly(many));
+    CHECK(many.peakKiB < 20 * few.peakKiB);
+  }
+}
+
 TEST_CASE("a file that is not there, a directory, and a file that may not be read are told apart "
           "from findings") {
   test::TemporaryDirectory directory;
