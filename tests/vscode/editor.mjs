@@ -47,7 +47,7 @@ export class Editor {
     const name = path.split('/').pop();
     await expect(`${path} in an editor`, async () => {
       await this.pick('Control+p', path, name);
-      await this.tab(name).waitFor({ timeout: 5000 });
+      await this.tab(name).first().waitFor({ timeout: 5000 });
       return true;
     }, 30_000);
     await this.page.locator(`.monaco-editor[data-uri$="${path}"] .view-line`).first().waitFor();

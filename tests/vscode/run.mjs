@@ -36,6 +36,7 @@ async function play(world) {
       if (process.env.VERBOSE) console.log(error.stack);
     }
     await world.editor.picture(failures.includes(name) ? `${name}.failed` : name);
+    if (failures.includes(name)) await world.editor.command('File: Revert File').catch(() => undefined);
   }
   return failures;
 }

@@ -1,1 +1,90 @@
-export const scenarios = {};
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import { equal, expect } from './expect.mjs';
+
+/** What `proskill verify` says of a property; the editor has to agree with it. */
+function verified({ proskill, root }, program, name) {
+  let text;
+  try {
+    text = execFileSync(proskill, ['verify', '--format', 'json', join(root, program)], { encoding: 'utf8', maxBuffer: 1 << 26 });
+  } catch (error) {
+    text = error.stdout;
+  }
+  return JSON.parse(text).properties.find((property) => property.name === name);
+}
+
+const kProgram = 'drone/drone.proskill';
+/** The mission may end too early. */
+export const failing = 'uav_mission.no_undershoot';
+const kSubject = 'uav_mission';
+const row = (page, label) => page.locator(`.test-explorer .monaco-list-row[aria-label*="${label}"]`);
+
+async function expand(page, text) {
+  await row(page, text).first().waitFor();
+  await row(page, text).first().click();
+  await page.keyboard.press('ArrowRight');
+}
+
+export const scenarios = {
+  /** The failing property of the drone is run from the Testing view. */
+  async testing(world) {
+    const { editor, page } = world;
+    const { words } = verified(world, kProgram, failing);
+    world.failingRow = words.replace(/^.*` /, '');
+    await editor.command('View: Close All Editors');
+    await editor.openFile(kProgram);
+    await editor.command('Testing: Focus on Test Explorer View');
+    await expand(page, 'drone.proskill (');
+    await expand(page, `${kSubject} (`);
+    const property = row(page, world.failingRow).first();
+    await property.waitFor();
+    await property.hover();
+    await property.locator('.codicon-testing-run-icon').first().click();
+    await property.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 60_000 });
+    await editor.picture('testing-failed');
+  },
+
+  /** Its trace is opened, and stepped through by keys: the marked lines are those of the steps. */
+  async trace(world) {
+    const { editor, page } = world;
+    const { trace } = verified(world, kProgram, failing);
+    const property = row(page, world.failingRow).first();
+    await property.hover();
+    await property.locator('.codicon-list-ordered').first().click();
+    const frame = await editor.panel();
+    await frame.locator('.step.current').first().waitFor();
+    await frame.locator('.step.current').first().click();
+    await page.keyboard.press('Home');
+    let compared = 0;
+    for (const [index, { location, changes }] of trace.steps.entries()) {
+      await frame.locator(`#step-${index}.current`).waitFor();
+      if (location) {
+        const file = location.file.split('/').pop();
+        await expect(`step ${index + 1} marked in ${file}:${location.begin.line}`, async () =>
+          (await editor.markedLines(file))[0] === location.begin.line);
+        const values = (await editor.inlineValues(file)).join(' ');
+        for (const { variable, before, after } of changes)
+          equal(`values at step ${index + 1}`, values.includes(`${variable}: ${before} → ${after}`), true);
+        ++compared;
+      }
+      if (index === Math.floor(trace.steps.length / 2)) await editor.picture('trace-half');
+      await page.keyboard.press('ArrowDown');
+    }
+    console.log(`        ${compared} of ${trace.steps.length} steps compared with their lines`);
+    await page.keyboard.press('Home');
+    await frame.locator('#step-0.current').waitFor();
+  },
+
+  /** The Fiacre text beside it: the transition of the step is marked. */
+  async fiacre({ editor, page }) {
+    await editor.command('ProSkill: Show the Fiacre Model');
+    await page.locator('.view-line', { hasText: 'process' }).first().waitFor();
+    await editor.command('ProSkill: Next Step of the Trace');
+    await expect('a marked line in the model', async () => page.evaluate(() => {
+      const model = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.startsWith('proskill-model'));
+      return !!model?.querySelector('.view-overlays [class*="ced-"]');
+    }));
+    await editor.picture('fiacre-step');
+    await editor.command('View: Close All Editors');
+  },
+};

@@ -26,7 +26,7 @@ export class Debugging implements vscode.DebugConfigurationProvider, vscode.Debu
   /** Without `launch.json`: a simulation of the program in view. */
   resolveDebugConfiguration(_folder: vscode.WorkspaceFolder | undefined, configuration: Launch): Launch {
     if (!configuration.type)
-      return { type: 'proskill', request: 'launch', name: 'Simulate', program: currentText().uri.fsPath };
+      return { type: 'proskill', request: 'launch', name: 'Simulate', program: currentText().uri.fsPath, simulate: true };
     return { ...configuration, program: configuration.program ?? currentText().uri.fsPath };
   }
 

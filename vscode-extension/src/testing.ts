@@ -75,7 +75,7 @@ export class Testing implements vscode.Disposable {
     }
   }
 
-  /** Items are kept where they are there already, with their results. */
+  /** Without descriptions: screen readers would be given these instead of the labels. Items are kept where they are there already, with their results. */
   private item(within: vscode.TestItemCollection, id: string, label: string, location: panel.Location | null, uri?: vscode.Uri): vscode.TestItem {
     const place = location && locationOf(location);
     const known = within.get(id);
@@ -88,7 +88,6 @@ export class Testing implements vscode.Disposable {
 
   private programItem(program: protocol.TestedProgram): vscode.TestItem {
     const item = this.item(this.controller.items, program.uri, program.label, null, vscode.Uri.parse(program.uri));
-    item.description = program.main ?? '';
     item.error = program.error ?? undefined;
     this.nodes.set(item, { kind: 'program', program: program.uri });
     item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
@@ -97,12 +96,10 @@ export class Testing implements vscode.Disposable {
 
   private subjectItem(parent: vscode.TestItem, program: string, subject: protocol.TestedSubject, index: number): vscode.TestItem {
     const item = this.item(parent.children, `${program}#${subject.id}`, subject.label, subject.location, parent.uri);
-    item.description = subject.kind;
     item.sortText = String(index).padStart(5, '0');
     this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
     item.children.replace(subject.properties.map((property, place) => {
       const child = this.item(item.children, `${program}##${property.id}`, property.label, property.location ?? subject.location, parent.uri);
-      child.description = property.kind;
       child.sortText = String(place).padStart(5, '0');
       this.nodes.set(child, { kind: 'property', program, name: property.id });
       return child;

@@ -80,7 +80,7 @@ export class TraceView implements vscode.Disposable {
   private async step(current: panel.CurrentStep | null): Promise<void> {
     this.current = current;
     void vscode.commands.executeCommand('setContext', 'proskill.traceOpen', current !== null);
-    if (current?.step.location) await reveal(current.step.location, false);
+    if (current?.step.location) await reveal(current.step.location, false, false);
     this.marks.show(current);
     this.fiacre.follow(current?.step ?? null);
   }
