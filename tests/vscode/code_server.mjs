@@ -11,7 +11,7 @@ const kSettings = {
   'editor.accessibilitySupport': 'off', 'workbench.reduceMotion': 'on', 'workbench.colorTheme': 'Default Dark Modern',
   'workbench.secondarySideBar.defaultVisibility': 'hidden', 'chat.commandCenter.enabled': false,
   'window.commandCenter': false, 'breadcrumbs.enabled': false, 'editor.stickyScroll.enabled': false,
-  'workbench.layoutControl.enabled': false,
+  'workbench.layoutControl.enabled': false, 'testing.openTesting': 'neverOpen',
 };
 
 export class CodeServer {

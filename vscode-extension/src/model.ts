@@ -37,7 +37,7 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.Di
     const model = vscode.Uri.from({ scheme: kScheme, path: `/${name}.fcr`, query: program.toString() });
     const document = await vscode.workspace.openTextDocument(model);
     await vscode.window.showTextDocument(document, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: true });
-    this.draw();
+    this.draw(true);
   }
 
   async provideTextDocumentContent(uri: vscode.Uri): Promise<string> {

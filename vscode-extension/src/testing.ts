@@ -233,6 +233,6 @@ function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMe
 
 function summary(program: string, { verdicts, exploration }: protocol.VerifyResult): string {
   const lines = verdicts.filter(({ good }) => !good).map(({ name, verdict, reason }) => `  ${name}: ${verdict}${reason ? ` (${reason})` : ''}`);
-  return [`${program}: ${verdicts.filter(({ good }) => good).length} of ${verdicts.length} good`, ...lines,
+  return [`${vscode.workspace.asRelativePath(vscode.Uri.parse(program))}: ${verdicts.filter(({ good }) => good).length} of ${verdicts.length} good`, ...lines,
     `  ${exploration.classes} states in ${exploration.seconds.toFixed(2)} s` + (exploration.stopped ? `; ${exploration.stopped}` : ''), ''].join('\n');
 }
