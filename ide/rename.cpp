@@ -1,7 +1,6 @@
 #include "ide/rename.h"
 
 #include "ide/navigation.h"
-#include "ide/symbol_key.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -100,28 +99,65 @@ std::vector<SymbolKind> rivals(SymbolKind kind) {
   }
 }
 
-std::string takenBy(const View& view, const analysis::Symbol& symbol, std::string_view name) {
-  const auto& symbols = view.index().symbols();
+/// A program that has the name, and what the name is there.
+struct Meaning {
+  View view;
+  analysis::SymbolId symbol;
+};
+
+std::string takenBy(const Meaning& meaning, std::string_view name) {
+  const auto& symbols = meaning.view.index().symbols();
+  const auto& symbol = symbols[meaning.symbol];
   for (auto kind : rivals(symbol.kind)) {
     const auto other = symbols.find(kind, name, symbol.owner);
     if (other != analysis::kNoSymbol)
       return fmt::format("there is a {} `{}` already, at {}", analysis::words(kind), name,
-                         placeText(view.program(), symbols[other].at));
+                         placeText(meaning.view.program(), symbols[other].at));
   }
   return {};
 }
 
-/// Adds the places of one program. A file may be of several programs, with the same places.
-void collect(std::map<fs::path, std::set<syntax::Offset>>& begins, const View& view,
-             analysis::SymbolId symbol) {
-  for (const auto& place : view.index().occurrencesOf(symbol))
-    begins[view.program().files[place.at.file].path].insert(place.at.range.begin);
+/// Where the name begins, by file. A file may be of several programs, with the same places.
+using Places = std::map<fs::path, std::set<syntax::Offset>>;
+
+/// Adds the places of one program.
+void collect(Places& places, const Meaning& meaning) {
+  const auto& files = meaning.view.program().files;
+  for (const auto& place : meaning.view.index().occurrencesOf(meaning.symbol))
+    places[files[place.at.file].path].insert(place.at.range.begin);
 }
 
-RenamePlan planOf(const std::map<fs::path, std::set<syntax::Offset>>& begins, std::size_t length,
-                  std::string_view newName) {
+/// The other programs in which a place of the name stands.
+void addPrograms(std::vector<Meaning>& known, const Snapshot& snapshot, const Meaning& meaning) {
+  auto isKnown = [&](const View& view) {
+    return std::ranges::any_of(known, [&](const auto& it) { return it.view.owner == view.owner; });
+  };
+  std::set<analysis::FileId> seen;
+  for (const auto& place : meaning.view.index().occurrencesOf(meaning.symbol)) {
+    if (!seen.insert(place.at.file).second) continue;
+    for (auto& view : snapshot.views(meaning.view.program().files[place.at.file].path)) {
+      if (isKnown(view)) continue;
+      if (auto there = occurrenceAt(view, place.at.range.begin))
+        known.push_back({std::move(view), there->symbol});
+    }
+  }
+}
+
+/// All programs that must change together: where two of them share a file that uses the name, each
+/// may define it for itself.
+std::vector<Meaning> meaningsOf(const Snapshot& snapshot, Meaning first, Places& places) {
+  std::vector<Meaning> known{std::move(first)};
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const auto meaning = known[i];
+    collect(places, meaning);
+    addPrograms(known, snapshot, meaning);
+  }
+  return known;
+}
+
+RenamePlan planOf(const Places& places, std::size_t length, std::string_view newName) {
   RenamePlan plan{std::string(newName), {}};
-  for (const auto& [path, offsets] : begins)
+  for (const auto& [path, offsets] : places)
     for (auto begin : offsets)
       plan.places[path].push_back({begin, begin + static_cast<syntax::Offset>(length)});
   return plan;
@@ -148,20 +184,13 @@ std::expected<RenamePlan, std::string> rename(const Snapshot& snapshot, const Vi
                     newName));
   if (newName == symbol.name) return RenamePlan{std::string(newName), {}};
 
-  const auto key = keyOf(view.index().symbols(), occurrence->symbol);
-  std::map<fs::path, std::set<syntax::Offset>> begins;
-  std::vector<View> programs;
-  for (const auto& each : snapshot.views(view.program().files[symbol.at.file].path)) {
-    const auto found = findSymbol(each.index().symbols(), key);
-    if (found == analysis::kNoSymbol) continue;
-    if (auto why = takenBy(each, each.index().symbols()[found], newName); !why.empty())
-      return std::unexpected(why);
-    collect(begins, each, each.owner == view.owner ? occurrence->symbol : found);
-    programs.push_back(each);
-  }
-  auto plan = planOf(begins, symbol.name.size(), newName);
+  Places places;
+  const auto programs = meaningsOf(snapshot, {view, occurrence->symbol}, places);
   for (const auto& each : programs)
-    if (auto why = captured(*each.owner, plan); !why.empty()) return std::unexpected(why);
+    if (auto why = takenBy(each, newName); !why.empty()) return std::unexpected(why);
+  auto plan = planOf(places, symbol.name.size(), newName);
+  for (const auto& each : programs)
+    if (auto why = captured(*each.view.owner, plan); !why.empty()) return std::unexpected(why);
   return plan;
 }
 

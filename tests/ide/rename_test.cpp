@@ -69,6 +69,20 @@ TEST_CASE("over the files of a program, and over the programs of a file") {
   CHECK(renaming->places.size() == 3);
 }
 
+TEST_CASE("a name that two programs define, and a file of both uses, is renamed in both") {
+  const std::string use = "(defevent e :effects (lamp On))";
+  const std::string include = "(include \"use.proskill\")\n";
+  MarkedProgram program({{"use.proskill", use},
+                         {"a.proskill", include + "(defsv la^mp :states (On Off) :init Off)"},
+                         {"b.proskill", include + "(defsv lamp :states (On) :init On)"}});
+  auto renaming = plan(program, "light");
+  REQUIRE(renaming);
+  for (const auto* file : {"/w/use.proskill", "/w/a.proskill", "/w/b.proskill"}) {
+    INFO(file);
+    CHECK(renaming->places[file].size() == 1);
+  }
+}
+
 TEST_CASE("what is no name, or stands where no name is, is refused") {
   const std::string text = "(defsv la^mp :states (On Off) :init On)";
   for (const auto* name : {"", "3d", "take-off", "élan", "a b", "$x", ":init", "skill.status"})

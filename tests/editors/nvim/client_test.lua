@@ -71,6 +71,19 @@ return {
     child:wait("return vim.fn.expand('%:t') == 'mission.proskill'")
   end },
 
+  { 'a name is renamed, in the other file too', function(child)
+    local directory = child:copy('rover')
+    child:open(directory .. '/mission.proskill')
+    child:at('(|drive_to where Field')
+    child:lua([[vim.ui.input = function(options, done) offered = options.default; done('drive') end]])
+    child:keys('grn')
+    child:wait("return vim.fn.search('(drive where Field', 'nw') > 0")
+    expect.equal(child:lua('return offered'), 'drive_to')
+    child:edit(directory .. '/skills.proskill')
+    child:wait("return vim.fn.search('(defskill drive$', 'nw') > 0")
+    child:wait('return #vim.diagnostic.get(0, { severity = vim.diagnostic.severity.ERROR }) == 0')
+  end },
+
   { 'all places that use a thing are listed', function(child)
     drone(child)
     child:at('(defskill |landing')
