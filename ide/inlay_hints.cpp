@@ -18,6 +18,8 @@ namespace {
 namespace flow = analysis::flow;
 using syntax::ExprKind;
 
+constexpr unsigned kMostValues = 3; ///< that a hint lists
+
 bool touches(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
 
 bool isLiteral(const syntax::Expr& expr) {
@@ -98,6 +100,7 @@ private:
     if (!flow->solver.started(id)) return;
     if (!durations) durations.emplace(flow->solver);
     const auto taken = durations->of(id);
+    if (taken && !taken->most && taken->least == syntax::Rational{}) return; // any time
     const auto text = taken ? flow::words(*taken) : std::string("never ends");
     add({HintKind::Duration, skill.name.range.end, text,
          "From the start of the skill to its end, in runs that nobody stops; computed from its "
@@ -112,6 +115,7 @@ private:
     for (const auto& [text, points] : byText) {
       const auto& first = points.front();
       const auto& node = (*flow->system[first.process].graph)[first.node];
+      if (node.invariant) continue; // it is come to when the guard has failed
       for (const auto* condition : node.conditions) ofCondition(*condition, points);
     }
   }
@@ -123,11 +127,23 @@ private:
       const auto variable = flowVariable(view, *flow, mention.name);
       if (!variable) continue;
       const auto values = flow::valuesAt(*flow, points, *variable);
-      if (!values || *values == flow->solver.ever(*variable)) continue;
-      add({HintKind::Values, mention.at.end,
-           fmt::format("= {}", flow->system.variables().words(*variable, *values)),
+      auto label = values ? labelOf(*variable, *values) : std::string();
+      if (label.empty()) continue;
+      add({HintKind::Values, mention.at.end, std::move(label),
            fmt::format("What `{}` can be when the program comes here.", mention.name)});
     }
+  }
+
+  /// "= Good or Low", or "≠ Empty" where that is shorter; empty where nothing is known that is
+  /// worth a reader's while.
+  [[nodiscard]] std::string labelOf(flow::VariableId variable, flow::ValueSet values) const {
+    const auto excluded = flow->solver.ever(variable) - values;
+    const auto& variables = flow->system.variables();
+    if (excluded.empty() || values.empty()) return {};
+    if (values.count() <= kMostValues)
+      return fmt::format("= {}", variables.words(variable, values));
+    if (excluded.count() > 1) return {};
+    return fmt::format("≠ {}", variables.words(variable, excluded));
   }
 
   const View& view;

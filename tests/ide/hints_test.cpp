@@ -52,6 +52,19 @@ TEST_CASE("what is tested shows what it can be, where that is less than elsewher
         "(if (lamp On)");
 }
 
+TEST_CASE("of many values the one is told that it cannot be") {
+  const std::string mode = "(defsv mode :states (A B C D E) :init A)\n"
+                           "(defevent b :effects (mode B)) (defevent c :effects (mode C))"
+                           "(defevent d :effects (mode D)) (defevent e :effects (mode E))\n";
+  check(mode + "(defskill m :body ((set (mode B)) (if (mode C) (^ 1))))", "(if (mode{≠ A} C)");
+}
+
+TEST_CASE("guards, which are looked at all the time, and bodies that take any time have no hints") {
+  check("(defsv lamp :states (On Off) :init On) (defevent e :effects (lamp Off))"
+        "(defskill m :invariant (t (:guard (lamp On))) :body ((^ (lamp Off))))",
+        "(defskill m :invariant (t (:guard (lamp On)))");
+}
+
 TEST_CASE("hints are for the range that was asked for") {
   check(kGo + "(defskill m :body ((go x 3) [[(go x 4)]] (go x 5)))",
         "(defskill m :body ((go x 3) (go x{: float} 4) (go x 5)))");
