@@ -115,8 +115,8 @@ class App {
 
   /** What the host asks for, else what was seen last, else the first finding. */
   private async begin(): Promise<void> {
+    const { picture, trace, step } = this.remembered; // what follows has something to remember, too
     if (this.hello.program) this.take(this.hello.program);
-    const { picture, trace, step } = this.remembered;
     const show = this.hello.show ?? { ...(picture && { picture }), ...(trace && { trace }), ...(step !== undefined && { step }) };
     await this.show(show);
     await this.showFirst();
