@@ -27,7 +27,8 @@ std::string contents(const std::filesystem::path& path) {
 std::vector<std::string> examples() {
   std::vector<std::string> result;
   for (const auto& entry : std::filesystem::directory_iterator(kExamples))
-    if (entry.is_directory()) result.push_back(entry.path().filename().string());
+    if (entry.is_directory() && !example(entry.path().filename().string()).empty())
+      result.push_back(entry.path().filename().string());
   std::ranges::sort(result);
   return result;
 }

@@ -14,7 +14,7 @@ using Files = std::map<std::string, std::string>;
 
 [[nodiscard]] std::string contents(const std::filesystem::path& path);
 
-/// The names of the directories in examples/.
+/// The names of the directories in examples/ that have programs in ProSkill.
 [[nodiscard]] std::vector<std::string> examples();
 
 /// The programs of one of them.
