@@ -60,7 +60,9 @@ int run(const Arguments& arguments) {
     options.log = [log](std::string_view line) { log->write(line); };
   }
   if (!arguments.port) return serve(*lsp::standardStreams(), std::move(options));
-  auto connection = lsp::acceptLoopback(*arguments.port);
+  auto connection = lsp::acceptLoopback(*arguments.port, [](std::uint16_t port) {
+    std::cerr << "listening on port " << port << std::endl;
+  });
   if (!connection) return fail("cannot listen on the port: " + connection.error());
   return serve(**connection, std::move(options));
 }
@@ -71,8 +73,8 @@ void addLsp(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("lsp", "Serve an editor by the Language Server Protocol");
   command->add_option("--port", arguments->port,
-                      "Wait for one client on this port of the loopback interface, instead of "
-                      "standard input and output");
+                      "Wait for one client on this port of the loopback interface, 0: any that "
+                      "is free, instead of standard input and output");
   command->add_option("--log", arguments->log, "Append a line for each request to this file");
   command->add_option("--debounce", arguments->debounce,
                       "Milliseconds without an edit before diagnostics are sent");

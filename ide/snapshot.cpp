@@ -1,6 +1,7 @@
 #include "ide/snapshot.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace proskill::ide {
@@ -32,11 +33,10 @@ private:
   const OpenTexts& open;
 };
 
-analysis::FileId fileIn(const analysis::Program& program, const fs::path& path) {
+std::optional<analysis::FileId> fileIn(const analysis::Program& program, const fs::path& path) {
   auto found = std::ranges::find(program.files, path, &analysis::File::path);
-  return found == program.files.end()
-             ? 0
-             : static_cast<analysis::FileId>(found - program.files.begin());
+  if (found == program.files.end()) return std::nullopt;
+  return static_cast<analysis::FileId>(found - program.files.begin());
 }
 
 /// Whether the program was made from just these texts, where they are open, and from no others.
@@ -115,8 +115,10 @@ std::vector<View> Snapshot::views(const fs::path& file) const {
   std::vector<View> result;
   for (const auto& root : rootsOf(file)) {
     auto analysed = program(root);
-    result.push_back({analysed, fileIn(analysed->program, file)});
+    if (auto id = fileIn(analysed->program, file)) result.push_back({analysed, *id});
   }
+  // Who seems to include it does not, through links or too deep: it stands for itself.
+  if (result.empty()) result.push_back({program(file), 0});
   return result;
 }
 

@@ -19,6 +19,14 @@ bool lists(const Json& names, std::string_view name) {
   return names.is_array() && std::ranges::find(names, Json(name)) != names.end();
 }
 
+std::set<std::string> strings(const Json& json) {
+  std::set<std::string> result;
+  if (json.is_array())
+    for (const auto& each : json)
+      if (each.is_string()) result.insert(each.get<std::string>());
+  return result;
+}
+
 /// Bytes are what the server counts in; where the client takes them, nothing has to be converted.
 Encoding chooseEncoding(const Json& capabilities) {
   for (const auto* offered : {&memberAt(capabilities, {"general", "positionEncodings"}),
@@ -35,7 +43,8 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.encoding = chooseEncoding(capabilities);
   client.pullDiagnostics = memberAt(capabilities, {"textDocument", "diagnostic"}).is_object();
   client.relatedInformation =
-      isTrue(capabilities, {"textDocument", "publishDiagnostics", "relatedInformation"});
+      isTrue(capabilities, {"textDocument", "publishDiagnostics", "relatedInformation"}) ||
+      isTrue(capabilities, {"textDocument", "diagnostic", "relatedInformation"});
   client.watchedFiles =
       isTrue(capabilities, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
   client.workDoneProgress = isTrue(capabilities, {"window", "workDoneProgress"});
@@ -52,6 +61,16 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.markdownHover =
       lists(memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
   client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
+  client.diagnosticTags =
+      memberAt(capabilities, {"textDocument", "publishDiagnostics", "tagSupport"}).is_object() ||
+      memberAt(capabilities, {"textDocument", "diagnostic", "tagSupport"}).is_object();
+  client.configuration = isTrue(capabilities, {"workspace", "configuration"});
+  client.dynamicConfiguration =
+      isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});
+  client.diagnosticRefresh = isTrue(capabilities, {"workspace", "diagnostics", "refreshSupport"}) ||
+                             isTrue(capabilities, {"workspace", "diagnostic", "refreshSupport"});
+  client.retried =
+      strings(memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
   return client;
 }
 

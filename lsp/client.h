@@ -3,6 +3,9 @@
 #include "lsp/position.h"
 #include "lsp/rpc.h"
 
+#include <set>
+#include <string>
+
 namespace proskill::lsp {
 
 /// What the client said that it can do, as far as the server asks.
@@ -20,6 +23,12 @@ struct ClientFeatures {
   bool hierarchicalSymbols = false;
   bool markdownHover = false;
   bool documentChanges = false; ///< workspace edits with versions
+  bool diagnosticTags = false;
+  bool configuration = false;        ///< may be asked for its settings
+  bool dynamicConfiguration = false; ///< registers for changes of them
+  bool diagnosticRefresh = false;
+  /// Methods that it asks again where a request was refused because the text has changed.
+  std::set<std::string> retried;
 };
 
 /// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension

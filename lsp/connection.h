@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,7 +25,8 @@ public:
 [[nodiscard]] std::unique_ptr<Connection> standardStreams();
 
 /// The first client that connects to a port of the loopback interface. Blocks until it does.
+/// \param port 0: any that is free; `onListening` is told which
 [[nodiscard]] std::expected<std::unique_ptr<Connection>, std::string>
-acceptLoopback(std::uint16_t port);
+acceptLoopback(std::uint16_t port, const std::function<void(std::uint16_t)>& onListening);
 
 } // namespace proskill::lsp

@@ -41,7 +41,7 @@ std::string Converter::uri(analysis::FileId file) const {
 
 std::filesystem::path pathOf(std::string_view uri) {
   auto path = toPath(uri);
-  return path ? *path : std::filesystem::path(uri);
+  return path ? *path : std::filesystem::path("/" + std::string(uri));
 }
 
 std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) {

@@ -1,10 +1,22 @@
 #include "ide/diagnostics.h"
 #include "lsp/convert.h"
 #include "lsp/diagnostics.h"
+#include "lsp/fingerprint.h"
+#include "lsp/uri.h"
+
+#include "syntax/codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
 
 namespace proskill::lsp {
 
 namespace {
+
+using syntax::Code;
 
 int severityOf(syntax::Severity severity) {
   switch (severity) {
@@ -13,6 +25,14 @@ int severityOf(syntax::Severity severity) {
   case syntax::Severity::Hint: return 4;
   }
   return 1;
+}
+
+/// What an editor shows faded: it could be taken out, and nothing would change.
+bool isUnnecessary(Code code) {
+  constexpr std::array kCodes{Code::UnreachableStatement, Code::UnusedSkill,    Code::UnusedEvent,
+                              Code::UnusedStateVariable,  Code::UnusedResource, Code::UnusedLabel,
+                              Code::UnusedInput};
+  return std::ranges::find(kCodes, code) != kCodes.end();
 }
 
 Json relatedJson(const syntax::Diagnostic& diagnostic, const Converter& convert) {
@@ -35,35 +55,93 @@ Json fixesJson(const syntax::Diagnostic& diagnostic, const Converter& convert) {
 Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
                     const ClientFeatures& client) {
   const auto& diagnostic = *finding.diagnostic;
+  const auto& id = syntax::info(diagnostic.code).id;
   Json json{{"range", convert.range(diagnostic.location)},
             {"severity", severityOf(diagnostic.severity)},
-            {"code", syntax::info(diagnostic.code).id},
+            {"code", id},
             {"source", "proskill"},
             {"message", diagnostic.message}};
+  if (client.diagnosticTags && isUnnecessary(diagnostic.code)) json["tags"] = Json::array({1});
   if (client.relatedInformation && !diagnostic.related.empty())
     json["relatedInformation"] = relatedJson(diagnostic, convert);
   if (!diagnostic.fixes.empty()) json["data"] = {{"fixes", fixesJson(diagnostic, convert)}};
   return json;
 }
 
-Json report(Json items) { return {{"kind", "full"}, {"items", std::move(items)}}; }
+/// Names what the items say: the same items, the same name, in every session.
+std::string resultIdOf(const Json& items) {
+  return fingerprint(items.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// `unchanged` where the client has just this already.
+Json report(Json items, const Json& previous) {
+  auto id = resultIdOf(items);
+  if (previous == id) return {{"kind", "unchanged"}, {"resultId", id}};
+  return {{"kind", "full"}, {"resultId", id}, {"items", std::move(items)}};
+}
+
+Json itemsOf(const Request& request, const std::filesystem::path& path) {
+  return request.settings->diagnostics ? diagnosticsOf(request.snapshot, path, request.client)
+                                       : Json::array();
+}
 
 Answer documentDiagnostics(const Request& request) {
   auto path = documentPath(request.params);
   if (!path) return std::unexpected(path.error());
-  return report(diagnosticsOf(request.snapshot, *path, request.client));
+  return report(itemsOf(request, *path), memberAt(request.params, {"previousResultId"}));
 }
 
-/// Of every open text; a file that is not open has no version that the client could show them for.
+using Previous = std::map<std::filesystem::path, std::pair<std::string, Json>>;
+
+/// What the client was told before, by path: its URI and the result's identifier.
+Previous previousOf(const Json& params) {
+  Previous result;
+  const Json& list = memberAt(params, {"previousResultIds"});
+  if (!list.is_array()) return result;
+  for (const auto& each : list)
+    if (const Json& uri = memberAt(each, {"uri"}); uri.is_string())
+      result[pathOf(uri.get<std::string>())] = {uri, memberAt(each, {"value"})};
+  return result;
+}
+
+Json itemOf(const Request& request, const std::filesystem::path& path, const Previous& previous) {
+  auto before = previous.find(path);
+  auto item =
+      report(itemsOf(request, path), before == previous.end() ? Json() : before->second.second);
+  auto open = request.snapshot.open().find(path);
+  const bool isOpen = open != request.snapshot.open().end();
+  item["uri"] = isOpen ? open->second.uri : toUri(path);
+  item["version"] = isOpen ? Json(open->second.version) : Json();
+  return item;
+}
+
+/// An empty report for what the client still shows of a file that is no more.
+Json goneItem(const std::string& uri) {
+  return {{"uri", uri}, {"version", nullptr}, {"kind", "full"}, {"items", Json::array()}};
+}
+
+/// Of every file of the workspace, open or not; in parts where the client takes them.
 Answer workspaceDiagnostics(const Request& request) {
+  const auto previous = previousOf(request.params);
+  const auto files = request.snapshot.files();
   Json items = Json::array();
-  for (const auto& [path, text] : request.snapshot.open()) {
+  auto give = [&](Json item) {
+    if (request.progress->wantsParts())
+      request.progress->part({{"items", Json::array({std::move(item)})}});
+    else
+      items.push_back(std::move(item));
+  };
+  request.progress->begin("Checking programs");
+  std::size_t done = 0;
+  for (const auto& path : files) {
     if (request.cancellation.isCancelled()) break;
-    auto item = report(diagnosticsOf(request.snapshot, path, request.client));
-    item["uri"] = text.uri;
-    item["version"] = text.version;
-    items.push_back(std::move(item));
+    give(itemOf(request, path, previous));
+    ++done;
+    request.progress->report(fmt::format("{} of {} files", done, files.size()),
+                             static_cast<unsigned>(100 * done / files.size()));
   }
+  for (const auto& [path, told] : previous)
+    if (!request.snapshot.knows(path)) give(goneItem(told.first));
   return Json{{"items", items}};
 }
 
@@ -80,8 +158,10 @@ Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& p
 }
 
 void addDiagnostics(Registry& registry) {
-  registry.capabilities["diagnosticProvider"] = {
-      {"identifier", "proskill"}, {"interFileDependencies", true}, {"workspaceDiagnostics", true}};
+  registry.capabilities["diagnosticProvider"] = {{"identifier", "proskill"},
+                                                 {"interFileDependencies", true},
+                                                 {"workspaceDiagnostics", true},
+                                                 {"workDoneProgress", true}};
   registry.add("textDocument/diagnostic", documentDiagnostics);
   registry.add("workspace/diagnostic", workspaceDiagnostics, Priority::Background);
 }

@@ -20,7 +20,9 @@ struct Received {
   Message message;
   Cancellation cancellation;
 };
-using Incident = std::variant<Received, MalformedMessage, EndOfStream>;
+/// Work that another thread has prepared and that the main one finishes.
+using Errand = std::function<void()>;
+using Incident = std::variant<Received, MalformedMessage, Errand, EndOfStream>;
 
 /// What waits for the main thread: from the reading thread, in order.
 class Inbox {

@@ -40,7 +40,8 @@ private:
 
 } // namespace
 
-std::expected<std::unique_ptr<Connection>, std::string> acceptLoopback(std::uint16_t port) {
+std::expected<std::unique_ptr<Connection>, std::string>
+acceptLoopback(std::uint16_t port, const std::function<void(std::uint16_t)>& onListening) {
   auto context = std::make_unique<asio::io_context>();
   asio::error_code error;
   tcp::acceptor acceptor(*context);
@@ -50,6 +51,7 @@ std::expected<std::unique_ptr<Connection>, std::string> acceptLoopback(std::uint
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(1, error);
   tcp::socket socket(*context);
+  if (!error) onListening(acceptor.local_endpoint(error).port());
   if (!error) acceptor.accept(socket, error);
   if (error) return std::unexpected(error.message());
   return std::make_unique<Socket>(std::move(context), std::move(socket));

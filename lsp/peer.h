@@ -13,8 +13,8 @@ namespace proskill::lsp {
 /// The client, as those see it who have something to tell it or to ask. Any thread may.
 class Peer {
 public:
-  /// Gets the answer's result, null where the client answered with an error. Runs on the main
-  /// thread.
+  /// Gets the answer's result, on the main thread; not called where the client answered with an
+  /// error.
   using OnResult = std::function<void(const Json& result)>;
 
   explicit Peer(Outbox& outbox) : outbox(outbox) {}
@@ -34,16 +34,17 @@ public:
   }
 
   /// An answer has come. \return the question was ours
-  bool answered(const Json& id, const Json& result) {
+  bool answered(const Message& answer) {
     OnResult onResult;
     {
       const std::lock_guard lock(mutex);
-      auto found = id.is_string() ? waiting.find(id.get<std::string>()) : waiting.end();
+      auto found =
+          answer.id.is_string() ? waiting.find(answer.id.get<std::string>()) : waiting.end();
       if (found == waiting.end()) return false;
       onResult = std::move(found->second);
       waiting.erase(found);
     }
-    if (onResult) onResult(result);
+    if (onResult && answer.error.is_null()) onResult(answer.result);
     return true;
   }
 

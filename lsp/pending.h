@@ -6,6 +6,8 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace proskill::lsp {
 
@@ -14,36 +16,59 @@ namespace proskill::lsp {
 class Pending {
 public:
   /// The request's token; nothing where a request of the same identifier waits already.
-  std::optional<Cancellation> begin(const Json& id) {
-    std::lock_guard lock(mutex);
-    auto [entry, isNew] = requests.try_emplace(id);
-    return isNew ? std::optional(entry->second) : std::nullopt;
+  std::optional<Cancellation> begin(const Message& message) {
+    const Json& uri = memberAt(message.params, {"textDocument", "uri"});
+    Waiting waiting{{}, message.method, uri.is_string() ? uri.get<std::string>() : std::string()};
+    const std::lock_guard lock(mutex);
+    auto [entry, isNew] = requests.try_emplace(message.id, std::move(waiting));
+    return isNew ? std::optional(entry->second.cancellation) : std::nullopt;
   }
 
   /// Whether the request still waits for an answer; the caller gives it.
   bool finish(const Json& id) {
-    std::lock_guard lock(mutex);
+    const std::lock_guard lock(mutex);
     return requests.erase(id) > 0;
   }
 
   /// As `finish`, and tells the work that it is not needed.
   bool cancel(const Json& id) {
-    std::lock_guard lock(mutex);
+    const std::lock_guard lock(mutex);
     auto found = requests.find(id);
     if (found == requests.end()) return false;
-    found->second.cancel();
+    found->second.cancellation.cancel();
     requests.erase(found);
     return true;
   }
 
+  struct Request {
+    Json id;
+    std::string method;
+  };
+  /// Those of these methods that ask about a text, by its URI.
+  template <class Methods>
+  [[nodiscard]] std::vector<Request> about(const std::string& uri, const Methods& methods) const {
+    const std::lock_guard lock(mutex);
+    std::vector<Request> result;
+    for (const auto& [id, waiting] : requests)
+      if (waiting.uri == uri && methods.contains(waiting.method))
+        result.push_back({id, waiting.method});
+    return result;
+  }
+
   [[nodiscard]] std::size_t size() const {
-    std::lock_guard lock(mutex);
+    const std::lock_guard lock(mutex);
     return requests.size();
   }
 
 private:
+  struct Waiting {
+    Cancellation cancellation;
+    std::string method;
+    std::string uri; ///< of its text document; empty where it has none
+  };
+
   mutable std::mutex mutex;
-  std::map<Json, Cancellation> requests;
+  std::map<Json, Waiting> requests;
 };
 
 } // namespace proskill::lsp

@@ -68,9 +68,9 @@ std::string reply(const Json& id, const Json& result) {
 }
 
 std::string replyError(const Json& id, const RpcError& error) {
-  return dump({{"jsonrpc", "2.0"},
-               {"id", id},
-               {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
+  Json json{{"code", static_cast<int>(error.code)}, {"message", error.message}};
+  if (!error.data.is_null()) json["data"] = error.data;
+  return dump({{"jsonrpc", "2.0"}, {"id", id}, {"error", std::move(json)}});
 }
 
 const Json& memberAt(const Json& json, std::initializer_list<const char*> path) {

@@ -27,6 +27,7 @@ enum class ErrorCode : int {
 struct RpcError {
   ErrorCode code = ErrorCode::InternalError;
   std::string message;
+  Json data = nullptr; ///< as the method's specification says; null where there is none
 };
 
 enum class MessageKind : std::uint8_t { Request, Notification, Response };

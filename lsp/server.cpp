@@ -1,9 +1,6 @@
 #include "lsp/server.h"
 
-#include "lsp/diagnostics.h"
 #include "lsp/uri.h"
-
-#include <fmt/format.h>
 
 #include <thread>
 
@@ -11,25 +8,27 @@ namespace proskill::lsp {
 
 namespace {
 
-constexpr std::string_view kPattern = "**/*.proskill";
+/// A result longer than this is sent in parts, where the client takes them.
+constexpr std::size_t kPart = 200;
 
-Json idOf(const Json& params) {
-  return params.is_object() && params.contains("id") ? params["id"] : Json();
+const Json& idOf(const Json& params) { return memberAt(params, {"id"}); }
+
+std::string uriOf(const Json& params) {
+  const Json& uri = memberAt(params, {"textDocument", "uri"});
+  return uri.is_string() ? uri.get<std::string>() : std::string();
 }
 
-/// The folders of `initialize`, whichever of its three ways of saying them the client uses.
-std::vector<std::filesystem::path> foldersOf(const Json& params) {
-  std::vector<std::filesystem::path> result;
-  auto add = [&](const Json& uri) {
-    if (!uri.is_string()) return;
-    if (auto path = toPath(uri.get_ref<const std::string&>())) result.push_back(*path);
-  };
-  if (auto folders = params.find("workspaceFolders");
-      folders != params.end() && folders->is_array())
-    for (const auto& folder : *folders)
-      if (folder.is_object()) add(folder.value("uri", Json()));
-  if (result.empty()) add(params.value("rootUri", Json()));
-  return result;
+/// Sends a list as parts; what is left for the answer is nothing. LSP 3.17: the answer of a request
+/// whose parts were sent is empty.
+Json inParts(Json list, const Progress& progress) {
+  if (!progress.wantsParts() || !list.is_array() || list.size() <= kPart) return list;
+  Json part = Json::array();
+  for (auto& item : list) {
+    part.push_back(std::move(item));
+    if (part.size() == kPart) progress.part(std::exchange(part, Json::array()));
+  }
+  if (!part.empty()) progress.part(part);
+  return Json::array();
 }
 
 } // namespace
@@ -39,22 +38,44 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
     : connection(connection),
       options(std::move(serverOptions)),
       outbox(connection),
+      peer(outbox),
+      announcer(peer),
       workspace(std::move(disk)),
+      publisher(peer, scheduler, statistics, client,
+                [this](std::string_view method, const Json& params, std::string_view error) {
+                  failed(method, params, error);
+                }),
       scheduler(options.threads) {
-  registry.add("proskill/status", [this](const Request&) -> Answer { return status(); });
+  registry.add("proskill/status",
+               [this](const Request& request) -> Answer { return status(request.snapshot); });
 }
 
 int Server::run() {
   std::jthread reader([this] { readStream(); });
   while (true) {
-    auto incident = inbox.take(diagnosticsDue);
-    if (!incident)
-      pushDiagnostics();
-    else if (!handle(*incident))
+    auto incident = inbox.take(nextDeadline());
+    if (!incident) {
+      if (parentIsGone()) break;
+      onDeadline();
+    } else if (!handle(*incident)) {
       break;
+    }
   }
   connection.close();
   return phase == Phase::ShutDown ? 0 : 1;
+}
+
+std::optional<Server::Time> Server::nextDeadline() const {
+  auto due = publisher.due();
+  if (!due || (parentDue && *parentDue < *due)) return parentDue;
+  return due;
+}
+
+void Server::onDeadline() {
+  if (publisher.due() && *publisher.due() <= std::chrono::steady_clock::now()) {
+    publisher.publish(workspace.snapshot(), settings->diagnostics);
+    showMistakes();
+  }
 }
 
 void Server::readStream() {
@@ -77,12 +98,12 @@ void Server::receive(const Frame& frame) {
 /// Cancels on the spot: a cancellation must not wait behind what it cancels.
 void Server::receive(Message message) {
   if (message.kind == MessageKind::Notification && message.method == "$/cancelRequest") {
-    auto id = idOf(message.params);
+    const Json& id = idOf(message.params);
     if (pending.cancel(id)) outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
     return;
   }
   if (message.kind != MessageKind::Request) return inbox.put(Received{std::move(message), {}});
-  auto cancellation = pending.begin(message.id);
+  auto cancellation = pending.begin(message);
   if (!cancellation)
     return inbox.put(
         MalformedMessage{{ErrorCode::InvalidRequest, "`id` is that of a request that waits"},
@@ -94,6 +115,10 @@ void Server::receive(Message message) {
 bool Server::handle(Incident& incident) {
   if (std::holds_alternative<EndOfStream>(incident)) return false;
   if (auto* received = std::get_if<Received>(&incident)) return handleMessage(*received);
+  if (auto* errand = std::get_if<Errand>(&incident)) {
+    (*errand)();
+    return true;
+  }
   const auto& malformed = std::get<MalformedMessage>(incident);
   log("malformed message: " + malformed.error.message);
   outbox.send(replyError(malformed.id, malformed.error));
@@ -107,10 +132,12 @@ bool Server::handleMessage(Received& received) {
     switch (message.kind) {
     case MessageKind::Request: handleRequest(received); return true;
     case MessageKind::Notification: return handleNotification(message);
-    case MessageKind::Response: return true; // to our registrations; nothing depends on them
+    case MessageKind::Response:
+      if (!peer.answered(message)) log("an answer to no question");
+      return true;
     }
   } catch (const std::exception& error) {
-    failed(message.method, message.params, error);
+    failed(message.method, message.params, error.what());
     if (pending.finish(message.id))
       outbox.send(replyError(message.id, {ErrorCode::InternalError, error.what()}));
   }
@@ -123,7 +150,7 @@ void Server::handleRequest(Received& received) {
     if (pending.finish(message.id)) outbox.send(replyError(message.id, {code, std::move(why)}));
   };
   auto give = [&](const Json& result) {
-    if (pending.finish(message.id)) outbox.send(reply(message.id, result));
+    if (pending.finish(message.id)) outbox.send(lsp::reply(message.id, result));
   };
   if (phase == Phase::ShutDown)
     return refuse(ErrorCode::InvalidRequest, "the server has been shut down");
@@ -146,157 +173,109 @@ void Server::handleRequest(Received& received) {
 
 bool Server::handleNotification(const Message& message) {
   if (message.method == "exit") return false;
-  if (phase != Phase::Running) return true;
-  if (message.method == "initialized")
-    initialized();
-  else if (message.method.starts_with("textDocument/did"))
-    handleText(message);
-  else if (message.method == "workspace/didChangeWatchedFiles")
-    handleWatchedFiles(message.params);
-  else if (!message.method.starts_with("$/"))
-    log("a notification that is not served: " + message.method);
+  if (phase == Phase::Running) notified(message);
   return true;
+}
+
+void Server::notified(const Message& message) {
+  const auto& [method, params] = std::tie(message.method, message.params);
+  if (method == "initialized") return initialized();
+  if (method.starts_with("textDocument/did")) return handleText(message);
+  if (method == "workspace/didChangeWatchedFiles") return handleWatchedFiles(params);
+  if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
+  if (method == "workspace/didChangeConfiguration")
+    return client.configuration ? askForSettings() : setSettings(memberAt(params, {"settings"}));
+  if (method == "$/setTrace") return setTrace(memberAt(params, {"value"}));
+  if (!method.starts_with("$/")) log("a notification that is not served: " + method);
 }
 
 void Server::handleText(const Message& message) {
   Workspace::Outcome outcome;
+  auto before = workspace.snapshot();
   if (message.method == "textDocument/didOpen")
     outcome = workspace.open(message.params);
   else if (message.method == "textDocument/didChange")
     outcome = workspace.change(message.params);
   else if (message.method == "textDocument/didClose")
     outcome = workspace.close(message.params);
+  else if (message.method == "textDocument/didSave")
+    outcome = workspace.saved(message.params);
   else
-    return;
-  if (!outcome) showError(outcome.error());
-  scheduleDiagnostics();
+    return log("a notification that is not served: " + message.method);
+  if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
+  if (message.method == "textDocument/didChange") refuseStale(message);
+  changed();
+  // Whole programs may go with the old snapshot: not here, where the next edit would wait for it.
+  scheduler.post(Priority::Background, [before = std::move(before)] {});
 }
 
-void Server::handleWatchedFiles(const Json& params) {
-  if (!params.is_object() || !params.contains("changes") || !params["changes"].is_array()) return;
-  std::vector<std::filesystem::path> paths;
-  for (const auto& change : params["changes"])
-    if (change.is_object() && change.contains("uri") && change["uri"].is_string())
-      if (auto path = toPath(change["uri"].get_ref<const std::string&>())) paths.push_back(*path);
-  workspace.readFiles(paths);
-  scheduleDiagnostics();
-}
-
-Json Server::initialize(const Json& params) {
-  phase = Phase::Running;
-  client = readClientFeatures(params.is_object() ? params.value("capabilities", Json()) : Json());
-  workspace.setEncoding(client.encoding);
-  if (params.is_object()) folders = foldersOf(params);
-  Json capabilities = registry.capabilities;
-  capabilities["positionEncoding"] = nameOf(client.encoding);
-  capabilities["textDocumentSync"] = {{"openClose", true}, {"change", 2}, {"save", true}};
-  capabilities["workspace"] = {{"workspaceFolders", {{"supported", true}}}};
-  return {{"capabilities", capabilities},
-          {"serverInfo", {{"name", "proskill"}, {"version", options.version}}},
-          {"offsetEncoding", nameOf(client.encoding)}};
-}
-
-void Server::initialized() {
-  for (const auto& folder : folders) workspace.readFiles(programFiles(folder));
-  if (client.watchedFiles)
-    outbox.send(
-        request("watch", "client/registerCapability",
-                {{"registrations",
-                  Json::array({{{"id", "watch"},
-                                {"method", "workspace/didChangeWatchedFiles"},
-                                {"registerOptions",
-                                 {{"watchers", Json::array({{{"globPattern", kPattern}}})}}}}})}}));
-  scheduleDiagnostics();
+/// What was asked about the text before the edit, and is asked again by the client.
+void Server::refuseStale(const Message& message) {
+  for (const auto& [id, method] : pending.about(uriOf(message.params), client.retried))
+    if (pending.cancel(id))
+      outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
+  static const std::set<std::string> kPulled{"textDocument/diagnostic"};
+  for (const auto& [id, method] : pending.about(uriOf(message.params), kPulled))
+    if (pending.cancel(id))
+      outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
+                                  Json{{"retriggerRequest", true}}}));
 }
 
 void Server::dispatch(Received& received, const Method& method) {
-  scheduler.post(method.priority,
-                 [this, received = std::move(received), &method, snapshot = workspace.snapshot()] {
-                   answer(received.message, method, *snapshot, received.cancellation);
-                 });
+  scheduler.post(method.priority, [this, received = std::move(received), &method,
+                                   snapshot = workspace.snapshot(), settings = settings] {
+    const auto& message = received.message;
+    if (received.cancellation.isCancelled()) return;
+    auto notify = [this](std::string_view what, const Json& params) { peer.notify(what, params); };
+    Request request{message.params, *snapshot, client, received.cancellation};
+    request.settings = settings;
+    request.progress =
+        std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
+                                   memberAt(message.params, {"partialResultToken"}));
+    answer(message, method, request);
+  });
 }
 
 /// A bug in a handler is that request's error, and no other's.
-void Server::answer(const Message& message, const Method& method, const ide::Snapshot& snapshot,
-                    const Cancellation& cancellation) {
-  if (cancellation.isCancelled()) return;
+void Server::answer(const Message& message, const Method& method, const Request& request) {
   auto start = std::chrono::steady_clock::now();
   Answer result;
+  auto bug = [&](std::string_view what) {
+    ++errors;
+    failed(message.method, message.params, what);
+    result = std::unexpected(RpcError{ErrorCode::InternalError, std::string(what)});
+  };
   try {
-    result = method.handler({message.params, snapshot, client, cancellation});
+    result = method.handler(request);
   } catch (const std::exception& error) {
-    failed(message.method, message.params, error);
-    result = std::unexpected(RpcError{ErrorCode::InternalError, error.what()});
+    bug(error.what());
+  } catch (...) {
+    bug("an error of an unknown kind");
   }
   auto latency = std::chrono::steady_clock::now() - start;
   statistics.add(message.method, latency);
-  log(fmt::format("{} {:.3f} ms", message.method,
-                  std::chrono::duration<double, std::milli>(latency).count()));
+  const bool cancelled = request.cancellation.isCancelled();
+  logAnswer(message,
+            cancelled ? "cancelled"
+            : result  ? "ok"
+                      : "error: " + result.error().message,
+            latency);
+  reply(message, std::move(result), *request.progress);
+}
+
+void Server::reply(const Message& message, Answer result, Progress& progress) {
   if (!pending.finish(message.id)) return;
-  outbox.send(result ? reply(message.id, *result) : replyError(message.id, result.error()));
+  progress.end();
+  outbox.send(result ? lsp::reply(message.id, inParts(std::move(*result), progress))
+                     : replyError(message.id, result.error()));
 }
 
-void Server::scheduleDiagnostics() {
-  ++revision;
-  if (!client.pullDiagnostics) diagnosticsDue = std::chrono::steady_clock::now() + options.debounce;
+void Server::changed() {
+  if (!client.pullDiagnostics) publisher.changed(debounce());
 }
 
-/// Publishes for every open text, and an empty list for those that have been closed. What a later
-/// edit has made useless is not sent.
-void Server::pushDiagnostics() {
-  diagnosticsDue.reset();
-  auto snapshot = workspace.snapshot();
-  std::map<std::filesystem::path, std::string> now;
-  for (const auto& [path, text] : snapshot->open()) now[path] = text.uri;
-  {
-    const std::lock_guard lock(publishing);
-    for (const auto& [path, uri] : std::exchange(published, now))
-      if (!now.contains(path))
-        outbox.send(notification("textDocument/publishDiagnostics",
-                                 {{"uri", uri}, {"diagnostics", Json::array()}}));
-  }
-  for (const auto& [path, uri] : now)
-    scheduler.post(Priority::Background, [this, snapshot, path = path, asked = revision.load()] {
-      publish(*snapshot, path, asked);
-    });
-}
-
-void Server::publish(const ide::Snapshot& snapshot, const std::filesystem::path& path,
-                     std::uint64_t asked) {
-  if (asked != revision) return;
-  const auto& text = snapshot.open().at(path);
-  try {
-    auto list = diagnosticsOf(snapshot, path, client);
-    const std::lock_guard lock(publishing);
-    if (asked != revision) return;
-    outbox.send(notification(
-        "textDocument/publishDiagnostics",
-        {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}}));
-  } catch (const std::exception& error) {
-    failed("textDocument/publishDiagnostics", {{"uri", text.uri}}, error);
-  }
-}
-
-Json Server::status() const {
-  return {{"version", options.version},
-          {"pending", pending.size()},
-          {"memoryBytes", residentBytes()},
-          {"requests", statistics.latencies()}};
-}
-
-void Server::log(std::string_view line) const {
-  if (options.log) options.log(line);
-}
-
-void Server::failed(std::string_view method, const Json& params,
-                    const std::exception& error) const {
-  log(fmt::format("{} failed: {}; its parameters: {}", method, error.what(),
-                  params.dump(-1, ' ', false, Json::error_handler_t::replace)));
-}
-
-void Server::showError(std::string_view message) {
-  log(message);
-  outbox.send(notification("window/logMessage", {{"type", 1}, {"message", message}}));
+std::chrono::milliseconds Server::debounce() const {
+  return settings->debounce.value_or(options.debounce);
 }
 
 } // namespace proskill::lsp

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "lsp/announcer.h"
 #include "lsp/inbox.h"
 #include "lsp/outbox.h"
+#include "lsp/peer.h"
 #include "lsp/pending.h"
+#include "lsp/publisher.h"
 #include "lsp/registry.h"
 #include "lsp/statistics.h"
 #include "lsp/workspace.h"
@@ -17,7 +20,7 @@ struct ServerOptions {
   std::string version;                    ///< told to the client
   unsigned threads = 3;                   ///< beside those that read and dispatch; at least 2
   std::chrono::milliseconds debounce{50}; ///< from the last edit to the diagnostics that are pushed
-  std::function<void(std::string_view)> log; ///< a line each; from any thread
+  std::function<void(std::string_view)> log{}; ///< a line each; from any thread
 };
 
 /// The language server. Three kinds of threads: one reads the stream and cancels at once; the main
@@ -33,48 +36,70 @@ public:
 
 private:
   enum class Phase : std::uint8_t { Fresh, Running, ShutDown };
+  enum class Trace : std::uint8_t { Off, Messages, Verbose };
   using Time = std::chrono::steady_clock::time_point;
+  using Path = std::filesystem::path;
 
   void readStream();
   void receive(const Frame& frame);
   void receive(Message message);
+  [[nodiscard]] std::optional<Time> nextDeadline() const;
+  void onDeadline();
   bool handle(Incident& incident);
   bool handleMessage(Received& received);
   void handleRequest(Received& received);
   bool handleNotification(const Message& message);
+  void notified(const Message& message);
   void handleText(const Message& message);
-  void handleWatchedFiles(const Json& params);
+  void refuseStale(const Message& message);
+  void dispatch(Received& received, const Method& method);
+  void answer(const Message& message, const Method& method, const Request& request);
+  void reply(const Message& message, Answer result, Progress& progress);
+  void changed();
+  [[nodiscard]] std::chrono::milliseconds debounce() const;
 
+  // server_lifecycle.cpp
   Json initialize(const Json& params);
   void initialized();
-  void dispatch(Received& received, const Method& method);
-  void answer(const Message& message, const Method& method, const ide::Snapshot& snapshot,
-              const Cancellation& cancellation);
-  void scheduleDiagnostics();
-  void pushDiagnostics();
-  void publish(const ide::Snapshot& snapshot, const std::filesystem::path& path,
-               std::uint64_t asked);
-  void failed(std::string_view method, const Json& params, const std::exception& error) const;
-  Json status() const;
+  void registerCapabilities();
+  void askForSettings();
+  void setSettings(const Json& settings);
+  void changeFolders(const Json& params);
+  void readFolders(std::vector<Path> folders);
+  void handleWatchedFiles(const Json& params);
+  void showMistakes();
+  void setTrace(const Json& value);
+  bool parentIsGone();
+
+  // server_log.cpp
+  void failed(std::string_view method, const Json& params, std::string_view error) const;
+  void logAnswer(const Message& message, std::string_view outcome,
+                 std::chrono::nanoseconds latency);
+  [[nodiscard]] Json status(const ide::Snapshot& snapshot) const;
   void log(std::string_view line) const;
-  void showError(std::string_view message);
 
   Connection& connection;
   ServerOptions options;
   Registry registry = allFeatures();
   Outbox outbox;
+  Peer peer;
+  Announcer announcer;
   Inbox inbox;
   Pending pending;
   Statistics statistics;
   Workspace workspace;
   ClientFeatures client;
+  std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
   Phase phase = Phase::Fresh;
-  std::vector<std::filesystem::path> folders;
-  std::optional<Time> diagnosticsDue;
-  std::map<std::filesystem::path, std::string> published; ///< paths with their client's URI
-  std::atomic<std::uint64_t> revision{0};                 ///< of the texts
-  std::mutex publishing; ///< between a look at the revision and the sending
-  Scheduler scheduler;   ///< last: its threads use all of the above
+  std::atomic<Trace> trace = Trace::Off;
+  std::vector<Path> folders;
+  std::map<Path, std::string> mistakes; ///< in files of settings, as the client was told
+  std::optional<int> parent;            ///< process whose end is ours
+  std::optional<Time> parentDue;        ///< when to look for it
+  Time started = std::chrono::steady_clock::now();
+  std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
+  Publisher publisher;
+  Scheduler scheduler; ///< last: its threads use all of the above
 };
 
 } // namespace proskill::lsp

@@ -1,6 +1,7 @@
 #include "lsp/workspace.h"
 
 #include "lsp/convert.h"
+#include "lsp/file_cache.h"
 #include "lsp/program_settings.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ Workspace::Outcome Workspace::open(const Json& params) {
   texts.insert_or_assign(*path,
                          ide::OpenText{document["uri"].get<std::string>(), versionOf(document),
                                        syntax::Document::parse(document["text"])});
-  refresh();
+  refresh(*path);
   return *path;
 }
 
@@ -90,47 +91,107 @@ Workspace::Outcome Workspace::change(const Json& params) {
   auto found = texts.find(*path);
   if (found == texts.end()) return std::unexpected("a change of a document that is not open");
   const auto& changes = params.contains("contentChanges") ? params["contentChanges"] : Json();
-  auto applied = apply(*path, found->second, changes);
-  if (applied)
-    found->second.version = versionOf(params["textDocument"]);
-  else
-    texts.erase(found);
-  refresh();
-  return applied;
+  const auto version = versionOf(params["textDocument"]);
+  const bool inOrder = version == 0 || version >= found->second.version;
+  if (inOrder && apply(found->second, changes)) {
+    if (version != 0) found->second.version = version;
+    refresh(*path);
+    return *path;
+  }
+  texts.erase(found);
+  noteFile(*path);
+  refresh(*path);
+  return std::unexpected("an edit of `" + path->filename().generic_string() +
+                         "` does not fit its text; please close the file and open it again");
 }
 
-Workspace::Outcome Workspace::apply(const fs::path& path, ide::OpenText& text,
-                                    const Json& changes) {
-  if (!changes.is_array()) return std::unexpected("`contentChanges` is missing");
+bool Workspace::apply(ide::OpenText& text, const Json& changes) const {
+  if (!changes.is_array()) return false;
   for (const auto& change : changes) {
     auto next = changed(text.document, change, encoding);
-    if (!next) return std::unexpected("a change that does not fit the document; please reopen it");
+    if (!next) return false;
     text.document = std::move(*next);
   }
-  return path;
+  return true;
 }
 
 Workspace::Outcome Workspace::close(const Json& params) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
   if (texts.erase(*path) == 0) return std::unexpected("a document was closed that is not open");
-  readFiles({*path});
+  noteFile(*path);
+  refresh(*path);
   return *path;
 }
 
-void Workspace::readFiles(const std::vector<fs::path>& paths) {
-  for (const auto& path : paths) {
-    if (path.filename() == kSettingsFile) continue;
-    auto document = disk->document(path);
-    if (!document) {
-      known.erase(path);
-      if (!texts.contains(path)) includes.erase(path);
-      continue;
-    }
+Workspace::Outcome Workspace::saved(const Json& params) {
+  auto path = documentPath(params);
+  if (!path) return std::unexpected(path.error().message);
+  return *path;
+}
+
+FolderContents Workspace::read(const std::vector<fs::path>& folders, const OnFile& onFile) const {
+  std::set<fs::path> files;
+  for (const auto& folder : folders) files.merge(programFiles(folder));
+  FolderContents result;
+  for (const auto& file : files) {
+    if (auto document = disk->document(file)) result.files[file] = ide::includesOf(file, *document);
+    onFile(result.files.size(), files.size());
+  }
+  return result;
+}
+
+void Workspace::add(FolderContents contents) {
+  for (auto& [path, targets] : contents.files) {
     known.insert(path);
-    if (!texts.contains(path)) noteIncludes(path, *document);
+    if (!texts.contains(path)) includes[path] = std::move(targets);
   }
   startAfresh();
+}
+
+void Workspace::forget(const std::vector<fs::path>& folders, const std::vector<fs::path>& staying) {
+  auto isIn = [](const fs::path& file, const fs::path& folder) {
+    return std::ranges::mismatch(folder, file).in1 == folder.end();
+  };
+  auto isForgotten = [&](const fs::path& file) {
+    auto holds = [&](const fs::path& folder) { return isIn(file, folder); };
+    return std::ranges::any_of(folders, holds) && std::ranges::none_of(staying, holds);
+  };
+  std::erase_if(known, isForgotten);
+  std::erase_if(includes, [&](const auto& entry) {
+    return !texts.contains(entry.first) && isForgotten(entry.first);
+  });
+  startAfresh();
+}
+
+std::map<fs::path, std::string> Workspace::mistakes() const {
+  std::map<fs::path, std::string> result;
+  std::set<fs::path> looked;
+  for (const auto& [path, text] : texts)
+    if (looked.insert(path.parent_path()).second)
+      if (auto found = settingsFor(*disk, path); !found.mistake.empty())
+        result[found.file] = found.mistake;
+  return result;
+}
+
+void Workspace::readFiles(const std::vector<fs::path>& paths) {
+  for (const auto& path : paths)
+    if (path.filename() != kSettingsFile) noteFile(path);
+  startAfresh();
+}
+
+/// What the disk says of a file.
+void Workspace::noteFile(const fs::path& path) {
+  auto document = disk->document(path);
+  if (document)
+    known.insert(path);
+  else
+    known.erase(path);
+  if (texts.contains(path)) return;
+  if (document)
+    noteIncludes(path, *document);
+  else
+    includes.erase(path);
 }
 
 /// Whatever was analysed with a file's old text, or by other settings, is out of date: nothing is
@@ -144,8 +205,9 @@ void Workspace::startAfresh() {
   current = std::make_shared<ide::Snapshot>(disk, texts, includes, settings);
 }
 
-void Workspace::refresh() {
-  for (const auto& [path, text] : texts) noteIncludes(path, text.document);
+void Workspace::refresh(const fs::path& edited) {
+  if (auto text = texts.find(edited); text != texts.end())
+    noteIncludes(edited, text->second.document);
   current = current->with(texts, includes);
 }
 
@@ -153,17 +215,16 @@ void Workspace::noteIncludes(const fs::path& path, const syntax::Document& docum
   includes[path] = ide::includesOf(path, document);
 }
 
-std::vector<fs::path> programFiles(const fs::path& folder) {
-  std::vector<fs::path> result;
+std::set<fs::path> programFiles(const fs::path& folder) {
+  std::set<fs::path> result;
   std::error_code error;
   fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied,
                                         error);
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
     if (walk->is_directory(error) && isSkipped(walk->path())) walk.disable_recursion_pending();
-    if (walk->path().extension() == ".proskill") result.push_back(walk->path().lexically_normal());
+    if (walk->path().extension() == ".proskill") result.insert(walk->path().lexically_normal());
     if (result.size() == kMostFiles) break;
   }
-  std::ranges::sort(result);
   return result;
 }
 

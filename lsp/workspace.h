@@ -4,9 +4,17 @@
 #include "lsp/client.h"
 
 #include <expected>
+#include <functional>
+#include <map>
 #include <set>
+#include <string>
 
 namespace proskill::lsp {
+
+/// The program files of some folders, each with what it includes.
+struct FolderContents {
+  ide::Includes files;
+};
 
 /// The texts that the client has open and the files of its folders: what the main thread changes,
 /// and what snapshots are taken of.
@@ -26,6 +34,20 @@ public:
   Outcome open(const Json& params);
   Outcome change(const Json& params);
   Outcome close(const Json& params);
+  /// Nothing changes but where the file is that others include from disk.
+  Outcome saved(const Json& params);
+
+  using OnFile = std::function<void(std::size_t done, std::size_t all)>;
+  /// The programs of folders, each file parsed. Any thread; nothing changes until they are added.
+  [[nodiscard]] FolderContents read(const std::vector<std::filesystem::path>& folders,
+                                    const OnFile& onFile) const;
+  void add(FolderContents contents);
+  /// Folders that are none of the client's any more, but for what lies in one that stays.
+  void forget(const std::vector<std::filesystem::path>& folders,
+              const std::vector<std::filesystem::path>& staying);
+
+  /// What is wrong with files of settings that apply to open texts, in words for the user.
+  [[nodiscard]] std::map<std::filesystem::path, std::string> mistakes() const;
 
   /// Files on disk that changed or are known now; those that are open are not read.
   void readFiles(const std::vector<std::filesystem::path>& paths);
@@ -34,8 +56,9 @@ public:
   [[nodiscard]] const std::set<std::filesystem::path>& files() const { return known; }
 
 private:
-  Outcome apply(const std::filesystem::path& path, ide::OpenText& text, const Json& changes);
-  void refresh();
+  [[nodiscard]] bool apply(ide::OpenText& text, const Json& changes) const;
+  void noteFile(const std::filesystem::path& path);
+  void refresh(const std::filesystem::path& edited);
   void startAfresh();
   void noteIncludes(const std::filesystem::path& path, const syntax::Document& document);
 
@@ -49,6 +72,6 @@ private:
 };
 
 /// Every `.proskill` file below a folder, without what is hidden, generated or installed.
-[[nodiscard]] std::vector<std::filesystem::path> programFiles(const std::filesystem::path& folder);
+[[nodiscard]] std::set<std::filesystem::path> programFiles(const std::filesystem::path& folder);
 
 } // namespace proskill::lsp

@@ -1,0 +1,74 @@
+#include "lsp/publisher.h"
+
+#include "lsp/diagnostics.h"
+
+#include <algorithm>
+
+namespace proskill::lsp {
+
+namespace {
+
+constexpr const char* kMethod = "textDocument/publishDiagnostics";
+
+template <class Pointer> bool isSame(const Pointer& a, const Pointer& b) {
+  return !a.owner_before(b) && !b.owner_before(a);
+}
+
+} // namespace
+
+void Publisher::changed(std::chrono::milliseconds debounce) {
+  ++revision;
+  running.cancel();
+  dueAt = std::chrono::steady_clock::now() + debounce;
+}
+
+void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled) {
+  dueAt.reset();
+  retract(*snapshot, enabled);
+  if (!enabled) return;
+  running = {};
+  for (const auto& [path, text] : snapshot->open())
+    scheduler.post(Priority::Background,
+                   [this, snapshot, path = path, asked = revision.load(), wanted = running] {
+                     if (!wanted.isCancelled()) publish(*snapshot, path, asked);
+                   });
+}
+
+/// An empty list for each text that is open no longer, or for all.
+void Publisher::retract(const ide::Snapshot& snapshot, bool enabled) {
+  const std::lock_guard lock(mutex);
+  std::erase_if(told, [&](const auto& entry) {
+    const auto& [path, last] = entry;
+    if (enabled && snapshot.open().contains(path)) return false;
+    if (last.sent) peer.notify(kMethod, {{"uri", last.uri}, {"diagnostics", Json::array()}});
+    return true;
+  });
+}
+
+bool Publisher::isTold(const Path& path, const ide::OpenText& text, const Owners& owners) {
+  const std::lock_guard lock(mutex);
+  const auto& last = told[path];
+  return last.sent && last.version == text.version && last.uri == text.uri &&
+         std::ranges::equal(last.owners, owners, isSame<Owners::value_type>);
+}
+
+void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked) {
+  const auto& text = snapshot.open().at(path);
+  try {
+    auto start = std::chrono::steady_clock::now();
+    Owners owners;
+    for (const auto& view : snapshot.views(path)) owners.emplace_back(view.owner);
+    if (isTold(path, text, owners)) return;
+    auto list = diagnosticsOf(snapshot, path, client);
+    const std::lock_guard lock(mutex);
+    if (asked != revision) return;
+    peer.notify(kMethod,
+                {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}});
+    told[path] = {text.uri, text.version, std::move(owners), true};
+    statistics.add(kMethod, std::chrono::steady_clock::now() - start);
+  } catch (const std::exception& error) {
+    onFailure(kMethod, {{"uri", text.uri}}, error.what());
+  }
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "lsp/client.h"
+#include "lsp/peer.h"
+#include "lsp/scheduler.h"
+#include "lsp/statistics.h"
+#include "lsp/workspace.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace proskill::lsp {
+
+/// Tells the client the diagnostics of its open texts once they have been left alone for a moment.
+/// What a newer edit has made useless is not computed further and never sent; what has not changed
+/// is not sent again.
+class Publisher {
+public:
+  using Time = std::chrono::steady_clock::time_point;
+  using OnFailure =
+      std::function<void(std::string_view method, const Json& params, std::string_view error)>;
+
+  /// All of them outlive the publisher's tasks.
+  Publisher(Peer& peer, Scheduler& scheduler, Statistics& statistics, const ClientFeatures& client,
+            OnFailure onFailure)
+      : peer(peer),
+        scheduler(scheduler),
+        statistics(statistics),
+        client(client),
+        onFailure(std::move(onFailure)) {}
+
+  /// The main thread's: texts or settings have changed; `debounce` from now on is soon enough.
+  void changed(std::chrono::milliseconds debounce);
+  /// When `publish` is to be called next.
+  [[nodiscard]] std::optional<Time> due() const { return dueAt; }
+  /// The main thread's. \param enabled false: what was told is taken back
+  void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
+
+private:
+  using Path = std::filesystem::path;
+  using Owners = std::vector<std::weak_ptr<const ide::AnalysedProgram>>;
+
+  /// What the client was last told of a text.
+  struct Told {
+    std::string uri;
+    std::int64_t version = 0;
+    Owners owners; ///< the programs that it came from
+    bool sent = false;
+  };
+
+  void retract(const ide::Snapshot& snapshot, bool enabled);
+  void publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked);
+  [[nodiscard]] bool isTold(const Path& path, const ide::OpenText& text, const Owners& owners);
+
+  Peer& peer;
+  Scheduler& scheduler;
+  Statistics& statistics;
+  const ClientFeatures& client;
+  OnFailure onFailure;
+  std::optional<Time> dueAt;
+  std::atomic<std::uint64_t> revision{0}; ///< of the texts
+  Cancellation running;                   ///< of what was posted for the last revision
+  std::mutex mutex; ///< of what follows, and of looking at the revision and sending
+  std::map<Path, Told> told;
+};
+
+} // namespace proskill::lsp

@@ -1,0 +1,165 @@
+"""Random sessions: edits at random places, requests at random places, cancellations. At the end the server holds the text
+that the client holds, and tells what a fresh `proskill check` tells of it. Usage:
+random_sessions.py PROSKILL [--check PROSKILL] [--seed N] [--sessions N | --seconds S] [--steps N]"""
+
+import argparse
+import json
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+from client import CAPABILITIES, Client, Text
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / 'examples'
+SEVERITIES = {1: 'error', 2: 'warning', 4: 'hint'}
+PIECES = ['(', ')', '"', ';', '\n', ' ', ':', '$', '^', '[', ']', 'x', 'On', '1', '-', ':states', '(defsv ', 'é', '😀', '\t', '\r\n',
+          '(defskill s :action (a))\n', '(include "lamp.proskill")\n', '; proskill-ignore: PS0612\n', ':success done',
+          '(if (/= takeoff.status success) (failure x))', '\u2028', '\0']
+AT_PLACE = ['definition', 'declaration', 'typeDefinition', 'implementation', 'references', 'documentHighlight', 'hover',
+            'completion', 'signatureHelp', 'prepareRename', 'rename', 'linkedEditingRange', 'prepareCallHierarchy',
+            'prepareTypeHierarchy', 'selectionRange', 'codeAction', 'onTypeFormatting', 'inlayHint', 'inlineValue', 'rangeFormatting',
+            'semanticTokens/range']
+OF_TEXT = ['documentSymbol', 'foldingRange', 'semanticTokens/full', 'formatting', 'codeLens', 'documentLink', 'diagnostic']
+
+
+def fnv1a(data):
+    value = 14695981039346656037
+    for byte in data:
+        value = (value ^ byte) * 1099511628211 & 0xffffffffffffffff
+    return f'{value:016x}'
+
+
+class Session:
+    def __init__(self, command, seed, steps):
+        self.random = random.Random(seed)
+        self.steps = steps
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = os.path.realpath(self.folder.name)
+        self.write('lamp.proskill', '(defsv lamp :states (On Off) :init Off)\n')
+        self.texts = {}
+        self.errors = open(os.path.join(self.path, 'stderr'), 'w+')
+        self.client = Client(command, stderr=self.errors)
+        encodings = self.random.choice([['utf-16'], ['utf-16', 'utf-32']])
+        general = {'positionEncodings': encodings[:1], 'staleRequestSupport': {
+            'cancel': True, 'retryOnContentModified': self.random.sample(['textDocument/hover', 'textDocument/references'], 1)}}
+        result = self.client.initialize({**CAPABILITIES, 'general': general},
+                                        workspaceFolders=[{'uri': 'file://' + self.path, 'name': 'w'}])
+        self.offered = result['capabilities']
+        self.asked = []
+
+    def write(self, name, text):
+        with open(os.path.join(self.path, name), 'w', newline='') as file:
+            file.write(text)
+
+    def run(self):
+        sources = [path for path in EXAMPLES.rglob('*.proskill')]
+        for name in ('main.proskill', 'other.proskill'):
+            self.open(name, self.random.choice(sorted(sources)).read_text())
+        for _ in range(self.steps):
+            self.random.choices([self.edit, self.ask, self.cancel, self.reopen, self.watch], [50, 40, 8, 1, 1])[0]()
+            if len(self.asked) > 50:
+                self.settle(self.asked.pop(0))
+        for asked in self.asked:
+            self.settle(asked)
+        for name, text in self.texts.items():
+            self.compare(name, text)
+        code = self.client.end()
+        self.errors.seek(0)
+        said = self.errors.read()
+        assert code == 0 and not said, (code, said)
+
+    def open(self, name, content):
+        text = Text('file://' + os.path.join(self.path, name), content)
+        self.texts[name] = text
+        self.client.open(text.uri, content)
+
+    def pick(self):
+        return self.random.choice(list(self.texts.values()))
+
+    def edit(self):
+        text = self.pick()
+        begin = self.random.randrange(len(text.text) + 1)
+        end = min(len(text.text), begin + (0 if self.random.random() < 0.6 else self.random.randrange(40)))
+        text.edit(self.client, begin, end, '' if end > begin and self.random.random() < 0.5 else self.random.choice(PIECES))
+
+    def ask(self):
+        text = self.pick()
+        place = text.position(self.random.randrange(len(text.text) + 1))
+        if self.random.random() < 0.2:
+            method, params = self.random.choice(OF_TEXT), {}
+        else:
+            method = self.random.choice(AT_PLACE)
+            params = {'position': place, 'positions': [place], 'range': {'start': place, 'end': place}, 'newName': 'new', 'ch': '\n',
+                      'context': {'includeDeclaration': True, 'diagnostics': [], 'frameId': 0, 'stoppedLocation': {'start': place, 'end': place}}}
+        params['options'] = {'tabSize': 2, 'insertSpaces': True}
+        self.asked.append(self.client.ask('textDocument/' + method, {'textDocument': {'uri': text.uri}, **params}))
+
+    def settle(self, asked):
+        answer = self.client.answer(asked)
+        assert 'result' in answer or answer['error']['code'] != -32603, answer
+
+    def cancel(self):
+        if self.asked:
+            self.client.notify('$/cancelRequest', {'id': self.random.choice(self.asked)})
+
+    def reopen(self):
+        name, text = self.random.choice(list(self.texts.items()))
+        self.client.close(text.uri)
+        self.open(name, text.text)
+
+    def watch(self):
+        self.write('lamp.proskill', '(defsv lamp :states (On Off) :init %s)\n' % self.random.choice(['On', 'Off', 'Of']))
+        self.client.notify('workspace/didChangeWatchedFiles',
+                           {'changes': [{'uri': f'file://{self.path}/lamp.proskill', 'type': 2}]})
+
+    def compare(self, name, text):
+        """One more edit, so that there are diagnostics to wait for; then with what is on disk."""
+        text.edit(self.client, len(text.text), len(text.text), '\n')
+        told = self.client.diagnostics(text.uri, text.version)
+        self.write(name, text.text)
+        checked = self.check(name)
+        seen = [(each['code'], SEVERITIES[each['severity']], each['message'], each['range']['start']['line'] + 1) for each in told]
+        assert sorted(seen) == sorted(checked), (name, seen, checked, text.text)
+        status = self.client.result('proskill/status', None)
+        assert status['errors'] == 0, status
+        held = next(each for each in status['documents'] if each['uri'] == text.uri)
+        sent = text.text.encode()
+        assert (held['bytes'], held['hash']) == (len(sent), fnv1a(sent)), 'the texts differ'
+
+    def check(self, name):
+        done = subprocess.run([CHECKER, 'check', '--format=json', os.path.join(self.path, name)], capture_output=True)
+        path = os.path.join(self.path, name)
+        return [(each['code'], each['severity'], each['message'], each['location']['begin']['line'])
+                for each in json.loads(done.stdout)['diagnostics']
+                if os.path.realpath(each['location']['file']) == path]
+
+
+def main():
+    global CHECKER
+    parser = argparse.ArgumentParser()
+    parser.add_argument('program')
+    parser.add_argument('--check', help='the program whose `check` is asked; the same where it is not given')
+    parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--sessions', type=int, default=1)
+    parser.add_argument('--seconds', type=float)
+    parser.add_argument('--steps', type=int, default=300)
+    arguments = parser.parse_args()
+    CHECKER = arguments.check or arguments.program
+    begin, done = time.monotonic(), 0
+    while (time.monotonic() - begin < arguments.seconds) if arguments.seconds else done < arguments.sessions:
+        seed = arguments.seed + done
+        try:
+            Session([arguments.program, 'lsp', '--debounce', '0'], seed, arguments.steps).run()
+        except BaseException:
+            print(f'the session of seed {seed} failed', file=sys.stderr)
+            raise
+        done += 1
+    print(f'{done} sessions of {arguments.steps} steps from seed {arguments.seed}')
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,95 @@
+#include "lsp/announcer.h"
+#include "lsp/client_settings.h"
+#include "lsp/file_cache.h"
+#include "lsp/program_settings.h"
+#include "tests/lsp/session.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using namespace std::chrono_literals;
+using lsp::Json;
+
+namespace {
+
+/// One file, and how often it was read.
+class CountingFiles : public analysis::FileSystem {
+public:
+  std::expected<std::string, std::string> read(const std::filesystem::path&) const override {
+    ++reads;
+    return "(defsv lamp :states (On Off) :init Off)";
+  }
+  std::filesystem::path canonical(const std::filesystem::path& path) const override { return path; }
+  mutable int reads = 0;
+};
+
+} // namespace
+
+TEST_CASE("settings of an editor are read with or without the name of their section") {
+  const Json section = {{"diagnostics", {{"enabled", false}, {"style", true}, {"debounce", 200U}}}};
+  for (const Json& json : {section, Json{{"proskill", section}}}) {
+    auto settings = lsp::readClientSettings(json);
+    CHECK_FALSE(settings.diagnostics);
+    CHECK(settings.style);
+    CHECK(settings.debounce == 200ms);
+  }
+}
+
+TEST_CASE("settings of the wrong type are as if they had not been said") {
+  for (const Json& json : {Json(), Json::array(), Json{{"diagnostics", 3}},
+                           Json{{"diagnostics", {{"enabled", "no"}, {"debounce", -1}}}}}) {
+    auto settings = lsp::readClientSettings(json);
+    CHECK(settings.diagnostics);
+    CHECK_FALSE(settings.style);
+    CHECK_FALSE(settings.debounce.has_value());
+  }
+}
+
+TEST_CASE("the nearest file of settings is the one that holds") {
+  const test::MemoryFiles files({{"/w/.proskill.json", R"({"style": true})"},
+                                 {"/w/strict/.proskill.json", R"({"style": 3})"}});
+  auto outer = lsp::settingsFor(files, "/w/lax/main.proskill");
+  CHECK(outer.settings.style);
+  CHECK(outer.file == "/w/.proskill.json");
+  CHECK(outer.mistake.empty());
+  auto inner = lsp::settingsFor(files, "/w/strict/main.proskill");
+  CHECK_FALSE(inner.settings.style);
+  CHECK(inner.mistake.find("`style`") != std::string::npos);
+  CHECK(lsp::settingsFor(files, "/v/main.proskill").file.empty());
+}
+
+TEST_CASE("the same words are shown once a minute, and few in all; the log has them all") {
+  test::Pipe pipe;
+  lsp::Outbox outbox(pipe);
+  lsp::Peer peer(outbox);
+  lsp::Announcer announcer(peer);
+  const lsp::Announcer::Time start{};
+  auto shown = [&](const std::string& words, std::chrono::seconds at) {
+    announcer.show(lsp::Announcer::Kind::Warning, words, start + at);
+    CHECK(pipe.receive()["method"] == "window/logMessage");
+    return pipe.hasMore() && pipe.receive()["method"] == "window/showMessage";
+  };
+  CHECK(shown("a", 0s));
+  CHECK_FALSE(shown("a", 59s));
+  CHECK(shown("a", 60s));
+  CHECK(shown("b", 61s));
+  CHECK(shown("c", 62s));
+  CHECK_FALSE(shown("d", 63s));
+  CHECK(shown("d", 130s));
+}
+
+TEST_CASE("a file is parsed again only where it has changed") {
+  auto disk = std::make_shared<CountingFiles>();
+  std::optional<lsp::FileStamp> stamp = lsp::FileStamp{};
+  const lsp::FileCache cache(disk, [&](const auto&) { return stamp; });
+  auto first = cache.document("/a");
+  CHECK(cache.document("/a")->isSameAs(*first));
+  CHECK(disk->reads == 1);
+  ++stamp->size;
+  CHECK_FALSE(cache.document("/a")->isSameAs(*first));
+  CHECK(disk->reads == 2);
+  stamp.reset(); // who knows
+  (void)cache.document("/a");
+  (void)cache.document("/a");
+  CHECK(disk->reads == 4);
+}
