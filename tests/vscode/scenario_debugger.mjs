@@ -24,10 +24,11 @@ export const scenarios = {
   /** Forward, and back to the same line. */
   async debugger({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
+    await editor.statusSays(/\d+ of \d+ bad/);
     await editor.command('ProSkill: Replay Trace in the Debugger');
     await editor.quickInput().locator('input.input').fill(failing);
     await editor.press('Enter');
-    await page.locator('.debug-toolbar').waitFor({ timeout: 60_000 });
+    await page.locator('.debug-toolbar').waitFor({ timeout: 15_000 });
     const first = await expect('a line to stop at', () => stopped(page), 60_000);
     const lines = [first];
     for (let i = 0; i < 4; ++i) lines.push(await nextStop(page, lines.at(-1), 'F10'));

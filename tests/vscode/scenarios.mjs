@@ -1,5 +1,8 @@
 // In this order: later ones use the workspace as earlier ones leave it.
+import { scenarios as automaton } from './scenario_automaton.mjs';
+import { scenarios as debugging } from './scenario_debugger.mjs';
 import { scenarios as editing } from './scenario_editing.mjs';
 import { scenarios as trust } from './scenario_trust.mjs';
+import { scenarios as verification } from './scenario_verification.mjs';
 
-export const scenarios = { ...trust, ...editing };
+export const scenarios = { ...trust, ...editing, ...automaton, ...verification, ...debugging };
