@@ -83,7 +83,7 @@ export const scenarios = {
   /** The server is killed: it comes back, and so do its problems. */
   async killed({ editor, server }) {
     await editor.openFile('drone/drone.proskill');
-    const [{ pid }] = server.servers();
+    const { pid } = server.servers().find(({ args }) => args[0] === 'lsp');
     process.kill(pid, 'SIGKILL');
     await expect('another server', () => server.servers().some((it) => it.pid !== pid && it.args[0] === 'lsp'));
     await editor.goTo(30, 13);
@@ -99,7 +99,7 @@ export const scenarios = {
     for (let kills = 0; !(await crashed.count()); ++kills) {
       equal('killed too often', kills > 6, false);
       const pid = await expect('a server, or that there is none', async () =>
-        server.servers()[0]?.pid ?? ((await crashed.count()) && -1));
+        server.servers().find(({ args }) => args[0] === 'lsp')?.pid ?? ((await crashed.count()) && -1));
       if (pid < 0) break;
       process.kill(pid, 'SIGKILL');
       await expect('its end', () => !server.servers().some((it) => it.pid === pid));
