@@ -51,6 +51,7 @@ Trace translate(const verify::Trace& raw, const codegen::Model& model) {
     step.delay = difference(step.date, before);
     step.changes = rawStep.changes;
     step.transitions = rawStep.transitions;
+    step.origins = rawStep.origins;
     before = step.date;
     trace.steps.push_back(std::move(step));
   }

@@ -31,7 +31,8 @@ struct TraceStep {
   syntax::Rational date;        ///< in the run that was replayed, seconds since the start
   syntax::Rational delay;       ///< since the step before, in that run
   std::vector<verify::Change> changes;
-  std::vector<std::string> transitions; ///< of the Fiacre model
+  std::vector<std::string> transitions;  ///< of the Fiacre model
+  std::vector<fiacre::OriginId> origins; ///< of what was passed, for places in the model's text
 };
 
 struct Trace {
