@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kPatience{10};
 /// Beyond the budget, for all that is no exploration: reading, compiling, making traces.
 constexpr double kGraceSeconds = 10;
 
-WorkerProgress progressOf(const Json& json) {
+WorkerProgress progressOf(const OrderedJson& json) {
   WorkerProgress progress;
   progress.decided = json.value("decided", std::uint64_t{0});
   progress.total = json.value("total", std::uint64_t{0});
@@ -32,7 +32,7 @@ WorkerProgress progressOf(const Json& json) {
 /// One conversation with a worker.
 class Conversation {
 public:
-  using Result = std::expected<Json, WorkerFailure>;
+  using Result = std::expected<OrderedJson, WorkerFailure>;
 
   Conversation(ChildProcess& with, const std::function<void(const WorkerProgress&)>& tell)
       : child(with), progress(tell) {}
@@ -60,12 +60,12 @@ private:
       const auto end = bytes.find('\n');
       line += bytes.substr(0, end);
       if (end == std::string_view::npos) return;
-      understand(Json::parse(std::exchange(line, {}), nullptr, false));
+      understand(OrderedJson::parse(std::exchange(line, {}), nullptr, false));
       bytes.remove_prefix(end + 1);
     }
   }
 
-  void understand(Json message) {
+  void understand(OrderedJson message) {
     if (!message.is_object()) return fail("the process that verifies said what is no JSON object");
     if (message.contains("progress")) {
       if (progress) progress(progressOf(message["progress"]));
@@ -88,7 +88,7 @@ private:
 
 } // namespace
 
-std::expected<Json, WorkerFailure>
+std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
           const Cancellation& cancellation,
           const std::function<void(const WorkerProgress&)>& progress) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lsp/report_json.h"
 #include "lsp/scheduler.h"
 #include "lsp/worker_job.h"
 
@@ -31,7 +32,7 @@ struct WorkerFailure {
 /// Runs a job in a process of its own and waits for its report (docs/verify.schema.json). The
 /// process has ended when this returns.
 /// \param command the program that runs `runVerifyWorker`, and its arguments
-[[nodiscard]] std::expected<Json, WorkerFailure>
+[[nodiscard]] std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
           const Cancellation& cancellation,
           const std::function<void(const WorkerProgress&)>& progress);
