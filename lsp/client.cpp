@@ -52,6 +52,9 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.markdownHover =
       lists(memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
   client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
+  client.refreshDiagnostics = isTrue(capabilities, {"workspace", "diagnostics", "refreshSupport"});
+  client.refreshCodeLens = isTrue(capabilities, {"workspace", "codeLens", "refreshSupport"});
+  client.refreshInlayHints = isTrue(capabilities, {"workspace", "inlayHint", "refreshSupport"});
   return client;
 }
 

@@ -20,6 +20,10 @@ struct ClientFeatures {
   bool hierarchicalSymbols = false;
   bool markdownHover = false;
   bool documentChanges = false; ///< workspace edits with versions
+  // What the client asks for again when the server says so.
+  bool refreshDiagnostics = false;
+  bool refreshCodeLens = false;
+  bool refreshInlayHints = false;
 };
 
 /// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension

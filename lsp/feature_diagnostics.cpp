@@ -1,6 +1,7 @@
 #include "ide/diagnostics.h"
 #include "lsp/convert.h"
 #include "lsp/diagnostics.h"
+#include "lsp/verdict_json.h"
 
 namespace proskill::lsp {
 
@@ -51,7 +52,7 @@ Json report(Json items) { return {{"kind", "full"}, {"items", std::move(items)}}
 Answer documentDiagnostics(const Request& request) {
   auto path = documentPath(request.params);
   if (!path) return std::unexpected(path.error());
-  return report(diagnosticsOf(request.snapshot, *path, request.client));
+  return report(diagnosticsOf(request.snapshot, *path, request.client, *request.verdicts));
 }
 
 /// Of every open text; a file that is not open has no version that the client could show them for.
@@ -59,7 +60,7 @@ Answer workspaceDiagnostics(const Request& request) {
   Json items = Json::array();
   for (const auto& [path, text] : request.snapshot.open()) {
     if (request.cancellation.isCancelled()) break;
-    auto item = report(diagnosticsOf(request.snapshot, path, request.client));
+    auto item = report(diagnosticsOf(request.snapshot, path, request.client, *request.verdicts));
     item["uri"] = text.uri;
     item["version"] = text.version;
     items.push_back(std::move(item));
@@ -70,12 +71,14 @@ Answer workspaceDiagnostics(const Request& request) {
 } // namespace
 
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
-                   const ClientFeatures& client) {
+                   const ClientFeatures& client, const ide::Verdicts& verdicts) {
   Json result = Json::array();
   for (const auto& finding : ide::diagnostics(snapshot, path)) {
     const Converter convert(finding.owner->program, snapshot.open(), client.encoding);
     result.push_back(diagnosticJson(finding, convert, client));
   }
+  for (auto& verdict : verdictDiagnostics(verdicts, snapshot, path, client))
+    result.push_back(std::move(verdict));
   return result;
 }
 

@@ -20,7 +20,9 @@ struct Received {
   Message message;
   Cancellation cancellation;
 };
-using Incident = std::variant<Received, MalformedMessage, EndOfStream>;
+/// Verdicts came, or were made stale: what shows them is to be sent anew.
+struct VerdictsChanged {};
+using Incident = std::variant<Received, MalformedMessage, EndOfStream, VerdictsChanged>;
 
 /// What waits for the main thread: from the reading thread, in order.
 class Inbox {

@@ -36,6 +36,13 @@ public:
     return true;
   }
 
+  /// At the end: nobody waits for anything any more.
+  void cancelAll() {
+    std::lock_guard lock(mutex);
+    for (auto& [id, cancellation] : requests) cancellation.cancel();
+    requests.clear();
+  }
+
   [[nodiscard]] std::size_t size() const {
     std::lock_guard lock(mutex);
     return requests.size();

@@ -1,5 +1,6 @@
 #include "lsp/server.h"
 
+#include "lsp/convert.h"
 #include "lsp/diagnostics.h"
 #include "lsp/uri.h"
 
@@ -40,7 +41,10 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
       options(std::move(serverOptions)),
       outbox(connection),
       workspace(std::move(disk)),
+      verification({options.worker, [this](std::string_view body) { outbox.send(body); },
+                    [this] { inbox.put(VerdictsChanged{}); }, options.log}),
       scheduler(options.threads) {
+  verification.addMethods(registry);
   registry.add("proskill/status", [this](const Request&) -> Answer { return status(); });
 }
 
@@ -53,6 +57,7 @@ int Server::run() {
     else if (!handle(*incident))
       break;
   }
+  pending.cancelAll();
   connection.close();
   return phase == Phase::ShutDown ? 0 : 1;
 }
@@ -94,6 +99,10 @@ void Server::receive(Message message) {
 bool Server::handle(Incident& incident) {
   if (std::holds_alternative<EndOfStream>(incident)) return false;
   if (auto* received = std::get_if<Received>(&incident)) return handleMessage(*received);
+  if (std::holds_alternative<VerdictsChanged>(incident)) {
+    verdictsChanged();
+    return true;
+  }
   const auto& malformed = std::get<MalformedMessage>(incident);
   log("malformed message: " + malformed.error.message);
   outbox.send(replyError(malformed.id, malformed.error));
@@ -153,7 +162,9 @@ bool Server::handleNotification(const Message& message) {
     handleText(message);
   else if (message.method == "workspace/didChangeWatchedFiles")
     handleWatchedFiles(message.params);
-  else if (!message.method.starts_with("$/"))
+  else if (message.method == "proskill/view") {
+    if (auto path = documentPath(message.params)) verification.setView(*path);
+  } else if (!message.method.starts_with("$/"))
     log("a notification that is not served: " + message.method);
   return true;
 }
@@ -169,6 +180,7 @@ void Server::handleText(const Message& message) {
   else
     return;
   if (!outcome) showError(outcome.error());
+  verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
   scheduleDiagnostics();
 }
 
@@ -179,13 +191,29 @@ void Server::handleWatchedFiles(const Json& params) {
     if (change.is_object() && change.contains("uri") && change["uri"].is_string())
       if (auto path = toPath(change["uri"].get_ref<const std::string&>())) paths.push_back(*path);
   workspace.readFiles(paths);
+  verification.textsChanged(workspace.snapshot(), std::nullopt);
   scheduleDiagnostics();
+}
+
+/// The texts are as they were: what is being published of them is not out of date.
+void Server::verdictsChanged() {
+  if (phase != Phase::Running) return;
+  const auto ask = [&](bool wanted, const char* method) {
+    if (wanted) outbox.send(request(fmt::format("{} {}", method, ++lastRefresh), method, nullptr));
+  };
+  ask(client.pullDiagnostics && client.refreshDiagnostics, "workspace/diagnostic/refresh");
+  ask(client.refreshCodeLens, "workspace/codeLens/refresh");
+  ask(client.refreshInlayHints, "workspace/inlayHint/refresh");
+  if (!client.pullDiagnostics && !diagnosticsDue) diagnosticsDue = std::chrono::steady_clock::now();
 }
 
 Json Server::initialize(const Json& params) {
   phase = Phase::Running;
   client = readClientFeatures(params.is_object() ? params.value("capabilities", Json()) : Json());
   workspace.setEncoding(client.encoding);
+  verification.start(
+      client,
+      initialSettings(params.is_object() ? params.value("initializationOptions", Json()) : Json()));
   if (params.is_object()) folders = foldersOf(params);
   Json capabilities = registry.capabilities;
   capabilities["positionEncoding"] = nameOf(client.encoding);
@@ -210,10 +238,11 @@ void Server::initialized() {
 }
 
 void Server::dispatch(Received& received, const Method& method) {
-  scheduler.post(method.priority,
-                 [this, received = std::move(received), &method, snapshot = workspace.snapshot()] {
-                   answer(received.message, method, *snapshot, received.cancellation);
-                 });
+  auto& pool = method.priority == Priority::Long ? longWork : scheduler;
+  pool.post(method.priority,
+            [this, received = std::move(received), &method, snapshot = workspace.snapshot()] {
+              answer(received.message, method, *snapshot, received.cancellation);
+            });
 }
 
 /// A bug in a handler is that request's error, and no other's.
@@ -223,7 +252,8 @@ void Server::answer(const Message& message, const Method& method, const ide::Sna
   auto start = std::chrono::steady_clock::now();
   Answer result;
   try {
-    result = method.handler({message.params, snapshot, client, cancellation});
+    result =
+        method.handler({message.params, snapshot, client, cancellation, verification.verdicts()});
   } catch (const std::exception& error) {
     failed(message.method, message.params, error);
     result = std::unexpected(RpcError{ErrorCode::InternalError, error.what()});
@@ -266,7 +296,7 @@ void Server::publish(const ide::Snapshot& snapshot, const std::filesystem::path&
   if (asked != revision) return;
   const auto& text = snapshot.open().at(path);
   try {
-    auto list = diagnosticsOf(snapshot, path, client);
+    auto list = diagnosticsOf(snapshot, path, client, *verification.verdicts());
     const std::lock_guard lock(publishing);
     if (asked != revision) return;
     outbox.send(notification(

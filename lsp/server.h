@@ -5,6 +5,7 @@
 #include "lsp/pending.h"
 #include "lsp/registry.h"
 #include "lsp/statistics.h"
+#include "lsp/verification.h"
 #include "lsp/workspace.h"
 
 #include <chrono>
@@ -18,6 +19,8 @@ struct ServerOptions {
   unsigned threads = 3;                   ///< beside those that read and dispatch; at least 2
   std::chrono::milliseconds debounce{50}; ///< from the last edit to the diagnostics that are pushed
   std::function<void(std::string_view)> log; ///< a line each; from any thread
+  /// What runs `runVerifyWorker`: by default this program.
+  std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
 };
 
 /// The language server. Three kinds of threads: one reads the stream and cancels at once; the main
@@ -44,6 +47,7 @@ private:
   bool handleNotification(const Message& message);
   void handleText(const Message& message);
   void handleWatchedFiles(const Json& params);
+  void verdictsChanged();
 
   Json initialize(const Json& params);
   void initialized();
@@ -71,10 +75,13 @@ private:
   Phase phase = Phase::Fresh;
   std::vector<std::filesystem::path> folders;
   std::optional<Time> diagnosticsDue;
+  unsigned lastRefresh = 0;                               ///< of the requests to the client
   std::map<std::filesystem::path, std::string> published; ///< paths with their client's URI
   std::atomic<std::uint64_t> revision{0};                 ///< of the texts
   std::mutex publishing; ///< between a look at the revision and the sending
-  Scheduler scheduler;   ///< last: its threads use all of the above
+  Verification verification;
+  Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above
+  Scheduler scheduler;
 };
 
 } // namespace proskill::lsp

@@ -1,5 +1,7 @@
 #include "lsp/verdict_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace proskill::lsp {
@@ -18,11 +20,25 @@ analysis::Location firstLine(const analysis::Program& program, analysis::Locatio
   return location;
 }
 
-Json waypointsJson(const std::vector<Waypoint>& way, const Converter& convert) {
+Json waypointsJson(const std::vector<ide::Waypoint>& way, const Converter& convert) {
   Json places = Json::array();
   for (const auto& point : way)
     places.push_back({{"location", convert.location(point.location)}, {"message", point.words}});
   return places;
+}
+
+/// \pre the property has a location
+Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Program& program,
+                    const Converter& convert, const ClientFeatures& client) {
+  Json json{{"range", convert.range(firstLine(program, *property.location))},
+            {"severity", property.weight == codegen::Weight::Error ? 1 : 2},
+            {"code", property.kind},
+            {"source", "proskill verify"},
+            {"message", fmt::format("{}: {}", property.words, ide::toString(property.verdict))},
+            {"data", {{"kind", "verdict"}, {"name", property.name}, {"program", convert.uri(0)}}}};
+  if (client.relatedInformation && !property.way.empty())
+    json["relatedInformation"] = waypointsJson(property.way, convert);
+  return json;
 }
 
 Json stepJson(const OrderedJson& step, const analysis::Program& program, const Converter& convert) {
@@ -172,22 +188,20 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
           {"steps", std::move(steps)}};
 }
 
-Json verdictDiagnostics(const Verified& verified, analysis::FileId file, const Converter& convert,
-                        bool withTraces) {
+Json verdictDiagnostics(const ide::Verdicts& verdicts, const ide::Snapshot& snapshot,
+                        const std::filesystem::path& file, const ClientFeatures& client) {
   Json result = Json::array();
-  const auto& program = verified.verdicts->program->program;
-  for (const auto& property : verified.verdicts->properties) {
-    if (!property.bad() || !property.location || property.location->file != file) continue;
-    Json json{
-        {"range", convert.range(firstLine(program, *property.location))},
-        {"severity", property.weight == codegen::Weight::Error ? 1 : 2},
-        {"code", property.kind},
-        {"source", "proskill verify"},
-        {"message", property.words + ": " + std::string(ide::toString(property.verdict))},
-        {"data", {{"kind", "verdict"}, {"name", property.name}, {"program", convert.uri(0)}}}};
-    if (auto way = verified.ways.find(property.name); withTraces && way != verified.ways.end())
-      json["relatedInformation"] = waypointsJson(way->second, convert);
-    result.push_back(std::move(json));
+  if (verdicts.empty()) return result;
+  for (const auto& view : snapshot.views(file)) {
+    const auto current = ide::currentVerdicts(verdicts, view);
+    if (!current) continue;
+    const Converter convert(current->program->program, snapshot.open(), client.encoding);
+    for (const auto& property : current->properties) {
+      if (!property.bad() || !property.location || property.location->file != view.file) continue;
+      auto diagnostic = diagnosticJson(property, view.program(), convert, client);
+      if (std::ranges::find(result, diagnostic) == result.end())
+        result.push_back(std::move(diagnostic));
+    }
   }
   return result;
 }

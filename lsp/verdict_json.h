@@ -22,8 +22,10 @@ namespace proskill::lsp {
 [[nodiscard]] Json traceOf(const Verified& verified, const std::string& name, bool stale,
                            const Converter& convert);
 
-/// The bad ones of a file's properties, as diagnostics.
-[[nodiscard]] Json verdictDiagnostics(const Verified& verified, analysis::FileId file,
-                                      const Converter& convert, bool withTraces);
+/// What is bad of a file in the programs that it belongs to, as diagnostics; of verdicts that are
+/// for just these texts.
+[[nodiscard]] Json verdictDiagnostics(const ide::Verdicts& verdicts, const ide::Snapshot& snapshot,
+                                      const std::filesystem::path& file,
+                                      const ClientFeatures& client);
 
 } // namespace proskill::lsp

@@ -18,8 +18,8 @@ std::optional<ide::Verdict> verdictOf(std::string_view words) {
   return std::nullopt;
 }
 
-std::vector<Waypoint> wayOf(const analysis::Program& program, const OrderedJson& trace) {
-  std::vector<Waypoint> way;
+std::vector<ide::Waypoint> wayOf(const analysis::Program& program, const OrderedJson& trace) {
+  std::vector<ide::Waypoint> way;
   for (const auto& step : trace.at("steps")) {
     auto location = locationIn(program, step.at("location"));
     if (!location || way.size() == kMostWaypoints) continue;
@@ -42,8 +42,10 @@ ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJ
       json.at("severity") == "error" ? codegen::Weight::Error : codegen::Weight::Warning;
   property.location = locationIn(program, json.at("location"));
   property.reason = json.value("reason", "");
-  if (const auto& trace = json.at("trace"); !trace.is_null())
+  if (const auto& trace = json.at("trace"); !trace.is_null()) {
     property.steps = trace.at("steps").size();
+    if (property.bad()) property.way = wayOf(program, trace);
+  }
   return property;
 }
 
@@ -71,8 +73,6 @@ Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProg
   for (const auto& json : report.at("properties")) {
     auto property = propertyOf(program, json);
     if (property.steps) verified.traces[property.name] = json.at("trace").dump();
-    if (property.steps && property.bad())
-      verified.ways[property.name] = wayOf(program, json.at("trace"));
     verdicts->properties.push_back(std::move(property));
   }
   verdicts->exploration = explorationOf(report.at("exploration"));
@@ -126,8 +126,6 @@ Verified merged(const Verified& older, Verified newer) {
     auto again = std::ranges::find(newer.verdicts->properties, name, &ide::PropertyVerdict::name);
     if (again == newer.verdicts->properties.end()) newer.traces.try_emplace(name, trace);
   }
-  for (const auto& [name, way] : older.ways)
-    if (newer.traces.contains(name)) newer.ways.try_emplace(name, way);
   newer.verdicts = std::move(all);
   return newer;
 }

@@ -10,19 +10,12 @@
 
 namespace proskill::lsp {
 
-/// A place that a trace passes, and what happens there: "2 s: takeoff starts".
-struct Waypoint {
-  analysis::Location location;
-  std::string words;
-};
-
-/// A finished verification as the server keeps it: the verdicts, and of each trace what is shown
-/// beside them and the whole, as JSON that nobody has read yet.
+/// A finished verification as the server keeps it: the verdicts, and the traces as JSON that nobody
+/// has read yet.
 struct Verified {
   std::shared_ptr<const ide::ProgramVerdicts> verdicts;
   std::string mainSkill;                     ///< empty: none
   std::map<std::string, std::string> traces; ///< by the property's name, as `traceJson` writes it
-  std::map<std::string, std::vector<Waypoint>> ways; ///< of what is bad, the first of them
 };
 
 /// Reads a report (docs/verify.schema.json) on this program. Nothing where it has not that form.
