@@ -1,3 +1,4 @@
+#include "lsp/progress.h"
 #include "lsp/verdict_json.h"
 #include "lsp/verification.h"
 
@@ -34,34 +35,15 @@ std::optional<RpcError> whyNot(const ide::View& view) {
   return std::nullopt;
 }
 
-/// Work-done progress on the token of a request; says nothing where it has none.
-class WorkDone {
-public:
-  WorkDone(const Json& params, const std::function<void(std::string_view)>& to) : send(to) {
-    if (auto found = params.find("workDoneToken"); found != params.end()) token = *found;
-  }
+std::string wordsOf(const WorkerProgress& now) {
+  constexpr std::uint64_t kMegabyte = 1 << 20;
+  return fmt::format("{} of {} decided, {} states, {:.0f} a second, {} MB, {:.0f} s", now.decided,
+                     now.total, now.classes, now.rate(), now.bytes / kMegabyte, now.seconds);
+}
 
-  void begin(const std::string& title) {
-    say({{"kind", "begin"}, {"title", title}, {"cancellable", true}, {"percentage", 0}});
-  }
-  void report(const WorkerProgress& now) {
-    constexpr std::uint64_t kMegabyte = 1 << 20;
-    say({{"kind", "report"},
-         {"message",
-          fmt::format("{} of {} decided, {} states, {:.0f} a second, {} MB, {:.0f} s", now.decided,
-                      now.total, now.classes, now.rate(), now.bytes / kMegabyte, now.seconds)},
-         {"percentage", now.total > 0 ? 100 * now.decided / now.total : 0}});
-  }
-  void end(const std::string& message) { say({{"kind", "end"}, {"message", message}}); }
-
-private:
-  void say(const Json& value) {
-    if (!token.is_null()) send(notification("$/progress", {{"token", token}, {"value", value}}));
-  }
-
-  const std::function<void(std::string_view)>& send;
-  Json token;
-};
+unsigned percentageOf(const WorkerProgress& now) {
+  return now.total > 0 ? static_cast<unsigned>(100 * now.decided / now.total) : 0;
+}
 
 /// Of what was asked for: the model's order, as the report has it.
 Json resultJson(const Verified& verified, const Converter& convert) {
@@ -86,11 +68,13 @@ Answer Verification::verifyRequested(const Request& request) {
   job.names = namesIn(request.params);
   job.budget = withLimits(chosen.requestBudget, request.params.value("limits", Json()));
   const auto& open = request.snapshot.open();
-  WorkDone workDone(request.params, outside.send);
+  Progress workDone([this](std::string_view method,
+                           const Json& params) { outside.send(notification(method, params)); },
+                    request.params.value("workDoneToken", Json()), nullptr);
   workDone.begin("Verifying " + view->program().files.front().path.filename().string());
   board.set(view->owner, VerificationState::Checking);
   auto verified = run(view->owner, open, job, request.cancellation, [&](const auto& progress) {
-    workDone.report(progress);
+    workDone.report(wordsOf(progress), percentageOf(progress));
     board.setProgress(view->owner, progress);
   });
   if (!verified) {
