@@ -1,5 +1,6 @@
 #include "lsp/convert.h"
 #include "lsp/verdict_json.h"
+#include "viz/fold.h"
 #include "viz/pictures.h"
 #include "viz/render.h"
 
@@ -124,12 +125,12 @@ public:
     return best;
   }
 
-private:
   // As viz/dot.cpp names the groups of the SVG.
   static std::string nodeId(std::size_t i) { return fmt::format("n{}", i); }
   static std::string edgeId(std::size_t i) { return fmt::format("e{}", i); }
   static std::string clusterId(std::size_t i) { return fmt::format("cluster_{}", i); }
 
+private:
   [[nodiscard]] Json location(const viz::Source& source) const {
     for (analysis::FileId i = 0; i < program.files.size(); ++i)
       if (program.files[i].path.string() == source.file) return convert.location({i, source.range});
@@ -140,6 +141,36 @@ private:
   const analysis::Program& program;
   const Converter& convert;
 };
+
+/// What can be folded, and where it is in the picture. A key stays the same, whatever is folded.
+Json foldableJson(const viz::Graph& whole, const viz::Folded& folded) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < folded.parts.size(); ++i) {
+    const auto& part = folded.parts[i];
+    const auto id = part.node      ? Json(Parts::nodeId(*part.node))
+                    : part.cluster ? Json(Parts::clusterId(*part.cluster))
+                                   : Json();
+    all.push_back({{"key", Parts::clusterId(i)},
+                   {"label", whole.clusters[i].label},
+                   {"part", id},
+                   {"folded", part.node.has_value()}});
+  }
+  return all;
+}
+
+/// Beyond this many nodes a picture takes more than a moment to lay out, and more than a glance to
+/// read.
+constexpr std::size_t kLargestUnfolded = 400;
+
+/// The clusters that are asked for; where nothing is said, as is best for the size of the picture.
+std::set<std::size_t> clustersToFold(const viz::Graph& graph, const Json& params) {
+  const auto asked = params.value("fold", Json());
+  if (!asked.is_array()) return viz::clustersToFold(graph, kLargestUnfolded);
+  std::set<std::size_t> chosen;
+  for (std::size_t i = 0; i < graph.clusters.size(); ++i)
+    if (std::ranges::find(asked, Json(Parts::clusterId(i))) != asked.end()) chosen.insert(i);
+  return chosen;
+}
 
 Json picturesJson(const analysis::Program& program) {
   Json all = Json::array();
@@ -187,11 +218,13 @@ Answer automaton(const Request& request) {
   if (!graph) return std::unexpected(RpcError{ErrorCode::RequestFailed, graph.error()});
   if (request.cancellation.isCancelled())
     return std::unexpected(RpcError{ErrorCode::RequestCancelled, "cancelled"});
-  auto content = contentOf(*graph, request.params);
+  const auto chosen = clustersToFold(*graph, request.params);
+  const auto folded = viz::fold(*graph, chosen);
+  auto content = contentOf(folded.graph, request.params);
   if (!content) return std::unexpected(content.error());
   const Converter convert(view, request);
-  const Parts parts(*graph, view.program(), convert);
-  return Json{{"kind", nameOf(picture->kind)},
+  const Parts parts(folded.graph, view.program(), convert);
+  Json answer{{"kind", nameOf(picture->kind)},
               {"name", picture->name},
               {"title", graph->title},
               {"note", graph->note},
@@ -202,7 +235,13 @@ Answer automaton(const Request& request) {
               {"clusters", parts.clusters()},
               {"current", caret ? parts.at(view.file, *caret) : Json()},
               {"pictures", picturesJson(view.program())},
+              {"foldable", foldableJson(*graph, folded)},
               {"texts", textsJson(view.program(), request.snapshot.open())}};
+  if (!request.params.contains("fold") && !chosen.empty())
+    answer["foldedBecause"] =
+        fmt::format("This picture has {} nodes: branches are folded. Double-click one to open it.",
+                    graph->nodes.size());
+  return answer;
 }
 
 } // namespace
