@@ -76,7 +76,7 @@ Adapter::Answer Adapter::disconnect(const Json&) {
 Adapter::Answer Adapter::setNothing(const Json&) { return Json(); }
 
 Adapter::Answer Adapter::setBreakpoints(const Json& arguments) {
-  const auto path = canonical(arguments.at("source").at("path").get<std::string>());
+  const auto path = oneSpelling(arguments.at("source").at("path").get<std::string>());
   std::set<unsigned> lines;
   Json all = Json::array();
   for (const auto& asked : listIn(arguments, "breakpoints")) {

@@ -37,7 +37,7 @@ public:
             verify::Simulation started)
       : program(std::move(of)), model(std::move(with)), simulation(std::move(started)) {
     whole.initial = simulation.initial();
-    for (const auto& file : program->files) paths.push_back(canonical(file.path));
+    for (const auto& file : program->files) paths.push_back(oneSpelling(file.path));
   }
 
   [[nodiscard]] const Trace& trace() const override { return whole; }

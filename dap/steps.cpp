@@ -14,7 +14,7 @@ using Json = lsp::OrderedJson;
 Place placeInReport(const Json& json, const std::filesystem::path& base) {
   const auto& begin = json.at("begin");
   const auto& end = json.at("end");
-  return {canonical(base / json.at("file").get<std::string>()), begin.at("line").get<unsigned>(),
+  return {oneSpelling(base / json.at("file").get<std::string>()), begin.at("line").get<unsigned>(),
           begin.at("column").get<unsigned>(), end.at("line").get<unsigned>(),
           end.at("column").get<unsigned>()};
 }
@@ -25,7 +25,7 @@ std::optional<Place> placeOfProtocol(const Json& json) {
   if (!path) return std::nullopt;
   const auto& begin = json.at("range").at("start");
   const auto& end = json.at("range").at("end");
-  return Place{canonical(*path), begin.at("line").get<unsigned>() + 1,
+  return Place{oneSpelling(*path), begin.at("line").get<unsigned>() + 1,
                begin.at("character").get<unsigned>() + 1, end.at("line").get<unsigned>() + 1,
                end.at("character").get<unsigned>() + 1};
 }
@@ -98,7 +98,7 @@ std::string windowOf(const Step& step) {
                      step.beforeLatest ? "[" : "]");
 }
 
-std::filesystem::path canonical(const std::filesystem::path& path) {
+std::filesystem::path oneSpelling(const std::filesystem::path& path) {
   std::error_code error;
   auto found = std::filesystem::weakly_canonical(path, error);
   return error ? path.lexically_normal() : found;

@@ -52,6 +52,6 @@ struct Trace {
 [[nodiscard]] std::string windowOf(const Step& step);
 
 /// One spelling for each file.
-[[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path);
+[[nodiscard]] std::filesystem::path oneSpelling(const std::filesystem::path& path);
 
 } // namespace proskill::dap
