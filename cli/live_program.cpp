@@ -1,7 +1,6 @@
 #include "cli/disk.h"
 #include "cli/panel_data.h"
 #include "cli/source_place.h"
-#include "cli/verify_json.h"
 #include "cli/verify_report.h"
 #include "codegen/model.h"
 
@@ -183,7 +182,7 @@ private:
     const auto result = ide::verifyModel(*model, {}, engine(now, model->checks.size()));
     if (!result) return set("failed", "this model cannot be explored: " + result.error().message);
     if (cancelled) return; // what comes next is newer
-    take(reportJson({now->program, *model, *result, model->mainSkill}));
+    take(lsp::reportJson({now->program, *model, *result, model->mainSkill}));
     set("done", "");
   }
 

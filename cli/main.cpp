@@ -5,11 +5,13 @@
 
 #include "analysis/suggest.h"
 #include "cli/check.h"
+#include "cli/dap.h"
 #include "cli/emit.h"
 #include "cli/explain.h"
 #include "cli/graph.h"
 #include "cli/lsp.h"
 #include "cli/verify.h"
+#include "cli/verify_worker.h"
 #include "cli/view.h"
 
 #include <CLI/CLI.hpp>
@@ -66,7 +68,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
   app.failure_message(failureMessage);
-  for (auto add : {addCheck, addEmit, addExplain, addGraph, addLsp, addVerify, addView})
+  for (auto add : {addCheck, addDap, addEmit, addExplain, addGraph, addLsp, addVerify,
+                   addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknown(app, word);

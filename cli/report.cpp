@@ -3,7 +3,6 @@
 #include "cli/output.h"
 #include "cli/panel_bundle.h"
 #include "cli/panel_json.h"
-#include "cli/verify_json.h"
 #include "cli/verify_report.h"
 
 #include <fmt/format.h>
@@ -64,7 +63,7 @@ void addPicture(Json& all, const analysis::Program& program, const viz::Request&
 
 Json dataOf(const VerifyReport& report) {
   const auto& program = report.program;
-  auto verdicts = reportJson(report);
+  auto verdicts = lsp::reportJson(report);
   verdicts.update({{"label", program.files.front().path.filename().generic_string()},
                    {"state", "done"},
                    {"stale", false},

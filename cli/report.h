@@ -1,12 +1,12 @@
 #pragma once
 
+#include "cli/verify_report.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace proskill::cli {
-
-struct VerifyReport;
 
 /// Writes `index.html` into the directory, which is made: verdicts, traces, texts and pictures in
 /// one page that needs nothing else. What went wrong, if something did.

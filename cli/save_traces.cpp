@@ -1,6 +1,6 @@
 #include "cli/save_traces.h"
 
-#include "cli/verify_json.h"
+#include "cli/verify_report.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ std::optional<std::string> writeFile(const std::filesystem::path& path, const st
 std::string json(const VerifyReport& report, const ide::VerdictRow& row) {
   using Json = nlohmann::ordered_json;
   Json trace{{"name", row.check->name}, {"verdict", ide::toString(row.verdict)}};
-  trace.update(traceJson(report.program, *row.trace));
+  trace.update(lsp::traceJson(report.program, *row.trace));
   return trace.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,100 +1,12 @@
-#include "cli/verify_json.h"
-
-#include "cli/source_place.h"
 #include "cli/verify_report.h"
 
 #include <ostream>
 
 namespace proskill::cli {
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json rangeJson(const analysis::Program& program, analysis::Location location) {
-  SourcePlaces places(program);
-  auto begin = places.begin(location);
-  auto end = places.end(location);
-  return {{"file", places.path(location.file)},
-          {"begin", {{"line", begin.line}, {"column", begin.column}}},
-          {"end", {{"line", end.line}, {"column", end.column}}},
-          {"bytes", {location.range.begin, location.range.end}}};
-}
-
-/// Seconds as an exact string and, for programs that plot, as a number.
-Json secondsJson(syntax::Rational value) {
-  return {
-      {"exact", syntax::toString(value)},
-      {"seconds", static_cast<double>(value.numerator) / static_cast<double>(value.denominator)}};
-}
-
-Json momentJson(const ide::Moment& moment) {
-  Json json = secondsJson(moment.seconds);
-  json["strict"] = moment.strict;
-  return json;
-}
-
-Json stepJson(const analysis::Program& program, const ide::TraceStep& step) {
-  Json json{{"actor", step.actor}, {"words", step.words}};
-  json["location"] = step.location ? rangeJson(program, *step.location) : Json();
-  json["date"] = secondsJson(step.date);
-  json["delay"] = secondsJson(step.delay);
-  json["earliest"] = momentJson(step.earliest);
-  json["latest"] = step.latest ? momentJson(*step.latest) : Json();
-  json["changes"] = Json::array();
-  for (const auto& change : step.changes)
-    json["changes"].push_back(
-        {{"variable", change.variable}, {"before", change.before}, {"after", change.after}});
-  json["transitions"] = step.transitions;
-  return json;
-}
-
-Json propertyJson(const analysis::Program& program, const ide::VerdictRow& row) {
-  const auto& check = *row.check;
-  Json json{{"name", check.name},
-            {"kind", check.kind},
-            {"subject", check.subject},
-            {"words", check.words},
-            {"verdict", ide::toString(row.verdict)},
-            {"good", row.good()},
-            {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};
-  json["location"] = row.location ? rangeJson(program, *row.location) : Json();
-  if (!row.reason.empty()) json["reason"] = row.reason;
-  json["trace"] = row.trace ? traceJson(program, *row.trace) : Json();
-  return json;
-}
-
-} // namespace
-
-Json traceJson(const analysis::Program& program, const ide::Trace& trace) {
-  Json initial = Json::object();
-  for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
-  Json steps = Json::array();
-  for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  return {{"initial", initial}, {"steps", steps}};
-}
-
-Json explorationJson(const verify::Exploration& exploration) {
-  return {{"classes", exploration.classes},   {"markings", exploration.markings},
-          {"domains", exploration.domains},   {"transitions", exploration.transitions},
-          {"bytes", exploration.bytes},       {"seconds", exploration.seconds},
-          {"complete", exploration.complete}, {"stopped", exploration.stopped}};
-}
-
-Json reportJson(const VerifyReport& report) {
-  Json json{{"version", 1},
-            {"program", report.program.files.front().path.string()},
-            {"main", report.mainSkill.empty() ? Json() : Json(report.mainSkill)},
-            {"unit", secondsJson(report.model.unit)}};
-  json["properties"] = Json::array();
-  for (const auto& row : report.result.rows)
-    json["properties"].push_back(propertyJson(report.program, row));
-  json["exploration"] = explorationJson(report.result.exploration);
-  return json;
-}
-
 void writeJson(std::ostream& out, const VerifyReport& report) {
-  out << reportJson(report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  using Json = lsp::OrderedJson;
+  out << lsp::reportJson(report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 } // namespace proskill::cli

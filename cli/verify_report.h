@@ -2,6 +2,7 @@
 
 #include "analysis/program.h"
 #include "ide/verification.h"
+#include "lsp/report_json.h"
 
 #include <iosfwd>
 #include <string>
@@ -9,12 +10,7 @@
 /// The report of `proskill verify` in its formats. Each writer takes the same finished report.
 namespace proskill::cli {
 
-struct VerifyReport {
-  const analysis::Program& program;
-  const codegen::Model& model;
-  const ide::VerificationReport& result;
-  std::string mainSkill; ///< empty: a library of skills
-};
+using lsp::VerifyReport;
 
 enum class ShowTraces : std::uint8_t { Failed, All, None };
 

@@ -1,5 +1,4 @@
 #include "cli/source_place.h"
-#include "cli/verify_json.h"
 #include "cli/verify_report.h"
 
 #include <ostream>

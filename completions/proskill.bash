@@ -26,6 +26,7 @@ _proskill_options() {
     graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
     view) echo '--main --port --no-open --time-limit --memory-limit --help' ;;
     lsp) echo '--stdio --port --log --debounce --help' ;;
+    dap) echo '--port --help' ;;
     *) echo '--help --version' ;;
   esac
 }
@@ -42,7 +43,7 @@ _proskill() {
   local command="${COMP_WORDS[1]}" words
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check explain emit verify graph view lsp $(_proskill_options)"
+    words="check explain emit verify graph view lsp dap $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ "$previous" = --save-traces ] || [ "$previous" = --report ] || [ "$previous" = --out-dir ]; then

@@ -24,6 +24,7 @@ complete -c proskill -n __fish_use_subcommand -a verify -d 'decide the propertie
 complete -c proskill -n __fish_use_subcommand -a graph -d 'draw a part of a program'
 complete -c proskill -n __fish_use_subcommand -a view -d 'show verdicts and traces in a browser'
 complete -c proskill -n __fish_use_subcommand -a lsp -d 'serve an editor'
+complete -c proskill -n __fish_use_subcommand -a dap -d 'step through traces in a debugger'
 complete -c proskill -n '__fish_seen_subcommand_from check emit verify graph view' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from view' -ka '(__fish_complete_suffix .json)'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre hfiacre'
@@ -65,4 +66,5 @@ __proskill_option view no-open 'print the address only'
 __proskill_option lsp stdio 'standard input and output'
 __proskill_option lsp port 'of the loopback interface' -x
 __proskill_option lsp log 'a line for each request' -r
+__proskill_option dap port 'of the loopback interface' -x
 __proskill_option lsp debounce 'milliseconds before diagnostics are sent' -x

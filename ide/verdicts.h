@@ -12,6 +12,12 @@
 /// What was last decided about programs, for all that shows it: lenses, hints, diagnostics.
 namespace proskill::ide {
 
+/// A place that a trace passes, and what happens there: "2 s: takeoff starts".
+struct Waypoint {
+  analysis::Location location;
+  std::string words;
+};
+
 /// The verdict on one property, without the model that it was reached on.
 struct PropertyVerdict {
   std::string name;    ///< `takeoff.can_succeed.at_altitude`
@@ -23,6 +29,7 @@ struct PropertyVerdict {
   std::optional<analysis::Location> location; ///< in the program that was verified
   std::string reason;                         ///< where inconclusive
   std::optional<std::size_t> steps;           ///< of its trace; nothing: it has none
+  std::vector<Waypoint> way;                  ///< of its trace, where it is bad; the first of them
 
   [[nodiscard]] bool good() const {
     return verdict == Verdict::Holds || verdict == Verdict::Reachable;

@@ -9,17 +9,6 @@ namespace {
 
 using syntax::Rational;
 
-/// Seconds of a number of units; a date that does not fit is as good as the largest that does.
-Rational seconds(std::int64_t units, std::int64_t scale, Rational unit) {
-  auto scaled = syntax::multiply(Rational{units, 1}, unit);
-  auto result = scaled ? syntax::multiply(*scaled, Rational{1, scale}) : std::nullopt;
-  return result.value_or(Rational{INT64_MAX, 1});
-}
-
-Rational difference(Rational later, Rational earlier) {
-  return syntax::add(later, Rational{-earlier.numerator, earlier.denominator}).value_or(Rational{});
-}
-
 std::optional<analysis::Location> locate(const fiacre::Origin& origin) {
   if (origin.begin == origin.end) return std::nullopt;
   return analysis::Location{origin.file, {origin.begin, origin.end}};
@@ -29,28 +18,15 @@ Moment moment(const verify::Date& date, Rational unit) {
   return {seconds(date.value, 1, unit), date.strict};
 }
 
-/// The last origin that says something names the step; the last one with a place locates it.
-void describe(TraceStep& step, const verify::Step& raw, const fiacre::Provenance& provenance) {
-  for (auto id : raw.origins) {
-    const auto& origin = provenance.origins[id];
-    if (!origin.actor.empty()) step.actor = origin.actor;
-    if (!origin.words.empty()) step.words = origin.words;
-    if (auto location = locate(origin)) step.location = location;
-  }
-}
-
 Trace translate(const verify::Trace& raw, const codegen::Model& model) {
   Trace trace{raw.initial, {}};
   Rational before;
   for (const auto& rawStep : raw.steps) {
-    TraceStep step;
-    describe(step, rawStep, model.provenance);
+    auto step = inWords(rawStep, model.provenance);
     step.earliest = moment(rawStep.earliest, model.unit);
     if (rawStep.latest) step.latest = moment(*rawStep.latest, model.unit);
     step.date = seconds(rawStep.date, raw.scale, model.unit);
     step.delay = difference(step.date, before);
-    step.changes = rawStep.changes;
-    step.transitions = rawStep.transitions;
     before = step.date;
     trace.steps.push_back(std::move(step));
   }
@@ -77,6 +53,31 @@ VerdictRow row(const codegen::Check& check, const verify::Answer& answer,
 }
 
 } // namespace
+
+syntax::Rational seconds(std::int64_t units, std::int64_t scale, Rational unit) {
+  auto scaled = syntax::multiply(Rational{units, 1}, unit);
+  auto result = scaled ? syntax::multiply(*scaled, Rational{1, scale}) : std::nullopt;
+  return result.value_or(Rational{INT64_MAX, 1});
+}
+
+syntax::Rational difference(Rational later, Rational earlier) {
+  return syntax::add(later, Rational{-earlier.numerator, earlier.denominator}).value_or(Rational{});
+}
+
+/// The last origin that says something names the step; the last one with a place locates it.
+TraceStep inWords(const verify::Step& raw, const fiacre::Provenance& provenance) {
+  TraceStep step;
+  for (auto id : raw.origins) {
+    const auto& origin = provenance.origins[id];
+    if (!origin.actor.empty()) step.actor = origin.actor;
+    if (!origin.words.empty()) step.words = origin.words;
+    if (auto location = locate(origin)) step.location = location;
+  }
+  step.changes = raw.changes;
+  step.transitions = raw.transitions;
+  step.origins = raw.origins;
+  return step;
+}
 
 std::string_view toString(Verdict verdict) {
   switch (verdict) {

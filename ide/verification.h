@@ -31,8 +31,18 @@ struct TraceStep {
   syntax::Rational date;        ///< in the run that was replayed, seconds since the start
   syntax::Rational delay;       ///< since the step before, in that run
   std::vector<verify::Change> changes;
-  std::vector<std::string> transitions; ///< of the Fiacre model
+  std::vector<std::string> transitions;  ///< of the Fiacre model
+  std::vector<fiacre::OriginId> origins; ///< of what was passed, for places in the model's text
 };
+
+/// A step in the program's words, without its dates.
+[[nodiscard]] TraceStep inWords(const verify::Step& step, const fiacre::Provenance& provenance);
+
+/// Seconds of a number of units, each 1/scale of the model's unit; a date that does not fit is as
+/// good as the largest that does.
+[[nodiscard]] syntax::Rational seconds(std::int64_t units, std::int64_t scale,
+                                       syntax::Rational unit);
+[[nodiscard]] syntax::Rational difference(syntax::Rational later, syntax::Rational earlier);
 
 struct Trace {
   std::vector<verify::Change> initial;

@@ -71,6 +71,8 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
                              isTrue(capabilities, {"workspace", "diagnostic", "refreshSupport"});
   client.retried =
       strings(memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
+  client.refreshCodeLens = isTrue(capabilities, {"workspace", "codeLens", "refreshSupport"});
+  client.refreshInlayHints = isTrue(capabilities, {"workspace", "inlayHint", "refreshSupport"});
   return client;
 }
 

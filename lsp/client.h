@@ -29,6 +29,9 @@ struct ClientFeatures {
   bool diagnosticRefresh = false;
   /// Methods that it asks again where a request was refused because the text has changed.
   std::set<std::string> retried;
+  // What the client asks for again when the server says so.
+  bool refreshCodeLens = false;
+  bool refreshInlayHints = false;
 };
 
 /// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension

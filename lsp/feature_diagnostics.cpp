@@ -3,6 +3,7 @@
 #include "lsp/diagnostics.h"
 #include "lsp/fingerprint.h"
 #include "lsp/uri.h"
+#include "lsp/verdict_json.h"
 
 #include "syntax/codes.h"
 
@@ -81,8 +82,9 @@ Json report(Json items, const Json& previous) {
 }
 
 Json itemsOf(const Request& request, const std::filesystem::path& path) {
-  return request.settings->diagnostics ? diagnosticsOf(request.snapshot, path, request.client)
-                                       : Json::array();
+  return request.settings->diagnostics
+             ? diagnosticsOf(request.snapshot, path, request.client, *request.verdicts)
+             : Json::array();
 }
 
 Answer documentDiagnostics(const Request& request) {
@@ -148,12 +150,14 @@ Answer workspaceDiagnostics(const Request& request) {
 } // namespace
 
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
-                   const ClientFeatures& client) {
+                   const ClientFeatures& client, const ide::Verdicts& verdicts) {
   Json result = Json::array();
   for (const auto& finding : ide::diagnostics(snapshot, path)) {
     const Converter convert(finding.owner->program, snapshot.open(), client.encoding);
     result.push_back(diagnosticJson(finding, convert, client));
   }
+  for (auto& verdict : verdictDiagnostics(verdicts, snapshot, path, client))
+    result.push_back(std::move(verdict));
   return result;
 }
 

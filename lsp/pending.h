@@ -55,6 +55,13 @@ public:
     return result;
   }
 
+  /// At the end: nobody waits for anything any more.
+  void cancelAll() {
+    const std::lock_guard lock(mutex);
+    for (auto& [id, waiting] : requests) waiting.cancellation.cancel();
+    requests.clear();
+  }
+
   [[nodiscard]] std::size_t size() const {
     const std::lock_guard lock(mutex);
     return requests.size();

@@ -45,26 +45,27 @@ void Publisher::retract(const ide::Snapshot& snapshot, bool enabled) {
   });
 }
 
-bool Publisher::isTold(const Path& path, const ide::OpenText& text, const Owners& owners) {
+bool Publisher::isTold(const Path& path, const Told& now) {
   const std::lock_guard lock(mutex);
   const auto& last = told[path];
-  return last.sent && last.version == text.version && last.uri == text.uri &&
-         std::ranges::equal(last.owners, owners, isSame<Owners::value_type>);
+  return last.sent && last.version == now.version && last.uri == now.uri &&
+         last.verdicts == now.verdicts &&
+         std::ranges::equal(last.owners, now.owners, isSame<Owners::value_type>);
 }
 
 void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked) {
   const auto& text = snapshot.open().at(path);
   try {
     auto start = std::chrono::steady_clock::now();
-    Owners owners;
-    for (const auto& view : snapshot.views(path)) owners.emplace_back(view.owner);
-    if (isTold(path, text, owners)) return;
-    auto list = diagnosticsOf(snapshot, path, client);
+    Told now{text.uri, text.version, {}, verdicts(), true};
+    for (const auto& view : snapshot.views(path)) now.owners.emplace_back(view.owner);
+    if (isTold(path, now)) return;
+    auto list = diagnosticsOf(snapshot, path, client, *now.verdicts);
     const std::lock_guard lock(mutex);
     if (asked != revision) return;
     peer.notify(kMethod,
                 {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}});
-    told[path] = {text.uri, text.version, std::move(owners), true};
+    told[path] = std::move(now);
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
   } catch (const std::exception& error) {
     onFailure(kMethod, {{"uri", text.uri}}, error.what());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ide/verdicts.h"
 #include "lsp/client.h"
 #include "lsp/peer.h"
 #include "lsp/scheduler.h"
@@ -23,16 +24,18 @@ namespace proskill::lsp {
 class Publisher {
 public:
   using Time = std::chrono::steady_clock::time_point;
+  using GetVerdicts = std::function<std::shared_ptr<const ide::Verdicts>()>;
   using OnFailure =
       std::function<void(std::string_view method, const Json& params, std::string_view error)>;
 
   /// All of them outlive the publisher's tasks.
   Publisher(Peer& peer, Scheduler& scheduler, Statistics& statistics, const ClientFeatures& client,
-            OnFailure onFailure)
+            GetVerdicts verdicts, OnFailure onFailure)
       : peer(peer),
         scheduler(scheduler),
         statistics(statistics),
         client(client),
+        verdicts(std::move(verdicts)),
         onFailure(std::move(onFailure)) {}
 
   /// The main thread's: texts or settings have changed; `debounce` from now on is soon enough.
@@ -50,18 +53,20 @@ private:
   struct Told {
     std::string uri;
     std::int64_t version = 0;
-    Owners owners; ///< the programs that it came from
+    Owners owners;                                 ///< the programs that it came from
+    std::shared_ptr<const ide::Verdicts> verdicts; ///< that it tells
     bool sent = false;
   };
 
   void retract(const ide::Snapshot& snapshot, bool enabled);
   void publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked);
-  [[nodiscard]] bool isTold(const Path& path, const ide::OpenText& text, const Owners& owners);
+  [[nodiscard]] bool isTold(const Path& path, const Told& now);
 
   Peer& peer;
   Scheduler& scheduler;
   Statistics& statistics;
   const ClientFeatures& client;
+  GetVerdicts verdicts;
   OnFailure onFailure;
   std::optional<Time> dueAt;
   std::atomic<std::uint64_t> revision{0}; ///< of the texts

@@ -50,12 +50,14 @@ struct Registry {
   }
 };
 
+void addAutomaton(Registry& registry);
 void addCompletion(Registry& registry);
 void addDiagnostics(Registry& registry);
 void addHierarchy(Registry& registry);
 void addHints(Registry& registry);
 void addHover(Registry& registry);
 void addLenses(Registry& registry);
+void addModel(Registry& registry);
 void addNavigation(Registry& registry);
 void addRename(Registry& registry);
 void addSymbols(Registry& registry);

@@ -23,8 +23,9 @@ private:
   std::shared_ptr<std::atomic<bool>> flag = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// What somebody waits for goes before what nobody sees.
-enum class Priority : std::uint8_t { Interactive, Background };
+/// What somebody waits for goes before what nobody sees. What may take minutes, as a verification,
+/// is not for the scheduler that answers the rest.
+enum class Priority : std::uint8_t { Interactive, Background, Long };
 
 /// A few threads that run what they are given. One of them takes nothing but interactive work, so
 /// that this never waits for a long background task.

@@ -1,5 +1,6 @@
 #include "lsp/server.h"
 
+#include "lsp/convert.h"
 #include "lsp/uri.h"
 
 #include <thread>
@@ -41,11 +42,15 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
       peer(outbox),
       announcer(peer),
       workspace(std::move(disk)),
-      publisher(peer, scheduler, statistics, client,
-                [this](std::string_view method, const Json& params, std::string_view error) {
-                  failed(method, params, error);
-                }),
+      verification({options.worker, [this](std::string_view body) { outbox.send(body); },
+                    [this] { inbox.put([this] { verdictsChanged(); }); }, options.log}),
+      publisher(
+          peer, scheduler, statistics, client, [this] { return verification.verdicts(); },
+          [this](std::string_view method, const Json& params, std::string_view error) {
+            failed(method, params, error);
+          }),
       scheduler(options.threads) {
+  verification.addMethods(registry);
   registry.add("proskill/status",
                [this](const Request& request) -> Answer { return status(request.snapshot); });
 }
@@ -61,6 +66,7 @@ int Server::run() {
       break;
     }
   }
+  pending.cancelAll();
   connection.close();
   return phase == Phase::ShutDown ? 0 : 1;
 }
@@ -185,6 +191,10 @@ void Server::notified(const Message& message) {
   if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
   if (method == "workspace/didChangeConfiguration")
     return client.configuration ? askForSettings() : setSettings(memberAt(params, {"settings"}));
+  if (method == "proskill/view") {
+    if (auto path = documentPath(params)) verification.setView(*path);
+    return;
+  }
   if (method == "$/setTrace") return setTrace(memberAt(params, {"value"}));
   if (!method.starts_with("$/")) log("a notification that is not served: " + method);
 }
@@ -205,6 +215,7 @@ void Server::handleText(const Message& message) {
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
   if (message.method == "textDocument/didChange") refuseStale(message);
   changed();
+  verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
   // Whole programs may go with the old snapshot: not here, where the next edit would wait for it.
   scheduler.post(Priority::Background, [before = std::move(before)] {});
 }
@@ -222,12 +233,14 @@ void Server::refuseStale(const Message& message) {
 }
 
 void Server::dispatch(Received& received, const Method& method) {
-  scheduler.post(method.priority, [this, received = std::move(received), &method,
-                                   snapshot = workspace.snapshot(), settings = settings] {
+  auto& pool = method.priority == Priority::Long ? longWork : scheduler;
+  pool.post(method.priority, [this, received = std::move(received), &method,
+                              snapshot = workspace.snapshot(), settings = settings] {
     const auto& message = received.message;
     if (received.cancellation.isCancelled()) return;
     auto notify = [this](std::string_view what, const Json& params) { peer.notify(what, params); };
     Request request{message.params, *snapshot, client, received.cancellation};
+    request.verdicts = verification.verdicts();
     request.settings = settings;
     request.progress =
         std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
@@ -272,6 +285,24 @@ void Server::reply(const Message& message, Answer result, Progress& progress) {
 
 void Server::changed() {
   if (!client.pullDiagnostics) publisher.changed(debounce());
+}
+
+/// Other texts than the one that a user edits.
+void Server::textsChanged() {
+  changed();
+  verification.textsChanged(workspace.snapshot(), std::nullopt);
+}
+
+/// The texts are as they were; what shows verdicts is told anew.
+void Server::verdictsChanged() {
+  if (phase != Phase::Running) return;
+  const auto ask = [&](bool wanted, const char* method) {
+    if (wanted) peer.ask(method, nullptr);
+  };
+  ask(client.pullDiagnostics && client.diagnosticRefresh, "workspace/diagnostic/refresh");
+  ask(client.refreshCodeLens, "workspace/codeLens/refresh");
+  ask(client.refreshInlayHints, "workspace/inlayHint/refresh");
+  if (!client.pullDiagnostics) publisher.changed(std::chrono::milliseconds(0));
 }
 
 std::chrono::milliseconds Server::debounce() const {

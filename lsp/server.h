@@ -8,6 +8,7 @@
 #include "lsp/publisher.h"
 #include "lsp/registry.h"
 #include "lsp/statistics.h"
+#include "lsp/verification.h"
 #include "lsp/workspace.h"
 
 #include <chrono>
@@ -21,6 +22,8 @@ struct ServerOptions {
   unsigned threads = 3;                   ///< beside those that read and dispatch; at least 2
   std::chrono::milliseconds debounce{50}; ///< from the last edit to the diagnostics that are pushed
   std::function<void(std::string_view)> log{}; ///< a line each; from any thread
+  /// What runs `runVerifyWorker`: by default this program.
+  std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
 };
 
 /// The language server. Three kinds of threads: one reads the stream and cancels at once; the main
@@ -57,6 +60,8 @@ private:
   void reply(const Message& message, Answer result, Progress& progress);
   void changed();
   [[nodiscard]] std::chrono::milliseconds debounce() const;
+  void textsChanged();
+  void verdictsChanged();
 
   // server_lifecycle.cpp
   Json initialize(const Json& params);
@@ -98,8 +103,10 @@ private:
   std::optional<Time> parentDue;        ///< when to look for it
   Time started = std::chrono::steady_clock::now();
   std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
+  Verification verification;
   Publisher publisher;
-  Scheduler scheduler; ///< last: its threads use all of the above
+  Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above
+  Scheduler scheduler;
 };
 
 } // namespace proskill::lsp

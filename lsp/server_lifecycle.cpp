@@ -75,8 +75,9 @@ Json Server::initialize(const Json& params) {
   parent = parentOf(params);
   if (parent) parentDue = std::chrono::steady_clock::now() + kBetweenLooks;
   setTrace(memberAt(params, {"trace"}));
-  if (const Json& first = memberAt(params, {"initializationOptions"}); first.is_object())
-    setSettings(first);
+  const Json& first = memberAt(params, {"initializationOptions"});
+  verification.start(client, initialSettings(first));
+  if (first.is_object()) setSettings(first);
   Json capabilities = registry.capabilities;
   capabilities["positionEncoding"] = nameOf(client.encoding);
   capabilities["textDocumentSync"] = {
@@ -117,6 +118,8 @@ void Server::askForSettings() {
 
 void Server::setSettings(const Json& json) {
   settings = std::make_shared<const ClientSettings>(readClientSettings(json));
+  const Json& whole = memberAt(json, {"proskill"});
+  verification.configure(memberAt(whole.is_object() ? whole : json, {"verify"}));
   workspace.setStyle(settings->style);
   changed();
   if (client.pullDiagnostics && client.diagnosticRefresh)
@@ -154,14 +157,14 @@ void Server::readFolders(std::vector<Path> some) {
         }));
     inbox.put([this, found] {
       workspace.add(std::move(*found));
-      changed();
+      textsChanged();
     });
   });
 }
 
 void Server::handleWatchedFiles(const Json& params) {
   workspace.readFiles(pathsIn(memberAt(params, {"changes"})));
-  changed();
+  textsChanged();
   if (client.pullDiagnostics && client.diagnosticRefresh)
     peer.ask("workspace/diagnostic/refresh", nullptr);
 }

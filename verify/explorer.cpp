@@ -32,8 +32,9 @@ std::uint64_t ZoneGraph::bytes() const {
 }
 
 Progress Explorer::progress(NodeIndex next) const {
-  return {graph.nodes.size(), graph.states.size(), graph.nodes.size() - next, graph.bytes(),
-          limits.seconds()};
+  return {graph.nodes.size(), graph.states.size(), graph.nodes.size() - next,
+          graph.bytes(),      limits.seconds(),    goals.size() - open,
+          goals.size()};
 }
 
 Explored Explorer::run() {

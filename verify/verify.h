@@ -81,6 +81,8 @@ struct Progress {
   std::uint64_t waiting = 0;
   std::uint64_t bytes = 0;
   double seconds = 0;
+  std::uint64_t decided = 0; ///< questions that have their witness
+  std::uint64_t questions = 0;
 };
 
 struct Options {

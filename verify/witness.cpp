@@ -4,7 +4,7 @@
 #include "verify/evaluate.h"
 #include "verify/place.h"
 #include "verify/replay.h"
-#include "verify/watch.h"
+#include "verify/telling.h"
 
 #include <algorithm>
 
@@ -35,9 +35,7 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
 
   Trace made{.scale = dating->scale};
   std::vector<Word> state = initialState(system);
-  for (const auto& watched : system.watched)
-    made.initial.push_back(
-        {watched.display, {}, shown(watched, readCell(system, watched.cell, state.data()))});
+  made.initial = valuesIn(system, state);
   StepLog log;
   for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
     const std::vector<Word> before = state;
@@ -45,12 +43,12 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
     if (fire(system, evidence.steps[i], state.data(), log) != Outcome::Done)
       return std::unexpected("a step fails");
     const Window& window = dating->steps[i];
-    made.steps.push_back({.origins = tellingLast(log),
-                          .transitions = {nameOf(evidence.steps[i], log)},
+    made.steps.push_back({.origins = tellingLast(provenance, log),
+                          .transitions = {nameOf(system, evidence.steps[i], log)},
                           .earliest = window.earliest,
                           .latest = window.latest,
                           .date = window.date,
-                          .changes = changes(before, state)});
+                          .changes = changesBetween(system, before, state)});
   }
   return made;
 }
@@ -127,40 +125,6 @@ Steps Witness::completed(const Goal& goal, const Steps& steps) const {
   }
   if (goal.kind == GoalKind::Deadlock) settle(true);
   return made;
-}
-
-/// As frac names transitions; of a synchronisation the later member comes first.
-std::string Witness::nameOf(TransitionId transition, const StepLog& log) const {
-  const auto& parts = system.transitions[transition].parts;
-  std::string name;
-  for (std::size_t i = parts.size(); i-- > 0;) {
-    const auto& instance = system.instances[system.paths[parts[i]].instance];
-    if (!name.empty()) name += "_";
-    name += instance.name + "_t" + std::to_string(log.leaves.at(i));
-  }
-  return name;
-}
-
-/// Each origin once, in the order of the path; those with words after those without.
-std::vector<fiacre::OriginId> Witness::tellingLast(const StepLog& log) const {
-  std::vector<fiacre::OriginId> all;
-  for (auto origin : log.origins)
-    if (std::ranges::find(all, origin) == all.end()) all.push_back(origin);
-  std::ranges::stable_partition(all, [&](fiacre::OriginId origin) {
-    return origin >= provenance.origins.size() || provenance.origins[origin].words.empty();
-  });
-  return all;
-}
-
-std::vector<Change> Witness::changes(const std::vector<Word>& before,
-                                     const std::vector<Word>& after) const {
-  std::vector<Change> all;
-  for (const auto& watched : system.watched) {
-    const auto old = readCell(system, watched.cell, before.data());
-    const auto now = readCell(system, watched.cell, after.data());
-    if (old != now) all.push_back({watched.display, shown(watched, old), shown(watched, now)});
-  }
-  return all;
 }
 
 } // namespace proskill::verify

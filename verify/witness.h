@@ -22,10 +22,6 @@ private:
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Steps lazily(const Steps& steps) const;
   [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps) const;
-  [[nodiscard]] std::string nameOf(TransitionId transition, const StepLog& log) const;
-  [[nodiscard]] std::vector<fiacre::OriginId> tellingLast(const StepLog& log) const;
-  [[nodiscard]] std::vector<Change> changes(const std::vector<Word>& before,
-                                            const std::vector<Word>& after) const;
 
   const System& system;
   Enabling enabling; ///< of what the search looked at

@@ -60,7 +60,11 @@ bool Pipe::hasMore() {
 Session::Session(Options chosen)
     : options(std::move(chosen)),
       server(pipe, options.disk,
-             {.version = "1", .threads = 2, .debounce = options.debounce, .log = {}}),
+             {.version = "1",
+              .threads = 2,
+              .debounce = options.debounce,
+              .log = {},
+              .worker = options.worker}),
       running(std::async(std::launch::async, [this] { return server.run(); })) {}
 
 Session::~Session() {
@@ -78,8 +82,10 @@ void Session::initialize() {
                        {"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
   if (!options.encoding.empty())
     capabilities["general"] = {{"positionEncodings", Json::array({options.encoding})}};
-  auto answer = result(
-      "initialize", {{"processId", nullptr}, {"rootUri", nullptr}, {"capabilities", capabilities}});
+  auto answer = result("initialize", {{"processId", nullptr},
+                                      {"rootUri", nullptr},
+                                      {"capabilities", capabilities},
+                                      {"initializationOptions", options.initializationOptions}});
   CHECK(answer["capabilities"]["positionEncoding"] ==
         (options.encoding.empty() ? "utf-16" : options.encoding));
   notify("initialized", Json::object());

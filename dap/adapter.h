@@ -1,0 +1,108 @@
+#pragma once
+
+#include "dap/launch.h"
+#include "dap/player.h"
+
+#include "lsp/connection.h"
+#include "lsp/framing.h"
+#include "lsp/outbox.h"
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+
+namespace proskill::dap {
+
+struct AdapterOptions {
+  std::string version;
+  std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
+};
+
+/// A debug adapter over a trace or a simulation. Debug Adapter Protocol 1.65; what is special of
+/// ours is in docs/dap.md. A thread reads, so that a verification can be given up.
+class Adapter {
+public:
+  Adapter(lsp::Connection& connection, const analysis::FileSystem& disk, AdapterOptions options);
+
+  /// Serves until the client disconnects: 0; or is gone: 1.
+  int run();
+
+private:
+  using Json = lsp::Json;
+  using Answer = std::expected<Json, std::string>;
+  using Handler = Answer (Adapter::*)(const Json& arguments);
+
+  void readStream();
+  std::optional<Json> take();
+  void handle(const Json& message);
+  void afterwards(const std::string& command);
+
+  Answer initialize(const Json& arguments);
+  Answer launch(const Json& arguments);
+  Answer configurationDone(const Json& arguments);
+  Answer disconnect(const Json& arguments);
+  Answer setBreakpoints(const Json& arguments);
+  Answer setNothing(const Json& arguments);
+  Answer dataBreakpointInfo(const Json& arguments);
+  Answer setDataBreakpoints(const Json& arguments);
+  Answer threads(const Json& arguments);
+  Answer stackTrace(const Json& arguments);
+  Answer scopes(const Json& arguments);
+  Answer variables(const Json& arguments);
+  Answer evaluate(const Json& arguments);
+  Answer next(const Json& arguments);
+  Answer stepIn(const Json& arguments);
+  Answer stepOut(const Json& arguments);
+  Answer stepBack(const Json& arguments);
+  Answer resume(const Json& arguments);
+  Answer reverseContinue(const Json& arguments);
+  Answer pause(const Json& arguments);
+  Answer restart(const Json& arguments);
+  Answer stepInTargets(const Json& arguments);
+  Answer choices(const Json& arguments);
+  Answer choose(const Json& arguments);
+  Answer position(const Json& arguments);
+  Answer goTo(const Json& arguments);
+
+  static const std::map<std::string, Handler, std::less<>>& handlers();
+
+  void send(Json message);
+  void event(std::string_view name, Json body);
+  void stopped(Stop why, std::string_view plain);
+  void console(const std::string& text);
+  [[nodiscard]] Json frame(long long id, const std::string& name,
+                           const std::optional<Place>& place) const;
+  [[nodiscard]] Json choiceJson(std::size_t i) const;
+  [[nodiscard]] long long threadOf(const std::string& actor) const;
+  [[nodiscard]] const std::string* actorOf(const Json& arguments) const;
+  [[nodiscard]] unsigned line(unsigned fromOne) const { return fromOne - (linesFromOne ? 0 : 1); }
+  [[nodiscard]] unsigned column(unsigned fromOne) const {
+    return fromOne - (columnsFromOne ? 0 : 1);
+  }
+
+  lsp::Connection& connection;
+  const analysis::FileSystem& disk;
+  AdapterOptions options;
+  lsp::Outbox outbox;
+  long long lastSent = 0;
+
+  std::mutex mutex; ///< of the queue
+  std::condition_variable wake;
+  std::deque<Json> queue;
+  bool streamEnded = false;
+  lsp::Cancellation cancellation; ///< of what `launch` does
+
+  bool linesFromOne = true;
+  bool columnsFromOne = true;
+  bool showsProgress = false;
+  bool configured = false; ///< `configurationDone` has come
+  bool announced = false;  ///< the first stop was told
+  bool finished = false;
+  LaunchArguments launched;
+  std::unique_ptr<Player> player; ///< null until `launch` has succeeded
+  std::optional<Stop> stop;       ///< to be told when the answer has been sent
+  std::string stopWords;
+};
+
+} // namespace proskill::dap

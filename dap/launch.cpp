@@ -1,0 +1,138 @@
+#include "dap/launch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::dap {
+
+namespace {
+
+using lsp::Json;
+using lsp::OrderedJson;
+using Source = std::expected<std::unique_ptr<StepSource>, std::string>;
+
+std::string textIn(const Json& json, const char* name) {
+  auto found = json.find(name);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::filesystem::path below(const std::filesystem::path& directory,
+                            const std::filesystem::path& path) {
+  return path.empty() ? path : (directory / path).lexically_normal();
+}
+
+bool selects(const std::string& wanted, const std::string& name) {
+  return wanted.empty() || name == wanted || name.starts_with(wanted + ".");
+}
+
+bool isBad(const OrderedJson& property) {
+  return property.at("good") == false && property.at("verdict") != "inconclusive";
+}
+
+/// The property of that name; of several, or where no name is given, the first that is bad.
+std::expected<const OrderedJson*, std::string> chosen(const OrderedJson& report,
+                                                      const std::string& wanted) {
+  const OrderedJson* first = nullptr;
+  for (const auto& property : report.at("properties")) {
+    const auto name = property.at("name").get<std::string>();
+    if (!selects(wanted, name)) continue;
+    if (name == wanted) return &property;
+    if (!first && (isBad(property) || (!wanted.empty() && !property.at("trace").is_null())))
+      first = &property;
+  }
+  if (first) return first;
+  if (wanted.empty())
+    return std::unexpected("no property is bad: say with `property` whose trace to replay");
+  return std::unexpected(fmt::format("there is no trace of a property `{}`", wanted));
+}
+
+std::string wordsOf(const std::string& verdict) {
+  return verdict == "holds" ? verdict : "is " + verdict;
+}
+
+Source sourceIn(const OrderedJson& report, const std::string& wanted,
+                const std::filesystem::path& base) {
+  try {
+    auto property = chosen(report, wanted);
+    if (!property) return std::unexpected(property.error());
+    const auto& json = **property;
+    if (json.at("trace").is_null())
+      return std::unexpected(fmt::format("`{}` {}: there is no trace to replay",
+                                         json.at("name").get<std::string>(),
+                                         wordsOf(json.at("verdict").get<std::string>())));
+    auto trace = readTrace(json, base);
+    if (!trace) return std::unexpected(trace.error());
+    return recorded(std::move(*trace));
+  } catch (const OrderedJson::exception& error) {
+    return std::unexpected(fmt::format("this is no report of a verification: {}", error.what()));
+  }
+}
+
+/// A trace alone, or a report with many.
+Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& disk) {
+  auto text = disk.read(arguments.trace);
+  if (!text)
+    return std::unexpected(
+        fmt::format("cannot read `{}`: {}", arguments.trace.string(), text.error()));
+  auto json = OrderedJson::parse(*text, nullptr, false);
+  if (!json.is_object())
+    return std::unexpected(fmt::format("`{}` is no JSON", arguments.trace.string()));
+  if (json.contains("properties")) return sourceIn(json, arguments.property, arguments.directory);
+  auto trace = readTrace(json, arguments.directory);
+  if (!trace) return std::unexpected(trace.error());
+  return recorded(std::move(*trace));
+}
+
+std::expected<analysis::Program, std::string> programOf(const LaunchArguments& arguments,
+                                                        const analysis::FileSystem& disk) {
+  auto document = disk.document(arguments.program);
+  if (!document)
+    return std::unexpected(
+        fmt::format("cannot read `{}`: {}", arguments.program.string(), document.error()));
+  auto program = analysis::load(disk, arguments.program, std::move(*document));
+  for (const auto& diagnostic : analysis::check(program))
+    if (diagnostic.severity == syntax::Severity::Error)
+      return std::unexpected("the program has errors: " + diagnostic.message);
+  return program;
+}
+
+} // namespace
+
+std::expected<LaunchArguments, std::string> readLaunch(const Json& json) {
+  if (!json.is_object()) return std::unexpected("`launch` has no arguments");
+  LaunchArguments arguments;
+  std::error_code ignored;
+  arguments.directory = std::filesystem::current_path(ignored);
+  if (auto directory = textIn(json, "cwd"); !directory.empty())
+    arguments.directory = below(arguments.directory, directory);
+  arguments.program = below(arguments.directory, textIn(json, "program"));
+  arguments.trace = below(arguments.directory, textIn(json, "trace"));
+  arguments.property = textIn(json, "property");
+  arguments.mainSkill = textIn(json, "main");
+  arguments.simulate = json.value("simulate", Json()) == true;
+  arguments.stopOnEntry = json.value("stopOnEntry", Json()) != false;
+  if (auto limit = json.value("seconds", Json()); limit.is_number() && limit.get<double>() > 0)
+    arguments.budget.seconds = limit.get<double>();
+  if (auto limit = json.value("megabytes", Json()); limit.is_number_unsigned())
+    arguments.budget.megabytes = limit.get<std::uint64_t>();
+  if (arguments.program.empty() && arguments.trace.empty())
+    return std::unexpected("`launch` needs a `program` or a `trace`");
+  return arguments;
+}
+
+Source openSource(const LaunchArguments& arguments, const Surroundings& around) {
+  if (!arguments.trace.empty()) return fromFile(arguments, around.disk);
+  auto program = programOf(arguments, around.disk);
+  if (!program) return std::unexpected(program.error());
+  if (arguments.simulate) return simulated(std::move(*program), arguments.mainSkill);
+  auto job = lsp::jobFor(*program);
+  if (!arguments.property.empty()) job.names = {arguments.property};
+  job.mainSkill = arguments.mainSkill;
+  job.budget = arguments.budget;
+  auto report = lsp::runWorker(around.worker, job, around.cancellation, around.progress);
+  if (!report) return std::unexpected(report.error().message);
+  return sourceIn(*report, arguments.property, {});
+}
+
+} // namespace proskill::dap

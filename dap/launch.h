@@ -1,0 +1,37 @@
+#pragma once
+
+#include "dap/source.h"
+
+#include "analysis/file_system.h"
+#include "lsp/run_worker.h"
+
+namespace proskill::dap {
+
+/// The arguments of `launch`; docs/dap.md tells them.
+struct LaunchArguments {
+  std::filesystem::path program; ///< empty: a trace file alone
+  std::string property;
+  std::filesystem::path trace;
+  bool simulate = false;
+  std::string mainSkill;
+  std::filesystem::path directory; ///< what relative paths are relative to
+  bool stopOnEntry = true;
+  lsp::Budget budget;
+};
+
+/// What is wrong with them is in words.
+[[nodiscard]] std::expected<LaunchArguments, std::string> readLaunch(const lsp::Json& json);
+
+struct Surroundings {
+  const analysis::FileSystem& disk;
+  const std::vector<std::string>& worker; ///< the command that runs `lsp::runVerifyWorker`
+  lsp::Cancellation cancellation;
+  std::function<void(const lsp::WorkerProgress&)> progress;
+};
+
+/// Where the session's steps come from: a file with a trace, a simulation, or the verification of a
+/// property.
+[[nodiscard]] std::expected<std::unique_ptr<StepSource>, std::string>
+openSource(const LaunchArguments& arguments, const Surroundings& surroundings);
+
+} // namespace proskill::dap

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "dap/source.h"
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace proskill::dap {
+
+/// Why a run stopped.
+enum class Stop : std::uint8_t { Step, Breakpoint, Variable, Start, End, TooLong };
+
+/// Goes forth and back through steps. The position is the number of steps that were taken; the step
+/// after it is the one that is about to happen.
+class Player {
+public:
+  explicit Player(std::unique_ptr<StepSource> source);
+
+  [[nodiscard]] const Trace& trace() const { return source->trace(); }
+  [[nodiscard]] bool isSimulation() const { return source->isSimulation(); }
+  [[nodiscard]] std::size_t position() const { return taken.size(); }
+  /// The steps that were taken.
+  [[nodiscard]] const std::vector<Step>& past() const { return taken; }
+  /// What may come next; that which a plain step takes comes first.
+  [[nodiscard]] const std::vector<Step>& choices() const { return next; }
+  /// Who acts anywhere, in the order in which they came.
+  [[nodiscard]] const std::vector<std::string>& actors() const { return known; }
+  /// Who is about to act; at the end, who acted last. Empty where nobody ever acts.
+  [[nodiscard]] std::string actor() const;
+
+  /// Each variable's value after so many steps. \pre at <= position()
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> valuesAt(std::size_t at) const;
+
+  void setBreakpoints(const std::filesystem::path& path, std::set<unsigned> lines);
+  void setWatched(std::set<std::string> variables) { watched = std::move(variables); }
+  [[nodiscard]] bool hasLine(const std::filesystem::path& path, unsigned line) const {
+    return source->hasLine(path, line);
+  }
+
+  /// Takes a step; End where there is none. \pre choice < choices().size(), or there are none
+  Stop step(std::size_t choice = 0);
+  Stop stepBack();
+  /// On, until the step that is about to happen is at a breakpoint, a watched variable has changed,
+  /// or nothing more happens. A simulation that finds no end is interrupted.
+  Stop run();
+  Stop runBack();
+  /// Until the actor is about to act again.
+  Stop runUntil(const std::string& wanted);
+  void goTo(std::size_t position);
+
+private:
+  [[nodiscard]] bool atBreakpoint() const;
+  [[nodiscard]] bool changedWatched() const;
+  void look();
+
+  std::unique_ptr<StepSource> source;
+  std::vector<Step> taken;
+  std::vector<Step> next;
+  std::vector<std::string> known;
+  std::set<std::pair<std::filesystem::path, unsigned>> breakpoints;
+  std::set<std::string> watched;
+};
+
+} // namespace proskill::dap

@@ -1,0 +1,98 @@
+#include "dap/source.h"
+
+#include "ide/simulation.h"
+
+#include <algorithm>
+
+namespace proskill::dap {
+
+namespace {
+
+class Recorded : public StepSource {
+public:
+  explicit Recorded(Trace of) : whole(std::move(of)) {}
+
+  [[nodiscard]] const Trace& trace() const override { return whole; }
+  [[nodiscard]] bool isSimulation() const override { return false; }
+  [[nodiscard]] std::vector<Step> choices() const override {
+    if (position == whole.steps.size()) return {};
+    return {whole.steps[position]};
+  }
+  void take(std::size_t) override { ++position; }
+  void undo() override { --position; }
+  [[nodiscard]] bool hasLine(const std::filesystem::path& path, unsigned line) const override {
+    return std::ranges::any_of(whole.steps, [&](const Step& step) {
+      return step.place && step.place->line == line && step.place->path == path;
+    });
+  }
+
+private:
+  Trace whole;
+  std::size_t position = 0;
+};
+
+class Simulated : public StepSource {
+public:
+  Simulated(std::unique_ptr<const analysis::Program> of, std::unique_ptr<const codegen::Model> with,
+            verify::Simulation started)
+      : program(std::move(of)), model(std::move(with)), simulation(std::move(started)) {
+    whole.initial = simulation.initial();
+    for (const auto& file : program->files) paths.push_back(oneSpelling(file.path));
+  }
+
+  [[nodiscard]] const Trace& trace() const override { return whole; }
+  [[nodiscard]] bool isSimulation() const override { return true; }
+
+  [[nodiscard]] std::vector<Step> choices() const override {
+    const ide::Trace all{{}, ide::inWords(simulation.choices(), *model, dates.back())};
+    auto read = readTrace(lsp::traceJson(*program, all), {});
+    return read ? std::move(read->steps) : std::vector<Step>();
+  }
+
+  void take(std::size_t choice) override {
+    dates.push_back(ide::inWords(simulation.choices(), *model, dates.back()).at(choice).date);
+    simulation.take(choice);
+  }
+
+  void undo() override {
+    if (simulation.undo()) dates.pop_back();
+  }
+
+  [[nodiscard]] bool hasLine(const std::filesystem::path& path, unsigned line) const override {
+    return std::ranges::any_of(model->provenance.origins, [&](const fiacre::Origin& origin) {
+      if (origin.begin == origin.end || origin.words.empty() || paths[origin.file] != path)
+        return false;
+      return program->files[origin.file].document.lines().position(origin.begin).line + 1 == line;
+    });
+  }
+
+private:
+  std::unique_ptr<const analysis::Program> program;
+  std::unique_ptr<const codegen::Model> model;
+  verify::Simulation simulation;
+  Trace whole;
+  std::vector<syntax::Rational> dates{{}};  ///< of the steps that were taken, and of the start
+  std::vector<std::filesystem::path> paths; ///< canonical, by file
+};
+
+} // namespace
+
+std::unique_ptr<StepSource> recorded(Trace trace) {
+  return std::make_unique<Recorded>(std::move(trace));
+}
+
+std::expected<std::unique_ptr<StepSource>, std::string> simulated(analysis::Program checked,
+                                                                  const std::string& mainSkill) {
+  auto program = std::make_unique<const analysis::Program>(std::move(checked));
+  codegen::Options options;
+  options.mainSkill = mainSkill;
+  auto made = codegen::generate(*program, options);
+  if (!made) return std::unexpected(made.error().message);
+  auto model = std::make_unique<const codegen::Model>(std::move(*made));
+  auto started = verify::Simulation::start(model->fiacre, model->provenance);
+  if (!started)
+    return std::unexpected("this model cannot be simulated: " + started.error().message);
+  return std::make_unique<Simulated>(std::move(program), std::move(model), std::move(*started));
+}
+
+} // namespace proskill::dap

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "lsp/report_json.h"
+#include "verify/verify.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A trace as the debug adapter replays it.
+namespace proskill::dap {
+
+/// Lines and columns from 1; the end is behind the last character.
+struct Place {
+  std::filesystem::path path; ///< canonical
+  unsigned line = 1;
+  unsigned column = 1;
+  unsigned endLine = 1;
+  unsigned endColumn = 1;
+};
+
+struct Step {
+  std::string actor; ///< a skill, a branch, an event, the environment
+  std::string words; ///< "succeeds with `at_altitude`"
+  std::optional<Place> place;
+  std::string date;                  ///< in the run, seconds since the start, exact: "2.5", "1/3"
+  std::string delay;                 ///< since the step before
+  std::string earliest;              ///< over all runs through the same steps
+  bool afterEarliest = false;        ///< not at `earliest` itself
+  std::optional<std::string> latest; ///< nothing: as late as one likes
+  bool beforeLatest = false;         ///< not at `latest` itself
+  std::vector<verify::Change> changes;
+  std::vector<std::string> transitions; ///< of the Fiacre model
+};
+
+struct Trace {
+  std::string name;    ///< the property's; empty: a simulation
+  std::string words;   ///< what the property says; may be empty
+  std::string verdict; ///< `violated`; may be empty
+  std::vector<verify::Change> initial;
+  std::vector<Step> steps;
+};
+
+/// Reads a trace: as `proskill verify` saves it, as a property of its JSON report has it, or as the
+/// language server's `proskill/trace` gives it. What is wrong with it is in words.
+/// \param base what relative paths in it are relative to
+[[nodiscard]] std::expected<Trace, std::string> readTrace(const lsp::OrderedJson& json,
+                                                          const std::filesystem::path& base);
+
+/// When a step may happen: `[2 s, 5 s]`, `]0 s, …[`.
+[[nodiscard]] std::string windowOf(const Step& step);
+
+/// One spelling for each file.
+[[nodiscard]] std::filesystem::path oneSpelling(const std::filesystem::path& path);
+
+} // namespace proskill::dap

@@ -1,0 +1,133 @@
+#include "lsp/child_process.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace proskill::lsp {
+
+namespace {
+
+/// What the child gets: the socket as its input and output, no other of our files, and the usual
+/// effect of all signals.
+class Surroundings {
+public:
+  explicit Surroundings(int socket) {
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, socket, STDOUT_FILENO);
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    posix_spawnattr_init(&attributes);
+    sigset_t all;
+    sigfillset(&all);
+    sigdelset(&all, SIGKILL);
+    sigdelset(&all, SIGSTOP);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  }
+  ~Surroundings() {
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+};
+
+std::string words(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("it was ended by signal {} ({})", WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  return fmt::format("it ended with exit code {}", WEXITSTATUS(status));
+}
+
+} // namespace
+
+std::expected<ChildProcess, std::string>
+ChildProcess::start(const std::vector<std::string>& command) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    return std::unexpected(std::string(std::strerror(errno)));
+  std::vector<char*> arguments;
+  for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = -1;
+  const Surroundings surroundings(ends[1]);
+  const int error = posix_spawn(&child, arguments[0], &surroundings.actions,
+                                &surroundings.attributes, arguments.data(), environ);
+  ::close(ends[1]);
+  if (error == 0) return ChildProcess(child, ends[0]);
+  ::close(ends[0]);
+  return std::unexpected(std::string(std::strerror(error)));
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : pid(std::exchange(other.pid, -1)), socket(std::exchange(other.socket, -1)) {}
+
+ChildProcess::~ChildProcess() {
+  if (socket >= 0) ::close(socket);
+  if (pid < 0) return;
+  kill(pid, SIGKILL);
+  while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+ChildProcess::Exchange ChildProcess::exchange(std::string_view toSend,
+                                              std::chrono::milliseconds patience) {
+  Exchange done;
+  const short wanted = toSend.empty() ? POLLIN : POLLIN | POLLOUT;
+  pollfd end{socket, wanted, 0};
+  if (poll(&end, 1, static_cast<int>(patience.count())) <= 0) return done;
+  if ((end.revents & POLLOUT) != 0 && !toSend.empty()) {
+    auto count = ::send(socket, toSend.data(), toSend.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (count > 0) done.sent = static_cast<std::size_t>(count);
+  }
+  if ((end.revents & (POLLIN | POLLHUP | POLLERR)) != 0) {
+    char buffer[65536];
+    auto count = recv(socket, buffer, sizeof buffer, MSG_DONTWAIT);
+    if (count > 0) done.received.assign(buffer, static_cast<std::size_t>(count));
+    const bool later = count < 0 && (errno == EAGAIN || errno == EINTR);
+    done.ended = count <= 0 && !later;
+  }
+  return done;
+}
+
+std::string ChildProcess::ending() {
+  int status = 0;
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    if (waitpid(pid, &status, WNOHANG) == pid) {
+      pid = -1;
+      return words(status);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(pid, SIGKILL);
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid = -1;
+  return "it did not end and was killed";
+}
+
+bool dieWithParent(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  return getppid() == parent; // else the parent ended before we asked
+}
+
+} // namespace proskill::lsp

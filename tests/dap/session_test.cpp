@@ -1,0 +1,233 @@
+#include "tests/dap/client.h"
+#include "tests/support/run.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace proskill;
+using lsp::Json;
+using test::DapClient;
+
+namespace {
+
+/// A lamp that a skill switches on; and off, which its variable does not allow.
+const std::string kLamp = "(defsv lamp :states (On Off) :init Off :transitions ((Off On)))\n"
+                          "(defskill switch_on :time_interval [2,5] :action (a)\n"
+                          "  :success lit (:effects (lamp On)))\n"
+                          "(defskill mission\n"
+                          "  :body ((switch_on)\n"
+                          "         (set (lamp Off))))\n";
+const std::string kProperty = "lamp.no_forbidden_transition";
+
+struct Files {
+  test::TemporaryDirectory directory;
+  std::string program = directory.write("lamp.proskill", kLamp);
+};
+
+Json breakpointsAt(const std::string& path, const std::vector<int>& lines) {
+  Json breakpoints = Json::array();
+  for (auto line : lines) breakpoints.push_back({{"line", line}});
+  return {{"source", {{"path", path}}}, {"breakpoints", breakpoints}};
+}
+
+std::string valueOf(DapClient& client, const std::string& variable) {
+  return client.result("evaluate", {{"expression", variable}})["result"];
+}
+
+/// Asks, and gives the stop that follows.
+Json move(DapClient& client, const std::string& command, Json arguments = {{"threadId", 1}}) {
+  client.result(command, std::move(arguments));
+  return client.event("stopped");
+}
+
+/// The lines of the steps, by single steps to the end.
+std::vector<int> linesForward(DapClient& client, Json stop) {
+  std::vector<int> lines;
+  while (!stop.contains("description")) {
+    lines.push_back(client.top(stop)["line"]);
+    stop = move(client, "next");
+  }
+  return lines;
+}
+
+} // namespace
+
+TEST_CASE("a property's trace is stepped through, forth and back") {
+  Files files;
+  DapClient client;
+  auto stop = client.start({{"program", files.program}, {"property", kProperty}});
+  CHECK(stop["reason"] == "entry");
+  CHECK(client.values(client.top(stop), "State variables")["lamp"] == "Off");
+  const auto lines = linesForward(client, stop);
+  REQUIRE(lines.size() >= 4);
+  CHECK(lines.back() == 6);
+  CHECK(std::ranges::count(lines, 3) == 1);
+  stop = move(client, "next");
+  CHECK(stop["reason"] == "end");
+  CHECK(stop["description"] == "`lamp` makes no forbidden move: violated");
+  CHECK(valueOf(client, "lamp") == "Off");
+  move(client, "stepBack");
+  CHECK(valueOf(client, "lamp") == "On");
+  stop = move(client, "reverseContinue");
+  CHECK(stop["reason"] == "entry");
+  CHECK(client.result("proskill/position")["position"] == 0);
+  CHECK(linesForward(client, stop) == lines);
+  client.result("disconnect");
+  CHECK(client.ending() == "it ended with exit code 0");
+}
+
+TEST_CASE("a run stops at breakpoints, both ways, and where a variable changes") {
+  Files files;
+  DapClient client;
+  client.start({{"program", files.program}, {"property", kProperty}});
+  auto set = client.result("setBreakpoints", breakpointsAt(files.program, {1, 6}))["breakpoints"];
+  CHECK(set[0]["verified"] == false);
+  CHECK(set[0]["message"] == "no step of the trace is at this line");
+  CHECK(set[1]["verified"] == true);
+  auto stop = move(client, "continue");
+  CHECK(stop["reason"] == "breakpoint");
+  CHECK(client.top(stop)["line"] == 6);
+  CHECK(valueOf(client, "lamp") == "On");
+  CHECK(move(client, "continue")["reason"] == "end");
+  CHECK(move(client, "reverseContinue")["reason"] == "breakpoint");
+  client.result("setBreakpoints", breakpointsAt(files.program, {}));
+  CHECK(move(client, "restart")["reason"] == "entry");
+  CHECK(client.result("dataBreakpointInfo", {{"name", "lam"}})["dataId"] == nullptr);
+  const auto id = client.result("dataBreakpointInfo", {{"name", "lamp"}})["dataId"];
+  client.result("setDataBreakpoints", {{"breakpoints", Json::array({{{"dataId", id}}})}});
+  CHECK(move(client, "continue")["reason"] == "data breakpoint");
+  CHECK(valueOf(client, "lamp") == "On");
+}
+
+TEST_CASE("threads are who acts, the stack is what each did and when") {
+  Files files;
+  DapClient client;
+  client.start({{"program", files.program}, {"property", kProperty}});
+  client.result("setBreakpoints", breakpointsAt(files.program, {6}));
+  move(client, "continue");
+  std::map<std::string, int> ids;
+  const auto threads = client.result("threads");
+  for (const auto& thread : threads["threads"]) ids[thread["name"]] = thread["id"];
+  REQUIRE(ids.contains("mission"));
+  REQUIRE(ids.contains("switch_on"));
+  auto stack = client.result("stackTrace", {{"threadId", ids["switch_on"]}});
+  REQUIRE(stack["totalFrames"] >= 2);
+  const auto last = stack["stackFrames"].front();
+  CHECK(last["name"] == "2 s: succeeds with `lit`");
+  CHECK(last["line"] == 3);
+  CHECK(last["source"]["path"] == std::filesystem::canonical(files.program).string());
+  auto time = client.values(last, "Time");
+  CHECK(time["now"] == "2 s");
+  CHECK(time["after"] == "2 s");
+  CHECK(time["possible"] == "[2 s, 5 s]");
+  CHECK(client.values(last, "State variables")["lamp"] == "On");
+  // A frame shows the values of its own time.
+  const auto first = stack["stackFrames"].back();
+  CHECK(client.values(first, "State variables")["lamp"] == "Off");
+  CHECK(client.values(first, "Skills").contains("switch_on.status"));
+  const Json hover{{"expression", " lamp "}, {"frameId", first["id"]}};
+  CHECK(client.result("evaluate", hover)["result"] == "Off");
+  auto one = client.result("stackTrace",
+                           {{"threadId", ids["switch_on"]}, {"startFrame", 1}, {"levels", 1}});
+  CHECK(one["stackFrames"] == Json::array({stack["stackFrames"][1]}));
+  CHECK(client.ask("evaluate", {{"expression", "x"}})["message"] == "there is no variable `x`");
+}
+
+TEST_CASE("a trace that was saved is replayed from its file") {
+  Files files;
+  const auto saved = files.directory.path("traces");
+  const auto json = test::run(
+      {PROSKILL_PROGRAM, "verify", files.program, "--save-traces", saved, "--format", "json"});
+  const auto report = files.directory.write("report.json", json.out);
+  for (const Json& launch : {Json{{"trace", saved + "/" + kProperty + ".json"}},
+                             Json{{"trace", report}, {"property", kProperty}}}) {
+    DapClient client;
+    client.start(launch);
+    const auto set = client.result("setBreakpoints", breakpointsAt(files.program, {6}));
+    CHECK(set["breakpoints"][0]["verified"] == true);
+    CHECK(client.top(move(client, "continue"))["line"] == 6);
+  }
+}
+
+TEST_CASE("in a simulation the user chooses what happens") {
+  Files files;
+  DapClient client;
+  auto stop = client.start({{"program", files.program}, {"simulate", true}});
+  CHECK(stop["reason"] == "entry");
+  const auto set = client.result("setBreakpoints", breakpointsAt(files.program, {6}));
+  CHECK(set["breakpoints"][0]["verified"] == true);
+  CHECK(client.result("proskill/position")["total"] == nullptr);
+  // Until the action runs, which may take from two to five seconds.
+  Json target;
+  for (int i = 0; i < 20; ++i) {
+    const auto targets = client.result("stepInTargets", {{"frameId", client.top(stop)["id"]}});
+    for (const auto& it : targets["targets"])
+      if (it["words"] == "succeeds with `lit`") target = it;
+    if (!target.is_null()) break;
+    stop = move(client, "next");
+  }
+  REQUIRE_FALSE(target.is_null());
+  CHECK(target["line"] == 3);
+  CHECK(target["window"] == "[2 s, 5 s]");
+  move(client, "stepIn", {{"threadId", 1}, {"targetId", target["id"]}});
+  CHECK(valueOf(client, "lamp") == "On");
+  move(client, "stepBack");
+  CHECK(valueOf(client, "lamp") == "Off");
+  const auto again = client.result("proskill/choices");
+  CHECK(again["simulation"] == true);
+  CHECK(std::ranges::count(again["choices"], target) == 1);
+  CHECK(client.ask("proskill/choose", {{"id", 1000}})["message"] == "there is no choice 1000");
+  move(client, "proskill/choose", {{"id", target["id"]}});
+  stop = move(client, "continue");
+  CHECK(stop["reason"] == "breakpoint");
+  CHECK(client.top(stop)["line"] == 6);
+}
+
+TEST_CASE("what cannot be launched is an error with a reason") {
+  Files files;
+  const auto broken = files.directory.write("broken.proskill", "(defsv");
+  auto message = [](const Json& launch) {
+    DapClient client;
+    client.result("initialize", {{"adapterID", "proskill"}});
+    auto answer = client.ask("launch", launch);
+    CHECK(answer["success"] == false);
+    return answer["message"].get<std::string>();
+  };
+  CHECK(message(Json::object()) == "`launch` needs a `program` or a `trace`");
+  CHECK(message({{"program", "/does/not/exist"}}).starts_with("cannot read"));
+  CHECK(message({{"program", broken}}).starts_with("the program has errors"));
+  CHECK(message({{"program", files.program}, {"property", "x"}}) == "no property is called `x`");
+  CHECK(message({{"trace", files.program}}).ends_with("is no JSON"));
+  CHECK(message({{"program", files.program}, {"property", "program.time_progress"}}) ==
+        "`program.time_progress` holds: there is no trace to replay");
+}
+
+TEST_CASE("what is no message is passed over, what is unknown is refused") {
+  DapClient client;
+  client.sendRaw("Content-Length: 3\r\n\r\n{{{");
+  client.sendRaw(lsp::frame("[]"));
+  client.sendRaw(lsp::frame(R"({"seq":1,"type":"request"})"));
+  CHECK(client.ask("dance")["success"] == false);
+  CHECK(client.ask("next")["message"] == "nothing is launched yet");
+  client.result("initialize", {{"adapterID", "proskill"}, {"linesStartAt1", false}});
+  CHECK(client.ask("launch", {{"program", 3}})["success"] == false);
+  client.result("disconnect");
+  CHECK(client.ending() == "it ended with exit code 0");
+}
+
+TEST_CASE("a disconnection ends a verification that is under way") {
+  test::TemporaryDirectory directory;
+  std::string text;
+  for (int i = 5; i < 14; ++i)
+    text += "(defskill s" + std::to_string(i) + " :time_interval [1," + std::to_string(i) +
+            "] :action (a) :success ok :failure bad)\n";
+  const auto program = directory.write("many.proskill", text);
+  DapClient client;
+  client.result("initialize", {{"adapterID", "proskill"}, {"supportsProgressReporting", true}});
+  client.send("launch", {{"program", program}, {"seconds", 600}});
+  client.event("progressUpdate"); // the process that verifies runs
+  client.result("disconnect");
+  CHECK(client.ending() == "it ended with exit code 0");
+}

@@ -1,0 +1,159 @@
+#include "lsp/child_process.h"
+#include "lsp/framing.h"
+#include "lsp/rpc.h"
+
+#include <catch2/catch.hpp>
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <poll.h>
+
+using namespace proskill;
+using lsp::Json;
+
+namespace {
+
+/// Nine skills that anybody may call at any time: nobody sees the end of their states.
+std::string endlessProgram() {
+  std::string text;
+  for (int i = 5; i < 14; ++i)
+    text += "(defskill s" + std::to_string(i) + " :time_interval [1," + std::to_string(i) +
+            "] :action (a) :success ok :failure bad)\n";
+  return text;
+}
+
+/// `proskill lsp` as a process, and what it says.
+class ServerProcess {
+public:
+  ServerProcess() : child(started()) {
+    send(lsp::request(1, "initialize",
+                      {{"capabilities", Json::object()},
+                       {"initializationOptions", {{"verify", {{"delay", 0}, {"seconds", 600}}}}}}));
+    send(lsp::notification("initialized", Json::object()));
+  }
+
+  void send(const std::string& body) {
+    auto bytes = lsp::frame(body);
+    while (!bytes.empty() && !ended) bytes.erase(0, exchange(bytes));
+  }
+
+  /// The next notification of that method that pleases; null where the server ends.
+  template <class Pleases> Json notified(const std::string& method, Pleases pleases) {
+    while (true) {
+      while (auto next = frames.next()) {
+        auto message = Json::parse(std::get<std::string>(*next));
+        if (message.value("method", "") == method && pleases(message["params"]))
+          return message["params"];
+      }
+      if (ended) return nullptr;
+      exchange("");
+    }
+  }
+
+  /// The processes that it has started.
+  std::vector<int> children() const {
+    std::vector<int> all;
+    const auto tasks = "/proc/" + std::to_string(child.id()) + "/task";
+    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+      std::ifstream list(task.path() / "children");
+      for (int id = 0; list >> id;) all.push_back(id);
+    }
+    return all;
+  }
+
+  [[nodiscard]] int id() const { return child.id(); }
+  std::string ending() {
+    while (!ended) exchange("");
+    return child.ending();
+  }
+
+private:
+  static lsp::ChildProcess started() {
+    auto made = lsp::ChildProcess::start({PROSKILL_PROGRAM, "lsp"});
+    REQUIRE(made);
+    return std::move(*made);
+  }
+
+  std::size_t exchange(std::string_view bytes) {
+    auto done = child.exchange(bytes, std::chrono::milliseconds(1000));
+    frames.feed(done.received);
+    ended = done.ended;
+    return done.sent;
+  }
+
+  lsp::ChildProcess child;
+  lsp::FrameReader frames;
+  bool ended = false;
+};
+
+/// Whether a process has ended; waits a minute for it.
+bool ends(int process) {
+  for (int i = 0; i < 6000; ++i) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/stat");
+    std::string id;
+    std::string name;
+    std::string state;
+    if (!(status >> id >> name >> state) || state == "Z") return true;
+    poll(nullptr, 0, 10);
+  }
+  return false;
+}
+
+int verifyingProcess(ServerProcess& server) {
+  server.send(lsp::notification("textDocument/didOpen", {{"textDocument",
+                                                          {{"uri", "file:///w/many.proskill"},
+                                                           {"languageId", "proskill"},
+                                                           {"version", 1},
+                                                           {"text", endlessProgram()}}}}));
+  auto news = server.notified("proskill/verdicts",
+                              [](const Json& it) { return it["progress"].is_object(); });
+  REQUIRE(news.is_object());
+  CHECK(news["progress"]["classes"] > 0);
+  const auto children = server.children();
+  REQUIRE(children.size() == 1);
+  return children.front();
+}
+
+} // namespace
+
+TEST_CASE("what verifies ends with the server, however this ends") {
+  for (const auto how : {SIGKILL, SIGTERM}) {
+    ServerProcess server;
+    const int worker = verifyingProcess(server);
+    kill(server.id(), how);
+    CHECK(server.ending().starts_with("it was ended by signal"));
+    CHECK(ends(worker));
+  }
+  ServerProcess server;
+  const int worker = verifyingProcess(server);
+  server.send(lsp::request(2, "shutdown", nullptr));
+  server.send(lsp::notification("exit", nullptr));
+  CHECK(server.ending() == "it ended with exit code 0");
+  CHECK(ends(worker));
+}
+
+TEST_CASE("an edit ends the verification of the older text") {
+  ServerProcess server;
+  const int worker = verifyingProcess(server);
+  server.send(
+      lsp::notification("textDocument/didChange",
+                        {{"textDocument", {{"uri", "file:///w/many.proskill"}, {"version", 2}}},
+                         {"contentChanges", Json::array({{{"text", "(defsv"}}})}}));
+  server.notified("proskill/verdicts", [](const Json& it) { return it["state"] == "errors"; });
+  CHECK(ends(worker));
+  CHECK(server.children().empty());
+}
+
+TEST_CASE("a verification that is killed is a failure, not a verdict") {
+  ServerProcess server;
+  kill(verifyingProcess(server), SIGKILL);
+  auto news =
+      server.notified("proskill/verdicts", [](const Json& it) { return it["state"] == "failed"; });
+  CHECK(news["message"] ==
+        "the process that verifies gave no answer: it was ended by signal 9 (Killed)");
+  CHECK(news["verdicts"].empty());
+}

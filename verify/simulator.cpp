@@ -1,0 +1,113 @@
+#include "verify/simulator.h"
+
+#include "verify/place.h"
+
+#include <algorithm>
+#include <set>
+
+namespace proskill::verify {
+
+Concrete Simulator::start() const {
+  Concrete made{initialState(system), {}};
+  for (auto id : enabledIn(made.state)) made.since[id] = 0;
+  return made;
+}
+
+bool Simulator::mayWait(const Concrete& now, std::int64_t date) const {
+  return std::ranges::all_of(now.since, [&](const auto& entry) {
+    const auto& interval = system.transitions[entry.first].interval;
+    const std::int64_t age = date - entry.second;
+    const std::int64_t most = interval.upper.value_or(0) * scale;
+    return !interval.upper || age < most || (age == most && !interval.upperOpen);
+  });
+}
+
+bool Simulator::isRipe(const Concrete& now, TransitionId id, std::int64_t date) const {
+  auto enabled = now.since.find(id);
+  if (enabled == now.since.end() || isBlocked(now, id)) return false;
+  const auto& interval = system.transitions[id].interval;
+  const std::int64_t age = date - enabled->second;
+  return age > interval.lower * scale || (age == interval.lower * scale && !interval.lowerOpen);
+}
+
+std::optional<Opportunity> Simulator::opportunity(const Concrete& now, TransitionId id,
+                                                  std::int64_t date) const {
+  if (isBlocked(now, id)) return std::nullopt;
+  const auto& interval = system.transitions[id].interval;
+  Opportunity found{now.since.at(id) + interval.lower * scale, interval.lowerOpen, {}, false};
+  if (found.earliest < date) found = {date, false, {}, false};
+  for (const auto& [other, since] : now.since) {
+    const auto& bound = system.transitions[other].interval;
+    if (!bound.upper) continue;
+    const std::int64_t latest = since + *bound.upper * scale;
+    if (found.latest && (*found.latest < latest || (*found.latest == latest && !bound.upperOpen)))
+      continue;
+    found.latest = latest;
+    found.beforeLatest = bound.upperOpen;
+  }
+  const bool strict = found.afterEarliest || found.beforeLatest;
+  if (found.latest &&
+      (*found.latest < found.earliest || (strict && *found.latest == found.earliest)))
+    return std::nullopt;
+  return found;
+}
+
+std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, std::int64_t date,
+                                        StepLog& log) const {
+  Concrete next{now.state, {}};
+  log.clear();
+  if (fire(system, id, next.state.data(), log) != Outcome::Done) return std::nullopt;
+  for (auto other : enabledIn(next.state)) {
+    auto before = now.since.find(other);
+    bool goesOn = before != now.since.end() && other != id && !disturbs(id, other);
+    next.since[other] = goesOn ? before->second : date;
+  }
+  return next;
+}
+
+bool Simulator::canGoOn(const Concrete& now, std::int64_t date) const {
+  constexpr std::size_t kWidest = 20'000;
+  std::set<Concrete> seen{now};
+  std::vector<Concrete> todo{now};
+  StepLog log;
+  while (!todo.empty()) {
+    Concrete at = std::move(todo.back());
+    todo.pop_back();
+    if (mayWaitALittle(at, date) || seen.size() > kWidest) return true;
+    for (const auto& [id, _] : at.since) {
+      if (!isRipe(at, id, date)) continue;
+      auto next = take(at, id, date, log);
+      if (next && seen.insert(*next).second) todo.push_back(std::move(*next));
+    }
+  }
+  return false;
+}
+
+std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) const {
+  std::vector<TransitionId> all;
+  for (TransitionId id = 0; id < system.transitions.size(); ++id)
+    if (isEnabled(system, id, state.data())) all.push_back(id);
+  return all;
+}
+
+/// Whether something that has priority is enabled.
+bool Simulator::isBlocked(const Concrete& now, TransitionId id) const {
+  return std::ranges::any_of(system.transitions[id].blockers,
+                             [&](TransitionId blocker) { return now.since.contains(blocker); });
+}
+
+/// Whether `fired` consumes the place of an instance that takes part in `other`.
+bool Simulator::disturbs(TransitionId fired, TransitionId other) const {
+  return std::ranges::any_of(system.transitions[other].parts, [&](PathId part) {
+    return system.transitions[fired].consumed.contains(system.paths[part].instance);
+  });
+}
+
+bool Simulator::mayWaitALittle(const Concrete& now, std::int64_t date) const {
+  return std::ranges::all_of(now.since, [&](const auto& entry) {
+    const auto& interval = system.transitions[entry.first].interval;
+    return !interval.upper || date - entry.second < *interval.upper * scale;
+  });
+}
+
+} // namespace proskill::verify
