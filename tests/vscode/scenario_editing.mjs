@@ -106,9 +106,10 @@ export const scenarios = {
     }
     await editor.statusSays('crashed');
     equal('servers', server.servers().length, 0);
-    await page.locator('.notification-toast', { hasText: 'more than five times' }).first().waitFor();
+    await editor.command('Notifications: Show Notifications');
+    await page.locator('.notification-list-item', { hasText: 'more than five times' }).first().waitFor();
     await editor.picture('givenUp-message');
-    await page.locator('.notification-toast .monaco-button', { hasText: 'Start it again' }).click();
+    await page.locator('.notification-list-item .monaco-button', { hasText: 'Start it again' }).click();
     await expect('a server', () => server.servers().length === 1);
   },
 };
