@@ -7,6 +7,7 @@
 #include "cli/check.h"
 #include "cli/emit.h"
 #include "cli/explain.h"
+#include "cli/fmt.h"
 #include "cli/graph.h"
 #include "cli/lsp.h"
 #include "cli/verify.h"
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
   app.failure_message(failureMessage);
-  for (auto add : {addCheck, addEmit, addExplain, addGraph, addLsp, addVerify, addView})
+  for (auto add : {addCheck, addEmit, addExplain, addFmt, addGraph, addLsp, addVerify, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknown(app, word);

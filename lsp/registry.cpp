@@ -4,8 +4,8 @@ namespace proskill::lsp {
 
 Registry allFeatures() {
   Registry registry;
-  for (auto add : {addCompletion, addDiagnostics, addHierarchy, addHints, addHover, addLenses,
-                   addNavigation, addRename, addSymbols})
+  for (auto add : {addCompletion, addDiagnostics, addFormatting, addHierarchy, addHints, addHover,
+                   addLenses, addNavigation, addRename, addSymbols})
     add(registry);
   return registry;
 }

@@ -52,6 +52,7 @@ struct Registry {
 
 void addCompletion(Registry& registry);
 void addDiagnostics(Registry& registry);
+void addFormatting(Registry& registry);
 void addHierarchy(Registry& registry);
 void addHints(Registry& registry);
 void addHover(Registry& registry);
