@@ -32,20 +32,6 @@ Json fixesJson(const syntax::Diagnostic& diagnostic, const Converter& convert) {
   return fixes;
 }
 
-Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
-                    const ClientFeatures& client) {
-  const auto& diagnostic = *finding.diagnostic;
-  Json json{{"range", convert.range(diagnostic.location)},
-            {"severity", severityOf(diagnostic.severity)},
-            {"code", syntax::info(diagnostic.code).id},
-            {"source", "proskill"},
-            {"message", diagnostic.message}};
-  if (client.relatedInformation && !diagnostic.related.empty())
-    json["relatedInformation"] = relatedJson(diagnostic, convert);
-  if (!diagnostic.fixes.empty()) json["data"] = {{"fixes", fixesJson(diagnostic, convert)}};
-  return json;
-}
-
 Json report(Json items) { return {{"kind", "full"}, {"items", std::move(items)}}; }
 
 Answer documentDiagnostics(const Request& request) {
@@ -68,6 +54,20 @@ Answer workspaceDiagnostics(const Request& request) {
 }
 
 } // namespace
+
+Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
+                    const ClientFeatures& client) {
+  const auto& diagnostic = *finding.diagnostic;
+  Json json{{"range", convert.range(diagnostic.location)},
+            {"severity", severityOf(diagnostic.severity)},
+            {"code", syntax::info(diagnostic.code).id},
+            {"source", "proskill"},
+            {"message", diagnostic.message}};
+  if (client.relatedInformation && !diagnostic.related.empty())
+    json["relatedInformation"] = relatedJson(diagnostic, convert);
+  if (!diagnostic.fixes.empty()) json["data"] = {{"fixes", fixesJson(diagnostic, convert)}};
+  return json;
+}
 
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
                    const ClientFeatures& client) {

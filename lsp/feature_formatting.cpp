@@ -15,17 +15,6 @@ Answer formatting(const Request& request) {
   return textEdits(Converter(*view, request), view->file, syntax::format(view->document()));
 }
 
-std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view, const Json& range,
-                                               Encoding encoding) {
-  if (!range.is_object() || !range.contains("start") || !range.contains("end"))
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "a range has a start and an end"});
-  auto begin = offsetOf(view, range["start"], encoding);
-  if (!begin) return std::unexpected(begin.error());
-  auto end = offsetOf(view, range["end"], encoding);
-  if (!end) return std::unexpected(end.error());
-  return syntax::Range{std::min(*begin, *end), std::max(*begin, *end)};
-}
-
 Answer formatRanges(const Request& request, const ide::View& view, const Json& ranges) {
   Edits all;
   for (const auto& range : ranges) {
@@ -41,9 +30,10 @@ Answer formatRanges(const Request& request, const ide::View& view, const Json& r
 Answer rangeFormatting(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
-  if (!request.params.contains("range"))
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`range` is missing"});
-  return formatRanges(request, *view, Json::array({request.params["range"]}));
+  auto range = rangeIn(*view, request.params, request.client.encoding);
+  if (!range) return std::unexpected(range.error());
+  return textEdits(Converter(*view, request), view->file,
+                   syntax::formatRange(view->document(), *range));
 }
 
 Answer rangesFormatting(const Request& request) {

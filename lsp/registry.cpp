@@ -4,8 +4,9 @@ namespace proskill::lsp {
 
 Registry allFeatures() {
   Registry registry;
-  for (auto add : {addCompletion, addDiagnostics, addFormatting, addHierarchy, addHints, addHover,
-                   addLenses, addNavigation, addRename, addSymbols})
+  for (auto add :
+       {addActions, addCompletion, addDiagnostics, addFormatting, addHierarchy, addHints, addHover,
+        addLenses, addNavigation, addRename, addStructure, addSymbols, addTokens})
     add(registry);
   return registry;
 }
