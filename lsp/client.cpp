@@ -51,8 +51,9 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
       isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.markdownHover =
       lists(memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
-  client.resolvesActions = lists(
-      at(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}), "edit");
+  client.resolvesActions =
+      lists(memberAt(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}),
+            "edit");
   client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
   return client;
 }

@@ -21,7 +21,6 @@ bool isAskedFor(std::string_view kind, const Json& params) {
   auto context = params.find("context");
   if (context == params.end() || !context->is_object()) return true;
   auto only = context->find("only");
-  // Actions on the source as a whole are for those who ask for them.
   if (only == context->end() || !only->is_array()) return true;
   return std::ranges::any_of(*only, [&](const Json& wish) {
     if (!wish.is_string()) return false;
