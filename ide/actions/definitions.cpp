@@ -129,7 +129,8 @@ void addSortFields(const ActionContext& context, Actions& actions) {
   if (unknown || same || twice) return;
   std::string text;
   for (const Chunk& chunk : sorted) {
-    text += context.textOf(chunk.range);
+    auto words = context.textOf(chunk.range);
+    text += words.substr(words.find_first_not_of(" \t\r\n"));
     text += '\n';
   }
   addLaidOut(context, actions, "Sort the fields", ActionKind::SourceOrganizeFields,

@@ -18,7 +18,7 @@ std::span<const Statement> selectedIn(const syntax::Block& block, syntax::Range 
     if (!holds(statement.range, selection)) continue;
     std::span<const Statement> inner;
     forEachBlock(statement, [&](const syntax::Block& part) {
-      if (inner.empty()) inner = selectedIn(part, selection);
+      if (inner.empty() && holds(part.range, selection)) inner = selectedIn(part, selection);
     });
     return inner.empty() ? std::span(&statement, 1) : inner;
   }

@@ -45,8 +45,8 @@ std::string after(std::string_view marked, std::string_view title) {
   INFO(text);
   CHECK(syntax::Document::parse(text).diagnostics().size() <=
         program.view().document().diagnostics().size());
-  if (action->kind != ide::ActionKind::QuickFix)
-    CHECK(errorsOf(text) == errorsOf(program.view().text()));
+  bool mends = action->mends || action->kind == ide::ActionKind::SourceFixAll;
+  if (!mends) CHECK(errorsOf(text) == errorsOf(program.view().text()));
   return text;
 }
 
@@ -58,13 +58,13 @@ std::string body(std::string_view statements) {
 } // namespace
 
 TEST_CASE("the fixes of a diagnostic, where it is") {
-  CHECK(after("(defsv lamp :states (On Off) :init O^f)\n", "Off") ==
+  CHECK(after("(defsv lamp :states (On Off) :init Of^ff)\n", "did you mean") ==
         "(defsv lamp :states (On Off) :init Off)\n");
-  CHECK(after("(defsv ^lamp :states (On Off) :init Of)\n", "Off") == "refused");
+  CHECK(after("(defsv ^lamp :states (On Off) :init Offf)\n", "did you mean") == "refused");
 }
 
 TEST_CASE("all findings of one kind, and all that one edit mends") {
-  const auto* text = "(defsv lamp :states (On Off) :init O^f)\n"
+  const auto* text = "(defsv lamp :states (On Off) :init Of^ff)\n"
                      "(defsv door :states (Open Closed) :init Opn)\n";
   const auto* mended = "(defsv lamp :states (On Off) :init Off)\n"
                        "(defsv door :states (Open Closed) :init Open)\n";
@@ -75,7 +75,7 @@ TEST_CASE("all findings of one kind, and all that one edit mends") {
 TEST_CASE("a finding that is no error can be ignored") {
   CHECK(after(body("(f)\n     (^ ^0)"), "Ignore PS1005") ==
         body("(f)\n     ; proskill-ignore: PS1005\n     (^ 0)"));
-  CHECK(after("(defsv lamp :states (On Off) :init O^f)\n", "Ignore") == "refused");
+  CHECK(after("(defsv lamp :states (On Off) :init Of^ff)\n", "Ignore") == "refused");
 }
 
 TEST_CASE("the missing branch for a failure") {

@@ -60,7 +60,7 @@ TEST_CASE("words, signs and comments are coloured by what they are") {
   checkTokens("(defsv a [[:init]] 1 [[:max]] 2)", TokenType::Field);
   checkTokens("(defsv a :init [[1]] :max [[2]])", TokenType::Number);
   checkTokens("(defevent e) [[; a note]]\n[[; more]]", TokenType::Comment);
-  checkTokens("(defskill m :body (([[^]] (a B))))", TokenType::Operator);
+  checkTokens("(defskill m :body (([[//]] ((f)) ((g)))))", TokenType::Operator);
   checkTokens("(defskill m :body ((printf [[\"a; b\"]])))", TokenType::String);
 }
 
