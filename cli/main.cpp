@@ -8,6 +8,7 @@
 #include "cli/dap.h"
 #include "cli/emit.h"
 #include "cli/explain.h"
+#include "cli/fmt.h"
 #include "cli/graph.h"
 #include "cli/lsp.h"
 #include "cli/verify.h"
@@ -68,7 +69,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
   app.failure_message(failureMessage);
-  for (auto add : {addCheck, addDap, addEmit, addExplain, addGraph, addLsp, addVerify,
+  for (auto add : {addCheck, addDap, addEmit, addExplain, addFmt, addGraph, addLsp, addVerify,
                    addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())

@@ -4,7 +4,9 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <system_error>
+#include <unistd.h>
 
 namespace proskill::cli {
 namespace {
@@ -29,6 +31,26 @@ std::optional<std::string> writeOutput(const std::filesystem::path& path, std::s
   const auto reason = written ? std::string() : failure(path.string());
   if (std::fclose(file) != 0 && written) return failure(path.string());
   return written ? std::nullopt : std::optional(reason);
+}
+
+std::optional<std::string> replaceFile(const std::filesystem::path& path, std::string_view bytes) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  auto target = fs::canonical(path, error);
+  if (error) return fmt::format("{} cannot be written: {}", path.string(), error.message());
+  auto status = fs::status(target, error);
+  std::string name =
+      (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
+  int descriptor = mkstemp(name.data());
+  if (descriptor < 0) return failure(path.string());
+  close(descriptor);
+  auto problem = writeOutput(name, bytes);
+  if (!problem) fs::permissions(name, status.permissions(), error);
+  if (!problem && !error) fs::rename(name, target, error);
+  if (!problem && error)
+    problem = fmt::format("{} cannot be written: {}", path.string(), error.message());
+  if (problem) fs::remove(name, error);
+  return problem;
 }
 
 } // namespace proskill::cli

@@ -19,6 +19,7 @@ _proskill_options() {
   case "$1" in
     check) echo '--format --fragment --style --fix --color --help' ;;
     explain) echo '--list --markdown --color --help' ;;
+    fmt) echo '--check --diff --help' ;;
     emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
@@ -43,7 +44,7 @@ _proskill() {
   local command="${COMP_WORDS[1]}" words
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check explain emit verify graph view lsp dap $(_proskill_options)"
+    words="check explain fmt emit verify graph view lsp dap $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ "$previous" = --save-traces ] || [ "$previous" = --report ] || [ "$previous" = --out-dir ]; then

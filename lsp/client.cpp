@@ -60,6 +60,9 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
       isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.markdownHover =
       lists(memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
+  client.resolvesActions =
+      lists(memberAt(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}),
+            "edit");
   client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
   client.diagnosticTags =
       memberAt(capabilities, {"textDocument", "publishDiagnostics", "tagSupport"}).is_object() ||

@@ -22,6 +22,7 @@ struct ClientFeatures {
   bool labelOffsets = false; ///< of a signature's parameters
   bool hierarchicalSymbols = false;
   bool markdownHover = false;
+  bool resolvesActions = false; ///< asks for the edit of a code action when it was chosen
   bool documentChanges = false; ///< workspace edits with versions
   bool diagnosticTags = false;
   bool configuration = false;        ///< may be asked for its settings

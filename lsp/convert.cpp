@@ -79,4 +79,21 @@ std::expected<Cursor, RpcError> cursor(const Request& request) {
   return Cursor{std::move(*view), *at};
 }
 
+std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view, const Json& range,
+                                               Encoding encoding) {
+  if (!range.is_object() || !range.contains("start") || !range.contains("end"))
+    return std::unexpected(invalid("a range has a start and an end"));
+  auto begin = offsetOf(view, range["start"], encoding);
+  if (!begin) return std::unexpected(begin.error());
+  auto end = offsetOf(view, range["end"], encoding);
+  if (!end) return std::unexpected(end.error());
+  return syntax::Range{std::min(*begin, *end), std::max(*begin, *end)};
+}
+
+std::expected<syntax::Range, RpcError> rangeIn(const ide::View& view, const Json& params,
+                                               Encoding encoding) {
+  if (!params.contains("range")) return std::unexpected(invalid("`range` is missing"));
+  return rangeOf(view, params["range"], encoding);
+}
+
 } // namespace proskill::lsp

@@ -45,6 +45,11 @@ struct Cursor {
 
 [[nodiscard]] std::expected<ide::View, RpcError> documentView(const Request& request);
 [[nodiscard]] std::expected<Cursor, RpcError> cursor(const Request& request);
+/// A request's `range`.
+[[nodiscard]] std::expected<syntax::Range, RpcError> rangeIn(const ide::View& view,
+                                                             const Json& params, Encoding encoding);
+[[nodiscard]] std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view,
+                                                             const Json& range, Encoding encoding);
 [[nodiscard]] std::expected<syntax::Offset, RpcError>
 offsetOf(const ide::View& view, const Json& position, Encoding encoding);
 

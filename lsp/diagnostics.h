@@ -1,9 +1,13 @@
 #pragma once
 
+#include "ide/diagnostics.h"
 #include "ide/verdicts.h"
-#include "lsp/client.h"
+#include "lsp/convert.h"
 
 namespace proskill::lsp {
+
+[[nodiscard]] Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
+                                  const ClientFeatures& client);
 
 /// The diagnostics of an open text in the protocol's form, from all programs that it belongs to,
 /// each once; those of bad verdicts last.

@@ -53,22 +53,6 @@ Json fixesJson(const syntax::Diagnostic& diagnostic, const Converter& convert) {
   return fixes;
 }
 
-Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
-                    const ClientFeatures& client) {
-  const auto& diagnostic = *finding.diagnostic;
-  const auto& id = syntax::info(diagnostic.code).id;
-  Json json{{"range", convert.range(diagnostic.location)},
-            {"severity", severityOf(diagnostic.severity)},
-            {"code", id},
-            {"source", "proskill"},
-            {"message", diagnostic.message}};
-  if (client.diagnosticTags && isUnnecessary(diagnostic.code)) json["tags"] = Json::array({1});
-  if (client.relatedInformation && !diagnostic.related.empty())
-    json["relatedInformation"] = relatedJson(diagnostic, convert);
-  if (!diagnostic.fixes.empty()) json["data"] = {{"fixes", fixesJson(diagnostic, convert)}};
-  return json;
-}
-
 /// Names what the items say: the same items, the same name, in every session.
 std::string resultIdOf(const Json& items) {
   return fingerprint(items.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -148,6 +132,22 @@ Answer workspaceDiagnostics(const Request& request) {
 }
 
 } // namespace
+
+Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
+                    const ClientFeatures& client) {
+  const auto& diagnostic = *finding.diagnostic;
+  const auto& id = syntax::info(diagnostic.code).id;
+  Json json{{"range", convert.range(diagnostic.location)},
+            {"severity", severityOf(diagnostic.severity)},
+            {"code", id},
+            {"source", "proskill"},
+            {"message", diagnostic.message}};
+  if (client.diagnosticTags && isUnnecessary(diagnostic.code)) json["tags"] = Json::array({1});
+  if (client.relatedInformation && !diagnostic.related.empty())
+    json["relatedInformation"] = relatedJson(diagnostic, convert);
+  if (!diagnostic.fixes.empty()) json["data"] = {{"fixes", fixesJson(diagnostic, convert)}};
+  return json;
+}
 
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
                    const ClientFeatures& client, const ide::Verdicts& verdicts) {

@@ -46,6 +46,22 @@ EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, s
   return position;
 }
 
+EditorPosition LineWalk::to(syntax::Offset at) {
+  if (at >= nextLine) {
+    auto line = lines.position(at).line;
+    here = lines.offset({line, 0});
+    bool last = line + 1 >= lines.lineCount();
+    nextLine = last ? UINT32_MAX : lines.offset({line + 1, 0});
+    position = {line, 0};
+  }
+  while (here < at) {
+    auto character = characterAt(text.substr(here, at - here), encoding);
+    position.character += character.units;
+    here += static_cast<syntax::Offset>(character.bytes);
+  }
+  return position;
+}
+
 syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
                           EditorPosition position, Encoding encoding) {
   if (position.line >= lines.lineCount()) return static_cast<syntax::Offset>(text.size());

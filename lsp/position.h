@@ -26,4 +26,22 @@ struct EditorPosition {
 [[nodiscard]] syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
                                         EditorPosition position, Encoding encoding);
 
+/// `toEditor` of places in the order of a text, each at the cost of the way from the last one.
+class LineWalk {
+public:
+  LineWalk(std::string_view text, const syntax::LineIndex& lines, Encoding encoding)
+      : text(text), lines(lines), encoding(encoding) {}
+
+  /// \pre `at` is not before the place of the last call
+  [[nodiscard]] EditorPosition to(syntax::Offset at);
+
+private:
+  std::string_view text;
+  const syntax::LineIndex& lines;
+  Encoding encoding;
+  syntax::Offset here = 0;
+  syntax::Offset nextLine = 0; ///< where it begins; 0 before the first call
+  EditorPosition position;
+};
+
 } // namespace proskill::lsp

@@ -4,8 +4,9 @@ namespace proskill::lsp {
 
 Registry allFeatures() {
   Registry registry;
-  for (auto add : {addAutomaton, addCompletion, addDiagnostics, addHierarchy, addHints, addHover,
-                   addLenses, addModel, addNavigation, addRename, addSymbols})
+  for (auto add : {addActions, addAutomaton, addCompletion, addDiagnostics, addFormatting,
+                   addHierarchy, addHints, addHover, addLenses, addModel, addNavigation, addRename,
+                   addStructure, addSymbols, addTokens})
     add(registry);
   return registry;
 }

@@ -52,12 +52,16 @@ struct Registry {
 
 void addAutomaton(Registry& registry);
 void addCompletion(Registry& registry);
+void addActions(Registry& registry);
 void addDiagnostics(Registry& registry);
+void addFormatting(Registry& registry);
 void addHierarchy(Registry& registry);
 void addHints(Registry& registry);
 void addHover(Registry& registry);
 void addLenses(Registry& registry);
 void addModel(Registry& registry);
+void addStructure(Registry& registry);
+void addTokens(Registry& registry);
 void addNavigation(Registry& registry);
 void addRename(Registry& registry);
 void addSymbols(Registry& registry);

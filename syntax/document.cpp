@@ -172,6 +172,15 @@ const std::vector<Form>& Document::forms() const { return state->forms; }
 const std::vector<Range>& Document::comments() const { return state->comments; }
 const std::vector<Diagnostic>& Document::diagnostics() const { return state->diagnostics; }
 
+std::vector<Stretch> Document::stretches() const {
+  std::vector<Stretch> result;
+  for (const Piece& piece : state->pieces) {
+    bool readAsIs = piece.parsed->text == state->textOf(piece.range);
+    result.push_back({piece.range, &piece.parsed->tree, readAsIs});
+  }
+  return result;
+}
+
 std::string Document::dump() const {
   std::string out;
   for (const Piece& piece : state->pieces) {

@@ -2,6 +2,7 @@
 
 #include "syntax/ast.h"
 #include "syntax/diagnostic.h"
+#include "syntax/tree.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,6 +15,13 @@ namespace proskill::syntax {
 /// The longest text that is read, in bytes; a longer one gives a document without forms that says
 /// so.
 inline constexpr std::uint64_t kLongestText = 0xffff'ffff;
+
+/// A part of a text that was read on its own: at most one definition, where each starts a line.
+struct Stretch {
+  Range range;
+  const Tree* tree = nullptr; ///< its ranges count from the stretch's begin
+  bool readAsIs = false;      ///< nothing had to be put in or left out before it could be read
+};
 
 /// A parsed text: a value, never changed, cheap to copy. Parsing never fails.
 class Document {
@@ -33,6 +41,8 @@ public:
   [[nodiscard]] const std::vector<Range>& comments() const;
   /// What is wrong with the form of the text; `Location::file` is 0.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  /// They cover the text, in its order; the trees live as long as the document.
+  [[nodiscard]] std::vector<Stretch> stretches() const;
   /// Whether this is a copy of the other, or it of this. Two parses of one text are not the same.
   [[nodiscard]] bool isSameAs(const Document& other) const { return state == other.state; }
   /// The concrete trees as one S-expression with ranges, for tests and for debugging.

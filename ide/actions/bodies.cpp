@@ -1,0 +1,126 @@
+#include "ide/actions/statements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::ide {
+
+namespace {
+
+using syntax::StatementKind;
+
+/// The statement that is selected, where it is one and can be read.
+const syntax::Statement* onlyStatement(const Selected& selected) {
+  bool one =
+      selected.statements.size() == 1 && selected.statements.front().kind != StatementKind::Unknown;
+  return one ? &selected.statements.front() : nullptr;
+}
+
+const syntax::Skill* skillOf(const ActionContext& context, std::string_view name) {
+  const auto* found = context.view.program().skills.find(name);
+  return found ? found->node : nullptr;
+}
+
+std::string unusedName(const ActionContext& context, const std::string& wish) {
+  std::string name = wish;
+  for (int i = 2; skillOf(context, name); ++i) name = fmt::format("{}_{}", wish, i);
+  return name;
+}
+
+bool mentionsParameter(std::string_view text) { return text.contains('$'); }
+
+/// Whether a skill is no more than its body: no time, no conditions, no outcomes of its own.
+bool isPlain(const syntax::Skill& skill) {
+  return skill.body && !skill.body->statements.empty() && skill.fields.size() == 1 &&
+         !contains(skill.body->statements,
+                   {StatementKind::Success, StatementKind::Failure, StatementKind::Label,
+                    StatementKind::Goto, StatementKind::Unknown}) &&
+         !breaksOut(skill.body->statements);
+}
+
+/// Whether a skill is only ever called: nobody asks how it ended, or interrupts it.
+bool isOnlyCalled(const ActionContext& context, std::string_view name) {
+  const auto& index = context.view.index();
+  auto symbol = index.symbols().find(analysis::SymbolKind::Skill, name);
+  if (symbol == analysis::kNoSymbol) return false;
+  return std::ranges::all_of(index.occurrencesOf(symbol), [](const analysis::Occurrence& place) {
+    return place.role == analysis::Role::Call || place.role == analysis::Role::Definition;
+  });
+}
+
+} // namespace
+
+/// Behind a call of a skill that can fail, what happens when it has.
+void addFailureBranch(const ActionContext& context, Actions& actions) {
+  auto selected = selectedStatements(context);
+  const auto* call = onlyStatement(selected);
+  if (!call || call->kind != StatementKind::Call) return;
+  const auto* skill = skillOf(context, call->head.text);
+  if (!skill || (skill->failures.empty() && skill->invariants.empty())) return;
+  auto next = context.textOf({call->range.end, selected.form->range.end});
+  auto first = next.find_first_not_of(" \t\r\n");
+  bool looksAlready = next.substr(std::min(first, next.size())).starts_with("(if") &&
+                      next.substr(first, 200).contains(fmt::format("{}.", call->head.text));
+  if (looksAlready) return;
+  const auto& own = selected.skill->failures;
+  auto reaction = own.empty() || own.front().tag.text.empty()
+                      ? fmt::format("(printf \"{} failed\")", call->head.text)
+                      : fmt::format("(failure {})", own.front().tag.text);
+  addLaidOut(context, actions, fmt::format("Add what happens when `{}` fails", call->head.text),
+             ActionKind::RefactorRewrite,
+             {{{call->range.end, call->range.end},
+               fmt::format("\n(if (/= {}.status success)\n{})", call->head.text, reaction)}});
+}
+
+/// The condition holds, so that nothing changes until it is edited.
+void addWrapInIf(const ActionContext& context, Actions& actions) {
+  auto selected = selectedStatements(context);
+  if (selected.statements.empty() ||
+      contains(selected.statements, {StatementKind::Label, StatementKind::Unknown}))
+    return;
+  auto range = selected.range();
+  addLaidOut(context, actions, "Wrap in `if`", ActionKind::RefactorRewrite,
+             {{{range.begin, range.begin}, "(if true\n"}, {{range.end, range.end}, "\n)"}});
+}
+
+/// Statements that end their skill, jump, or need its inputs cannot move to another one.
+void addExtractSkill(const ActionContext& context, Actions& actions) {
+  auto selected = selectedStatements(context);
+  if (selected.statements.empty() || context.selection.empty()) return;
+  bool bound = contains(selected.statements,
+                        {StatementKind::Success, StatementKind::Failure, StatementKind::Label,
+                         StatementKind::Goto, StatementKind::Unknown}) ||
+               breaksOut(selected.statements);
+  auto words = context.textOf(selected.range());
+  // A comment behind the last statement would swallow the call's parenthesis.
+  if (bound || mentionsParameter(words) || !selected.skill->name) return;
+  auto name = unusedName(context, fmt::format("part_of_{}", selected.skill->name.text));
+  auto definition = fmt::format("(defskill {}\n  :body\n({}))\n\n", name, words);
+  auto before =
+      selected.form->comment.empty() ? selected.form->range.begin : selected.form->comment.begin;
+  addLaidOut(context, actions, fmt::format("Extract into the skill `{}`", name),
+             ActionKind::RefactorExtract,
+             {{{before, before}, definition}, {selected.range(), fmt::format("({})", name)}});
+}
+
+void addInlineSkill(const ActionContext& context, Actions& actions) {
+  auto selected = selectedStatements(context);
+  const auto* call = onlyStatement(selected);
+  if (!call || call->kind != StatementKind::Call || !call->arguments.empty()) return;
+  const auto* definition = context.view.program().skills.find(call->head.text);
+  if (!definition || definition->node == selected.skill || !isPlain(*definition->node) ||
+      definition->form->mended || !isOnlyCalled(context, call->head.text))
+    return;
+  const auto& text = context.view.program().files[definition->file].document.text();
+  auto body = definition->node->body->range;
+  auto words = std::string_view(text).substr(body.begin + 1, body.length() - 2);
+  // A comment at the end must not take what stands behind the call.
+  const bool needsLine =
+      words.contains(';') && !context.view.text().substr(call->range.end).starts_with('\n');
+  addLaidOut(context, actions, fmt::format("Inline `{}`", call->head.text),
+             ActionKind::RefactorInline,
+             {{call->range, needsLine ? fmt::format("{}\n", words) : std::string(words)}});
+}
+
+} // namespace proskill::ide

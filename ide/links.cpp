@@ -1,0 +1,14 @@
+#include "ide/structure.h"
+
+namespace proskill::ide {
+
+std::vector<Link> links(const std::filesystem::path& file, const syntax::Document& document) {
+  std::vector<Link> result;
+  for (const auto& form : document.forms())
+    if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
+      result.push_back(
+          {include->path.range, (file.parent_path() / include->path.text).lexically_normal()});
+  return result;
+}
+
+} // namespace proskill::ide
