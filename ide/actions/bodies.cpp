@@ -115,6 +115,7 @@ void addInlineSkill(const ActionContext& context, Actions& actions) {
   const auto& text = context.view.program().files[definition->file].document.text();
   auto body = definition->node->body->range;
   auto words = std::string_view(text).substr(body.begin + 1, body.length() - 2);
+  words = words.substr(0, words.find_last_not_of(" \t\r\n") + 1);
   // A comment at the end must not take what stands behind the call.
   const bool needsLine =
       words.contains(';') && !context.view.text().substr(call->range.end).starts_with('\n');

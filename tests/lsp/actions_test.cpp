@@ -46,7 +46,7 @@ TEST_CASE("the edit of a code action, whatever stands before it in other charact
       fix.contains("edit") ? fix["edit"] : session.result("codeAction/resolve", fix)["edit"];
   Json edits =
       edit.contains("changes") ? edit["changes"][kMain] : edit["documentChanges"][0]["edits"];
-  CHECK(edits == Json::array({{{"range", test::rangeOf(1, 35, 37)}, {"newText", "Off"}}}));
+  CHECK(edits == Json::array({{{"range", test::rangeOf(1, 35, 37)}, {"newText", "On"}}}));
 }
 
 TEST_CASE("an action is resolved in the text that it was offered for, and in no other") {

@@ -149,7 +149,11 @@ Json Desk::raw(const std::string& method, const Json& params) const {
 
 Json Desk::inBytes(const std::string& method, const Json& answer, const std::string& uri) const {
   const BytePlaces places(documents, client.encoding);
-  if (!method.starts_with("textDocument/semanticTokens/")) return places.convert(answer, uri);
+  if (!method.starts_with("textDocument/semanticTokens/")) {
+    auto converted = places.convert(answer, uri);
+    if (converted.is_object()) converted.erase("resultId"); // stands for the unconverted answer
+    return converted;
+  }
   const auto& data = lsp::memberAt(answer, {"data"});
   return data.is_array() ? places.convertTokens(data, uri) : Json();
 }

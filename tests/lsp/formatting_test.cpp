@@ -31,7 +31,7 @@ TEST_CASE("formatting counts columns as the client does") {
                  "(defskill m\n  :body\n    ((printf \"\U0001f600\"   1)))\n(defevent  f)\n");
     INFO(encoding);
     CHECK(session.result("textDocument/formatting", params()) ==
-          Json::array({edit(2, column, column + 2, ""), edit(3, 10, 11, "")}));
+          Json::array({edit(2, column + 1, column + 3, ""), edit(3, 10, 11, "")}));
   }
 }
 

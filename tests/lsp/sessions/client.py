@@ -223,8 +223,13 @@ class Text:
         before = self.text[line_start:offset]
         return position(self.text.count('\n', 0, offset), len(before.encode('utf-16-le')) // 2)
 
+    def expressible(self, offset):
+        """No position lies within the end of a line."""
+        return offset - 1 if self.text[max(offset - 1, 0):offset + 1] == '\r\n' and offset > 0 else offset
+
     def edit(self, client, begin, end, text):
         """Replaces a piece here and in the server."""
+        begin, end = self.expressible(begin), self.expressible(end)
         start, stop = self.position(begin), self.position(end)
         self.version += 1
         self.text = self.text[:begin] + text + self.text[end:]

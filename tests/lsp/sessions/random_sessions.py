@@ -128,7 +128,7 @@ class Session:
         assert status['errors'] == 0, status
         held = next(each for each in status['documents'] if each['uri'] == text.uri)
         sent = text.text.encode()
-        assert (held['bytes'], held['hash']) == (len(sent), fnv1a(sent)), 'the texts differ'
+        assert (held['bytes'], held['hash']) == (len(sent), fnv1a(sent)), ('the texts differ', held, len(sent))
 
     def check(self, name):
         done = subprocess.run([CHECKER, 'check', '--format=json', os.path.join(self.path, name)], capture_output=True)
