@@ -46,9 +46,21 @@ viz::Request pictureAt(const ide::View& view, syntax::Offset at) {
   return {};
 }
 
-std::expected<viz::Request, RpcError> pictureNamed(const Json& params) {
+/// What is called so in the program, whatever it is.
+std::expected<viz::Request, RpcError> pictureOf(const analysis::Program& program,
+                                                const std::string& name) {
+  for (const auto& file : program.files)
+    for (const auto& form : file.document.forms())
+      if (auto picture = pictureOf(form); picture.name == name) return picture;
+  return std::unexpected(RpcError{ErrorCode::RequestFailed, "nothing is called `" + name + "`"});
+}
+
+std::expected<viz::Request, RpcError> pictureNamed(const analysis::Program& program,
+                                                   const Json& params) {
   auto kind = params.value("kind", Json());
   auto name = params.value("name", Json(""));
+  if (kind.is_null() && name.is_string() && !name.get_ref<const std::string&>().empty())
+    return pictureOf(program, name.get_ref<const std::string&>());
   const auto* known =
       std::ranges::find_if(kKinds, [&](const auto& it) { return kind == it.first; });
   if (known == kKinds.end()) return std::unexpected(invalid("`kind` is sv, skill, body or calls"));
@@ -211,7 +223,7 @@ Answer automaton(const Request& request) {
   }
   auto picture = caret && !request.params.contains("kind")
                      ? std::expected<viz::Request, RpcError>(pictureAt(view, *caret))
-                     : pictureNamed(request.params);
+                     : pictureNamed(view.program(), request.params);
   if (!picture) return std::unexpected(picture.error());
   picture->forbidden = request.params.value("forbidden", Json()) == true;
   auto graph = viz::draw(view.program(), *picture);

@@ -78,7 +78,7 @@ TEST_CASE("fmt --diff is what patch takes") {
     text += "(defsv a" + std::to_string(i) + (i % 9 == 4 ? "  :init 1 :max 2)\n" : " :init 1)\n");
   const auto file = directory.write("main.proskill", text.substr(0, text.size() - 1));
   const auto patch = directory.write("patch", fmt({"--diff", file}).out);
-  const Finished patched = run({"patch", "-s", file, patch});
+  const Finished patched = run({"/usr/bin/patch", "-s", file, patch});
   CHECK(patched.out + patched.err == "");
   CHECK(fmt({"--check", file}).exitCode == 0);
 }

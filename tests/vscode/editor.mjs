@@ -46,7 +46,9 @@ export class Editor {
   async openFile(path) {
     const name = path.split('/').pop();
     await expect(`${path} in an editor`, async () => {
-      await this.pick('Control+p', path, name);
+      const open = this.page.locator('.tab').filter({ hasText: name });
+      if (await open.count()) await open.first().click();
+      else await this.pick('Control+p', path, name);
       await this.tab(name).first().waitFor({ timeout: 5000 });
       return true;
     }, 30_000);

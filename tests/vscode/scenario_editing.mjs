@@ -21,17 +21,18 @@ async function typeAndWait(page, key) {
 }
 
 export const scenarios = {
-  /** `Free` becomes `Freex` in `:init`, and its problem appears; it is undone, and it disappears. */
+  /** `Controlled` becomes `Controlledx`, far from bad verdicts; its problem appears, and disappears when it is undone. */
   async mistake({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
+    await editor.goTo(114, 27);
     await editor.squiggles().first().waitFor({ state: 'detached' });
     const times = [];
     for (let i = 0; i < 8; ++i) {
-      await editor.goTo(30, 13);
+      await editor.goTo(114, 27);
       times.push(await typeAndWait(page, 'x'));
       if (i === 0) {
         const problems = await editor.problems();
-        await problems.filter({ hasText: 'Freex' }).first().waitFor();
+        await problems.filter({ hasText: 'Controlledx' }).first().waitFor();
         await editor.picture('mistake-shown');
         await editor.press('Control+Shift+M', 'Control+1');
       }
