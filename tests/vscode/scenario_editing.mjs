@@ -24,11 +24,11 @@ export const scenarios = {
   /** `Controlled` becomes `Controlledx`, far from bad verdicts; its problem appears, and disappears when it is undone. */
   async mistake({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
-    await editor.goTo(114, 27);
+    await editor.goTo(114, 28);
     await editor.squiggles().first().waitFor({ state: 'detached' });
     const times = [];
     for (let i = 0; i < 8; ++i) {
-      await editor.goTo(114, 27);
+      await editor.goTo(114, 28);
       times.push(await typeAndWait(page, 'x'));
       if (i === 0) {
         const problems = await editor.problems();
