@@ -6,6 +6,7 @@
 #include "tests/support/texts.h"
 
 #include "codegen/model.h"
+#include "tests/where.h"
 
 #include <fmt/format.h>
 

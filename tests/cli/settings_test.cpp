@@ -1,4 +1,5 @@
 #include "tests/support/run.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

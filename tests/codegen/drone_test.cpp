@@ -1,4 +1,5 @@
 #include "tests/codegen/model_of.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/where.h"
+
 namespace proskill::test {
 
 using lsp::Json;

@@ -1,5 +1,6 @@
 #include "analysis/flow/inspect.h"
 #include "codegen/model.h"
+#include "tests/where.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>

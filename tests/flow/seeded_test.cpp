@@ -1,4 +1,5 @@
 #include "analysis/flow/inspect.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

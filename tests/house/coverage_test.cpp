@@ -1,4 +1,5 @@
 #include "syntax/document.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/where.h"
+
 namespace proskill::test {
 
 namespace {

@@ -1,6 +1,7 @@
 #include "lsp/child_process.h"
 #include "lsp/framing.h"
 #include "lsp/rpc.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,6 @@
 #include "tests/lsp/desk.h"
 #include "tests/lsp/examples.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

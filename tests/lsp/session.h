@@ -2,6 +2,7 @@
 
 #include "lsp/server.h"
 #include "tests/support/memory_files.h"
+#include "tests/where.h"
 
 #include <condition_variable>
 #include <deque>

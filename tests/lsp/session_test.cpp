@@ -1,5 +1,6 @@
 #include "tests/lsp/session.h"
 #include "tests/support/run.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,7 @@
 #include "tests/robustness/broken_text.h"
 
 #include "tests/support/random_source.h"
+#include "tests/where.h"
 
 #include <algorithm>
 #include <filesystem>

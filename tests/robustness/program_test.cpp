@@ -1,5 +1,6 @@
 #include "tests/robustness/broken_text.h"
 #include "tests/support/run.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

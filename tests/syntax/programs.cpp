@@ -3,6 +3,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/where.h"
+
 namespace proskill::test {
 
 const std::string_view kPaperStateVariables = R"proskill((defsv flight_levels

@@ -1,4 +1,5 @@
 #include "tests/syntax/programs.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

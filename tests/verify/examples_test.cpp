@@ -2,6 +2,7 @@
 #include "tests/support/models.h"
 
 #include "codegen/model.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 

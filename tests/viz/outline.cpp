@@ -1,5 +1,6 @@
 #include "tests/viz/outline.h"
 
+#include "tests/where.h"
 #include "viz/theme.h"
 
 #include <fmt/format.h>
