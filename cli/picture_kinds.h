@@ -7,11 +7,7 @@
 
 namespace proskill::cli {
 
-/// The words for kinds of pictures, on the command line and in JSON.
-inline const Choices<viz::Kind> kPictureKinds{{"sv", viz::Kind::StateVariable},
-                                              {"skill", viz::Kind::Skill},
-                                              {"body", viz::Kind::Body},
-                                              {"calls", viz::Kind::Calls}};
+inline const Choices<viz::Kind> kPictureKinds(viz::kKindWords.begin(), viz::kKindWords.end());
 
 template <class Value>
 [[nodiscard]] const std::string& wordOf(const Choices<Value>& choices, Value value) {

@@ -31,7 +31,6 @@ Parsed Parser::program() {
     const auto before = at;
     try {
       actor.clear();
-      constantsOnly = false;
       declaration();
     } catch (const CannotRead&) {
       resume();

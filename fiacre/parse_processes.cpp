@@ -51,7 +51,6 @@ void Parser::from(Process& process) try {
   if (!isAt("from") && !isAtDeclaration() && !(isAtName() && endsEntry(1)))
     fail(fmt::format("`;` is missing before `{}`, or it closes nothing", peek().text));
 } catch (const CannotRead&) {
-  constantsOnly = false;
   while (!isAt("from") && !isAtDeclaration()) ++at;
 }
 

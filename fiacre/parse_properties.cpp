@@ -98,7 +98,10 @@ Ltl Parser::formulaPrimary() {
 /// A formula of one moment.
 Observable Parser::observable() {
   const Token first = peek();
-  Ltl result = formula();
+  return momentary(formula(), first);
+}
+
+Observable Parser::momentary(Ltl result, const Token& first) {
   if (isAtom(result)) return std::move(result.atom);
   report("a formula of time stands where one of a moment is needed", first);
   throw CannotRead();
@@ -133,29 +136,34 @@ Observable Parser::atom() {
   fail("`state`, `value`, `tag` or `event` is missing in the path");
 }
 
+/// A word that begins a pattern; others stand between two formulas.
+bool Parser::isAtPattern() const {
+  constexpr std::string_view kWords[] = {"deadlockfree", "ltl",    "infinitelyoften", "mortal",
+                                         "present",      "absent", "always"};
+  return std::ranges::any_of(kWords, [&](auto word) { return isAt(word); });
+}
+
 Pattern Parser::pattern() {
-  Pattern result;
   if (accept("deadlockfree")) return {.kind = PatternKind::DeadlockFree};
   if (accept("ltl")) return {.kind = PatternKind::Ltl, .ltl = formula()};
+  Pattern result;
   for (auto [word, kind] : {std::pair{"infinitelyoften", PatternKind::InfinitelyOften},
                             {"mortal", PatternKind::Mortal},
                             {"present", PatternKind::Present},
                             {"absent", PatternKind::Absent},
-                            {"always", PatternKind::Always}}) {
-    if (!accept(word)) continue;
-    result.kind = kind;
-    result.operands.push_back(observable());
-    scopes(result);
-    return result;
-  }
+                            {"always", PatternKind::Always}})
+    if (accept(word)) result.kind = kind;
   result.operands.push_back(observable());
-  if (accept("leadsto"))
-    result.kind = PatternKind::LeadsTo;
-  else if (accept("precedes"))
-    result.kind = PatternKind::Precedes;
-  else
-    fail("a pattern is missing, such as `absent …` or `… leadsto …`");
+  scopes(result);
+  return result;
+}
+
+/// After the first formula.
+Pattern Parser::betweenTwo(Observable first) {
+  Pattern result{.kind = isAt("leadsto") ? PatternKind::LeadsTo : PatternKind::Precedes};
+  ++at;
   if (isAt("first")) fail("`leadsto first` is not read yet");
+  result.operands.push_back(std::move(first));
   result.operands.push_back(observable());
   scopes(result);
   return result;
@@ -191,19 +199,17 @@ void Parser::property() {
   Property result{.name = name("the name of a property"), .asserted = false};
   actor = "property " + result.name;
   expect("is");
-  const auto start = at;
-  const auto problems = parsed.problems.size();
-  try {
+  if (isAtPattern()) {
+    result.pattern = pattern();
+  } else {
+    const Token first = peek();
     Ltl plain = formula();
     if (!isAt("leadsto") && !isAt("precedes")) {
       formulas[result.name] = std::move(plain);
       return;
     }
-  } catch (const CannotRead&) {
+    result.pattern = betweenTwo(momentary(std::move(plain), first));
   }
-  at = start;
-  parsed.problems.resize(problems);
-  result.pattern = pattern();
   result.origin = origin(begin);
   parsed.program.properties.push_back(std::move(result));
 }

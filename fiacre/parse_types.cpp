@@ -1,26 +1,11 @@
+#include "fiacre/arithmetic.h"
 #include "fiacre/parser.h"
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace proskill::fiacre {
-namespace {
-
-/// Division as Fiacre's C does it; nothing by zero or beyond 64 bits.
-std::optional<std::int64_t> apply(Op op, std::int64_t a, std::int64_t b) {
-  std::int64_t result = 0;
-  switch (op) {
-  case Op::Add: return __builtin_add_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-  case Op::Subtract:
-    return __builtin_sub_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-  case Op::Multiply:
-    return __builtin_mul_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-  case Op::Divide: return b <= 0 ? std::nullopt : std::optional(a / b);
-  case Op::Modulo: return b <= 0 ? std::nullopt : std::optional(a % b);
-  default: return std::nullopt;
-  }
-}
-
-} // namespace
 
 /// Of an expression of numbers and constants that are declared above.
 std::optional<std::int64_t> Parser::value(const Expr& expr) const {
@@ -32,20 +17,31 @@ std::optional<std::int64_t> Parser::value(const Expr& expr) const {
   if (expr.kind == ExprKind::Unary) {
     const auto inner = value(expr.operands[0]);
     if (expr.op == Op::Coerce) return inner;
-    return inner && expr.op == Op::Negate ? apply(Op::Subtract, 0, *inner) : std::nullopt;
+    return inner && expr.op == Op::Negate ? compute(Op::Subtract, 0, *inner) : std::nullopt;
   }
   if (expr.kind != ExprKind::Binary) return std::nullopt;
   const auto a = value(expr.operands[0]);
   const auto b = value(expr.operands[1]);
-  return a && b ? apply(expr.op, *a, *b) : std::nullopt;
+  return a && b ? compute(expr.op, *a, *b) : std::nullopt;
+}
+
+/// Without indices and fields: a `[` ends an interval, and indexes nothing.
+Expr Parser::constantExpr(std::size_t level) {
+  const bool before = std::exchange(constantsOnly, true);
+  try {
+    Expr result = binary(level);
+    constantsOnly = before;
+    return result;
+  } catch (const CannotRead&) {
+    constantsOnly = before;
+    throw;
+  }
 }
 
 std::int64_t Parser::natural(std::string_view what) {
   constexpr std::size_t kSum = 4; // a comparison would take the `=` of what follows
   const Token& first = peek();
-  constantsOnly = true;
-  const auto number = value(binary(kSum));
-  constantsOnly = false;
+  const auto number = value(constantExpr(kSum));
   if (!number) {
     report(fmt::format("{} is no number known here", what), first);
     throw CannotRead();
@@ -74,7 +70,7 @@ Type Parser::type() {
 
 Type Parser::range() {
   if (peek().kind != TokenKind::Number && !isAt("-") && !isAt("(") && !isAt("$") && !isAtName())
-    fail(fmt::format("a type is missing"));
+    fail("a type is missing");
   Type result{.kind = TypeKind::Range, .low = natural("the lower bound")};
   expect("..");
   result.high = natural("the upper bound");

@@ -65,6 +65,7 @@ private:
   Type records();
   Type unions();
   Type range();
+  Expr constantExpr(std::size_t level);
   std::int64_t natural(std::string_view what);
   std::optional<std::int64_t> value(const Expr& expr) const;
   Interval interval();
@@ -113,13 +114,16 @@ private:
   // Properties: parse_properties.cpp
   void property();
   void assertion();
+  [[nodiscard]] bool isAtPattern() const;
   Pattern pattern();
+  Pattern betweenTwo(Observable first);
   void scopes(Pattern& pattern);
   Ltl formula();
   Ltl formulaChain(std::size_t level);
   Ltl formulaPrefix();
   Ltl formulaPrimary();
   Observable observable();
+  Observable momentary(Ltl formula, const Token& first);
   Observable atom();
 
   /// Counts how deep constructs are within each other, which the stack bounds.

@@ -1,11 +1,11 @@
 #include "fiacre/typing.h"
 
+#include "fiacre/arithmetic.h"
 #include "fiacre/print.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <span>
 
 namespace proskill::fiacre {
@@ -16,22 +16,6 @@ const Type kInt{.kind = TypeKind::Int};
 
 bool isNumber(const Type& type) {
   return type.kind == TypeKind::Nat || type.kind == TypeKind::Int || type.kind == TypeKind::Range;
-}
-
-std::optional<std::int64_t> compute(Op op, std::int64_t a, std::int64_t b) {
-  std::int64_t result = 0;
-  switch (op) {
-  case Op::Add: return __builtin_add_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-  case Op::Subtract:
-    return __builtin_sub_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-  case Op::Multiply:
-    return __builtin_mul_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-  case Op::Divide:
-  case Op::Modulo:
-    if (b == 0 || (a == std::numeric_limits<std::int64_t>::min() && b == -1)) return std::nullopt;
-    return op == Op::Divide ? a / b : a % b;
-  default: return std::nullopt;
-  }
 }
 
 } // namespace

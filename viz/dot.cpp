@@ -3,6 +3,7 @@
 #include "viz/circle.h"
 #include "viz/ids.h"
 #include "viz/label.h"
+#include "viz/part_ids.h"
 
 #include <fmt/format.h>
 
@@ -118,7 +119,7 @@ private:
     for (std::size_t i = 0; i < graph.clusters.size(); ++i) {
       const auto& cluster = graph.clusters[i];
       auto* parent = cluster.parent ? clusters[*cluster.parent] : root.get();
-      auto name = fmt::format("cluster_{}", i);
+      auto name = clusterId(i);
       clusters.push_back(agsubg(parent, text(name), 1));
       Attributes attributes(root.get(), clusters.back());
       attributes.set("id", name);
@@ -136,7 +137,7 @@ private:
 
   void drawNode(std::size_t i) {
     const auto& node = graph.nodes[i];
-    auto id = fmt::format("n{}", i);
+    auto id = nodeId(i);
     auto* within = node.cluster ? clusters[*node.cluster] : root.get();
     nodes.push_back(agnode(within, text(id), 1));
     const auto style = nodeStyle(node.role, scheme);
@@ -177,7 +178,7 @@ private:
 
   void drawEdge(std::size_t i) {
     const auto& edge = graph.edges[i];
-    auto key = fmt::format("e{}", i);
+    auto key = edgeId(i);
     auto* drawn = agedge(clusterOf(edge), nodes[edge.from], nodes[edge.to], text(key), 1);
     const auto style = edgeStyle(edge.role, scheme);
     Attributes attributes(root.get(), drawn);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace proskill::viz {
 namespace {
 
@@ -19,6 +21,16 @@ std::expected<Graph, std::string> drawNamedBody(const analysis::Program& program
 }
 
 } // namespace
+
+std::string_view wordOf(Kind kind) {
+  return std::ranges::find(kKindWords, kind, [](const auto& entry) { return entry.second; })->first;
+}
+
+std::optional<Kind> kindOf(std::string_view word) {
+  for (const auto& [known, kind] : kKindWords)
+    if (known == word) return kind;
+  return std::nullopt;
+}
 
 std::expected<Graph, std::string> draw(const analysis::Program& program, const Request& request) {
   const auto& name = request.name;

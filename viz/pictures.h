@@ -3,8 +3,12 @@
 #include "analysis/program.h"
 #include "viz/graph.h"
 
+#include <array>
 #include <expected>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace proskill::viz {
@@ -15,6 +19,14 @@ enum class Kind : std::uint8_t {
   Body,          ///< the statements of a composite skill or of an environment
   Calls,         ///< who calls and who interrupts whom
 };
+
+/// The words for kinds, on the command line and in JSON.
+inline constexpr std::array kKindWords{std::pair<std::string_view, Kind>{"sv", Kind::StateVariable},
+                                       std::pair<std::string_view, Kind>{"skill", Kind::Skill},
+                                       std::pair<std::string_view, Kind>{"body", Kind::Body},
+                                       std::pair<std::string_view, Kind>{"calls", Kind::Calls}};
+[[nodiscard]] std::string_view wordOf(Kind kind);
+[[nodiscard]] std::optional<Kind> kindOf(std::string_view word);
 
 /// Which picture of a program.
 struct Request {
