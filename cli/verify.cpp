@@ -1,6 +1,7 @@
 #include "cli/verify.h"
 
 #include "cli/disk.h"
+#include "cli/graph_file.h"
 #include "cli/paint.h"
 #include "cli/progress.h"
 #include "cli/render.h"
@@ -42,6 +43,7 @@ struct Arguments {
   std::string report;
   std::vector<std::string> reduce;
   std::string graph;
+  verify::GraphKind graphOf = verify::GraphKind::Classes;
   bool strict = false;
   bool expanded = false;
   codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
@@ -96,19 +98,6 @@ int fail(const std::string& message) {
 
 int failUnsupported(const verify::Unsupported& error) {
   return fail("this model cannot be explored: " + error.message);
-}
-
-/// One line, as sift ends: `16 classe(s), 14 marking(s), 6 domain(s), 22 transition(s)`, and the
-/// time.
-int countGraph(const codegen::Model& model, const verify::Options& options) {
-  auto counted = verify::countClasses(model.fiacre, options);
-  if (!counted) return failUnsupported(counted.error());
-  fmt::print("{} classe(s), {} marking(s), {} domain(s), {} transition(s)\n{:.3f}s\n",
-             counted->classes, counted->markings, counted->domains, counted->transitions,
-             counted->seconds);
-  if (counted->complete) return kGood;
-  std::cerr << "the graph is not complete: " << counted->stopped << '\n';
-  return kInconclusive;
 }
 
 void write(const Arguments& arguments, const VerifyReport& report) {
@@ -169,10 +158,11 @@ int runModel(const Arguments& arguments, bool list, const analysis::Program& pro
     for (const auto& check : model.checks) fmt::print("{}\n", check.name);
     return kGood;
   }
-  if (arguments.graph == "counts") {
+  if (!arguments.graph.empty()) {
     std::signal(SIGINT, onInterrupt);
     ProgressLine progress;
-    return countGraph(model, engineOptions(arguments, progress));
+    return exploreGraph(arguments.graph, arguments.graphOf, model,
+                        engineOptions(arguments, progress));
   }
   return verifyProperties(arguments, program, model);
 }
@@ -240,8 +230,13 @@ void addVerify(CLI::App& app, int& exitCode) {
   command->add_option("--reduce", arguments->reduce, "Which reductions to use: all, none, or names")
       ->delimiter(',')
       ->check(CLI::IsMember(reductionNames()));
-  command->add_option("--graph", arguments->graph, "counts: the size of the graph of state classes")
-      ->check(CLI::IsMember({"counts"}));
+  command->add_option("--graph", arguments->graph,
+                      "Write the state graph into this file, `.aut` or `.txt`; counts: its size");
+  command->add_option("--graph-of", arguments->graphOf, "classes, markings or untimed")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, verify::GraphKind>{{"classes", verify::GraphKind::Classes},
+                                                   {"markings", verify::GraphKind::Markings},
+                                                   {"untimed", verify::GraphKind::Untimed}}));
   command->add_flag("--strict", arguments->strict, "Warnings make the exit code 1 too");
   command->add_flag("--expanded", arguments->expanded, "Verify the expanded model");
   command->add_option("--sv-automata", arguments->automata, "exact or paper")

@@ -10,6 +10,7 @@ _proskill_values() {
     'verify --traces') echo 'failed all none' ;;
     'verify --reduce') echo 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation' ;;
     'verify --graph') echo 'counts' ;;
+    'verify --graph-of') echo 'classes markings untimed' ;;
     *' --sv-automata') echo 'exact paper' ;;
     *' --color') echo 'auto always never' ;;
   esac
@@ -23,7 +24,7 @@ _proskill_options() {
     emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
-            --class-limit --report --reduce --graph --strict --expanded --sv-automata --color --help' ;;
+            --class-limit --report --reduce --graph --graph-of --strict --expanded --sv-automata --color --help' ;;
     graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
     view) echo '--main --port --no-open --time-limit --memory-limit --help' ;;
     lsp) echo '--stdio --port --log --debounce --help' ;;

@@ -56,7 +56,8 @@ __proskill_option 'verify view' memory-limit MiB -x
 __proskill_option verify report 'a page with all of it there' -x -a '(__fish_complete_directories)'
 __proskill_option verify class-limit classes -x
 __proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation'
-__proskill_option verify graph 'size of the graph of classes' -x -a counts
+__proskill_option verify graph 'write the state graph there, or counts' -r -a counts
+__proskill_option verify graph-of 'what its states are' -x -a 'classes markings untimed'
 __proskill_option verify strict 'warnings count'
 __proskill_option graph kind 'what to draw' -x -a 'sv skill body calls'
 __proskill_option graph name 'which state variable or skill' -x

@@ -2,6 +2,7 @@
 #include "verify/enabled.h"
 #include "verify/evaluate.h"
 #include "verify/firing_domains.h"
+#include "verify/graph_recorder.h"
 #include "verify/limits.h"
 #include "verify/place.h"
 
@@ -57,14 +58,21 @@ private:
 /// what does not depend on time is done once for them.
 class ClassGraph {
 public:
-  ClassGraph(const System& of, LimitWatch& watch)
-      : system(of), limits(watch), enabling(of), domains(of), markings(of.storedWords) {}
+  /// \param to where edges are written down; null: they are only counted
+  ClassGraph(const System& of, LimitWatch& watch, GraphRecorder* to = nullptr)
+      : system(of),
+        limits(watch),
+        recorder(to),
+        enabling(of),
+        domains(of),
+        markings(of.storedWords) {}
 
   std::expected<Exploration, Unsupported> run() {
     std::vector<Word> first = initialState(system);
     enabling.compute(first.data(), enabled);
     const std::uint32_t marking = add(first, enabled);
-    enter(marking, domains.initial(info[marking].signature));
+    initial = {marking, domains.initial(info[marking].signature)};
+    enter(initial.marking, initial.domain);
     for (std::uint64_t count = 0; !waiting.empty(); ++count) {
       constexpr std::uint64_t kBetweenChecks = 64;
       if (count % kBetweenChecks == 0) result.stopped = limits.met(progress());
@@ -81,6 +89,9 @@ public:
     return result;
   }
 
+  /// \pre it has run to its end, with a recorder
+  [[nodiscard]] StateGraph recorded() const { return recorder->graph(initial, markings); }
+
 private:
   struct Marking {
     std::uint32_t signature = 0;
@@ -93,12 +104,11 @@ private:
     const auto all = classes.at(id);
     pending.assign(all.begin() + info[id].done, all.end());
     info[id].done = static_cast<std::uint32_t>(all.size());
-    const std::uint32_t signature = info[id].signature;
     state.assign(markings.at(id), markings.at(id) + system.words);
     enabling.compute(state.data(), enabled);
     possible.clear();
     eachIn(enabled, [&](TransitionId transition) {
-      if (!enabling.isBlocked(transition, enabled)) follow(signature, transition);
+      if (!enabling.isBlocked(transition, enabled)) follow(id, transition);
     });
     countDomains();
   }
@@ -121,7 +131,8 @@ private:
   }
 
   /// Fires a transition from every class that waits.
-  void follow(std::uint32_t signature, TransitionId transition) {
+  void follow(std::uint32_t source, TransitionId transition) {
+    const std::uint32_t signature = info[source].signature;
     next = state;
     nextEnabled = enabled;
     log.clear();
@@ -139,10 +150,12 @@ private:
     }
     enabling.update(transition, next.data(), nextEnabled);
     const std::uint32_t target = add(next, nextEnabled);
+    const std::uint32_t label = recorder ? recorder->label(transition, log) : 0;
     for (auto domain : pending) {
       const ZoneId reached = domains.after(domain, signature, transition, info[target].signature);
       if (reached == kNone) continue;
       ++result.transitions;
+      if (recorder) recorder->edge({source, domain}, label, {target, reached});
       enter(target, reached);
     }
   }
@@ -171,7 +184,8 @@ private:
   [[nodiscard]] std::uint64_t bytes() const {
     return markings.bytes() + classes.bytes() + domains.bytes() +
            info.capacity() * sizeof(Marking) + waiting.size() * sizeof(std::uint32_t) +
-           domainTable.bytes() + domainKeys.capacity() * sizeof(std::uint64_t);
+           domainTable.bytes() + domainKeys.capacity() * sizeof(std::uint64_t) +
+           (recorder ? recorder->bytes() : 0);
   }
   [[nodiscard]] Progress progress() const {
     return {result.classes, result.markings, waiting.size(), bytes(), limits.seconds()};
@@ -179,6 +193,7 @@ private:
 
   const System& system;
   LimitWatch& limits;
+  GraphRecorder* recorder;
   Enabling enabling;
   FiringDomains domains;
   StateStore markings;
@@ -191,6 +206,7 @@ private:
   NumberTable domainTable;
   Exploration result;
   Unsupported failure;
+  GraphRecorder::Class initial;
 
   std::vector<ZoneId> pending;
   std::vector<std::uint32_t> possible; ///< transitions with the locations that they lead to
@@ -201,7 +217,35 @@ private:
   StepLog log;
 };
 
+/// As if every step could wait, and none had to come.
+System untimed(System system) {
+  for (auto& transition : system.transitions) {
+    transition.interval = {};
+    transition.urgent = false;
+    transition.clock = kNone;
+  }
+  return system;
+}
+
 } // namespace
+
+std::expected<StateGraph, Unsupported> stateGraph(const fiacre::Program& program, GraphKind kind,
+                                                  const Options& options) {
+  LimitWatch limits(options);
+  auto compiled = compile(program, {}, {});
+  if (!compiled) return std::unexpected(compiled.error());
+  const bool timed = kind != GraphKind::Untimed;
+  const System system =
+      placed(timed ? std::move(compiled->system) : untimed(std::move(compiled->system)));
+  GraphRecorder recorder(system, program.main, kind);
+  ClassGraph classes(system, limits, &recorder);
+  auto counted = classes.run();
+  if (!counted) return std::unexpected(counted.error());
+  StateGraph graph;
+  if (counted->complete) graph = classes.recorded();
+  graph.counts = *counted;
+  return graph;
+}
 
 std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& program,
                                                      const Options& options) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "fiacre/parse.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+namespace proskill::test {
+
+/// A model by its text. \pre it has no mistakes
+inline fiacre::Parsed model(const std::string& text) {
+  auto parsed = fiacre::parse(text);
+  for (const auto& problem : parsed.problems) FAIL(problem.message << " in\n" << text);
+  return parsed;
+}
+
+} // namespace proskill::test

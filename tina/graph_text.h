@@ -1,0 +1,23 @@
+#pragma once
+
+#include "verify/state_graph.h"
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+/// State graphs as text, for other tools.
+namespace proskill::tina {
+
+/// The format of CADP ("aut" manual page), which mCRL2 reads too: `des (0, transitions, states)`,
+/// then a line for each transition.
+void writeAut(std::ostream& out, const verify::StateGraph& graph);
+
+/// What frac calls the net of a model: `process_play_1`. That of a component is by analogy.
+[[nodiscard]] std::string netName(const fiacre::Program& program);
+
+/// The text that ktzio makes of a `.ktz`: each state with what its marking has and where its
+/// transitions lead. \param name of the net
+void writeKtzText(std::ostream& out, const verify::StateGraph& graph, std::string_view name);
+
+} // namespace proskill::tina
