@@ -1,11 +1,18 @@
 import * as vscode from 'vscode';
-import { LanguageClient, State, type LanguageClientOptions } from 'vscode-languageclient/node';
+import { CloseAction, ErrorAction, LanguageClient, State, type LanguageClientOptions } from 'vscode-languageclient/node';
 import { findServer, type Server } from './find_server';
 import * as protocol from './protocol';
 import { Restarts } from './restarts';
 import { initializationOptions } from './settings';
 
 export type Life = 'starting' | 'running' | 'crashed' | 'missing' | 'stopped';
+
+/** Says in the output alone what goes wrong: to the user, `Client` says it once, and what to do. */
+class QuietClient extends LanguageClient {
+  override error(message: string, data?: unknown): void {
+    super.error(message, data, false);
+  }
+}
 
 /** The server's life: found, started, started again. */
 export class Client implements vscode.Disposable {
@@ -17,10 +24,8 @@ export class Client implements vscode.Disposable {
   life: Life = 'starting';
   server: Server | undefined;
   private current: LanguageClient | undefined;
-  private readonly restarts = new Restarts(
-    () => this.output.warn('the server has ended; it is started again'),
-    () => void this.giveUp(),
-  );
+  private begun: Promise<void> | undefined;
+  private readonly restarts = new Restarts();
 
   constructor(private readonly extensionPath: string) {}
 
@@ -43,12 +48,28 @@ export class Client implements vscode.Disposable {
       return this.reportMissing(error instanceof Error ? error.message : String(error));
     }
     this.output.info(`${this.server.command} (${this.server.version})`);
-    this.current = this.make(this.server.command);
+    const client = this.make(this.server.command);
+    this.current = client;
+    this.begun = client.start();
     try {
-      await this.current.start();
+      await this.begun;
     } catch (error) {
       this.output.error(`the server could not be started: ${String(error)}`);
+      this.ended(client);
     }
+  }
+
+  /**
+   * A server has ended by itself. The next one gets a client of its own: one that lost its server while it
+   * started cannot be used again. Who lost it is told twice, by the connection and by the start.
+   */
+  private ended(client: LanguageClient): void {
+    if (client !== this.current) return;
+    this.current = undefined;
+    if (this.restarts.again()) {
+      this.output.warn('the server has ended; it is started again');
+      void this.start();
+    } else void this.giveUp();
   }
 
   private make(command: string): LanguageClient {
@@ -60,11 +81,18 @@ export class Client implements vscode.Disposable {
       synchronize: { configurationSection: 'proskill' },
       initializationOptions,
       outputChannel: this.output,
-      errorHandler: this.restarts,
+      errorHandler: {
+        error: () => ({ action: ErrorAction.Continue, handled: true }),
+        closed: () => {
+          this.ended(client);
+          return { action: CloseAction.DoNotRestart, handled: true };
+        },
+      },
+      initializationFailedHandler: () => false,
       markdown: { isTrusted: false, supportHtml: false },
     };
     const run = { command, args: ['lsp'] };
-    const client = new LanguageClient('proskill', 'ProSkill', { run, debug: run }, options);
+    const client = new QuietClient('proskill', 'ProSkill', { run, debug: run }, options);
     client.onNotification(protocol.verdicts, (verdicts) => this.news.fire(verdicts));
     client.onDidChangeState(({ newState }) => {
       if (client !== this.current) return;
@@ -86,6 +114,7 @@ export class Client implements vscode.Disposable {
     this.current = undefined;
     if (!client) return;
     try {
+      await this.begun; // until then it cannot be stopped
       await client.dispose(2000);
     } catch {
       // It has ended by itself.
