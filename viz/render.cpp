@@ -1,6 +1,7 @@
 #include "viz/render.h"
 
 #include "viz/dot.h"
+#include "viz/text_layout.h"
 
 #include <graphviz/gvc.h>
 
@@ -17,11 +18,16 @@ extern "C" const char* __lsan_default_suppressions() {
 namespace proskill::viz {
 namespace {
 
-/// One for the whole process, and never freed: from one picture to the next Graphviz compares fonts
-/// with the name of the last one, which it does not keep itself and which would be gone with the
-/// context.
-GVC_t* graphviz() {
-  static GVC_t* const context = gvContext();
+/// One for all that is drawn as pixels, by the fonts of this computer, and one for the rest. They
+/// are never freed: from one picture to the next Graphviz compares fonts with the name of the last
+/// one, which it does not keep itself and which would be gone with the context.
+GVC_t* graphviz(bool pixels) {
+  constexpr int kLoadOthers = 1;
+  if (pixels) {
+    static GVC_t* const context = gvContext();
+    return context;
+  }
+  static GVC_t* const context = gvContextPlugins(textLayoutPlugin(), kLoadOthers);
   return context;
 }
 
@@ -57,17 +63,19 @@ std::unexpected<std::string> failed(const std::string& what) {
 }
 
 std::expected<std::string, std::string> renderBytes(Agraph_t* graph, const char* engine,
-                                                    const char* format) {
-  auto* const context = graphviz();
+                                                    Format format) {
+  const bool pixels = format == Format::Png;
+  const auto* name = pixels ? "png" : "svg";
+  auto* const context = graphviz(pixels);
   if (!context) return failed("Graphviz cannot be started");
   if (gvLayout(context, graph, engine) != 0) return failed("Graphviz cannot place the nodes");
   char* data = nullptr;
   unsigned length = 0;
-  const bool good = gvRenderData(context, graph, format, &data, &length) == 0 && data;
+  const bool good = gvRenderData(context, graph, name, &data, &length) == 0 && data;
   std::string bytes = good ? std::string(data, length) : std::string();
   gvFreeRenderData(data);
   gvFreeLayout(context, graph);
-  if (!good) return failed(std::string("Graphviz cannot write ") + format);
+  if (!good) return failed(std::string("Graphviz cannot write ") + name);
   return bytes;
 }
 
@@ -92,7 +100,7 @@ std::expected<std::string, std::string> render(const Graph& graph, Format format
   if (!drawn) return failed("the graph cannot be read back");
   if (format == Format::Png) setResolution(drawn.get());
   const auto* engine = graph.layout == Layout::Layered ? "dot" : "neato";
-  return renderBytes(drawn.get(), engine, format == Format::Svg ? "svg" : "png");
+  return renderBytes(drawn.get(), engine, format);
 }
 
 } // namespace proskill::viz

@@ -1,9 +1,9 @@
 // Bundles the extension into dist/, and puts beside it what the .vsix carries.
 //   node build.mjs [--server PROGRAM]
-import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { execFileSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import * as esbuild from 'esbuild';
+import { carry } from './server.mjs';
 
 const here = import.meta.dirname;
 const tree = join(here, '..');
@@ -28,11 +28,7 @@ writeFileSync(join(here, 'CHANGELOG.md'),
 
 const at = process.argv.indexOf('--server');
 if (at > 0) {
-  const server = join(here, 'server/linux-x64/proskill');
-  rmSync(server, { force: true });
-  put(process.argv[at + 1], 'server/linux-x64/proskill');
-  execFileSync('strip', [server]);
-  chmodSync(server, 0o755);
+  carry(process.argv[at + 1], join(here, 'server/linux-x64'));
 } else if (!existsSync(join(here, 'server'))) {
   console.log('without a server; it will be looked for in the path');
 }

@@ -48,7 +48,7 @@ export class Client implements vscode.Disposable {
       return this.reportMissing(error instanceof Error ? error.message : String(error));
     }
     this.output.info(`${this.server.command} (${this.server.version})`);
-    const client = this.make(this.server.command);
+    const client = this.make(this.server);
     this.current = client;
     this.begun = client.start();
     try {
@@ -72,7 +72,7 @@ export class Client implements vscode.Disposable {
     } else void this.giveUp();
   }
 
-  private make(command: string): LanguageClient {
+  private make({ command, env }: Server): LanguageClient {
     const options: LanguageClientOptions = {
       documentSelector: [
         { language: 'proskill', scheme: 'file' },
@@ -91,7 +91,7 @@ export class Client implements vscode.Disposable {
       initializationFailedHandler: () => false,
       markdown: { isTrusted: false, supportHtml: false },
     };
-    const run = { command, args: ['lsp'] };
+    const run = { command, args: ['lsp'], options: { env: { ...process.env, ...env } } };
     const client = new QuietClient('proskill', 'ProSkill', { run, debug: run }, options);
     client.onNotification(protocol.verdicts, (verdicts) => this.news.fire(verdicts));
     client.onDidChangeState(({ newState }) => {

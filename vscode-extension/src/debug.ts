@@ -33,7 +33,7 @@ export class Debugging implements vscode.DebugConfigurationProvider, vscode.Debu
   createDebugAdapterDescriptor(): vscode.DebugAdapterDescriptor {
     const { server } = this.client;
     if (!server) throw new Error('The ProSkill server does not run. See the output "ProSkill".');
-    return new vscode.DebugAdapterExecutable(server.command, ['dap']);
+    return new vscode.DebugAdapterExecutable(server.command, ['dap'], { env: server.env as { [name: string]: string } });
   }
 
   /** Replays the trace of a property. */

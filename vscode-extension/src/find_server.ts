@@ -1,20 +1,28 @@
 import { execFile } from 'node:child_process';
 import { accessSync, constants } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import * as vscode from 'vscode';
 
-export interface Server {
-  command: string;
+export interface Server extends Program {
   /** what it says of itself, such as `proskill 0.1.0` */
   version: string;
 }
+interface Program {
+  command: string;
+  /** what its environment has besides ours */
+  env: NodeJS.ProcessEnv;
+}
 
 /** Where a server may be, best first: what the user says, what the extension carries, the path. */
-export function candidates(extensionPath: string): string[] {
+export function candidates(extensionPath: string): Program[] {
+  const plain = (command: string): Program => ({ command, env: {} });
   const chosen = vscode.workspace.getConfiguration('proskill').get<string>('server.path', '').trim();
-  if (chosen) return [chosen];
+  if (chosen) return [plain(chosen)];
   const carried = join(extensionPath, 'server', `${process.platform}-${process.arch}`, 'proskill');
-  return isThere(carried) ? [carried, 'proskill'] : ['proskill'];
+  if (!isThere(carried)) return [plain('proskill')];
+  // Some small computers lack libraries that all others have in the version that fits them best.
+  const fallback = join(dirname(carried), 'fallback');
+  return [plain(carried), { command: carried, env: { LD_LIBRARY_PATH: fallback } }, plain('proskill')];
 }
 
 function isThere(file: string): boolean {
@@ -27,24 +35,31 @@ function isThere(file: string): boolean {
 }
 
 /** The version of a program; an error says why it cannot be run, such as a library that is missing. */
-function versionOf(command: string): Promise<string> {
+function versionOf({ command, env }: Program): Promise<string> {
   return new Promise((resolve, reject) => {
-    execFile(command, ['--version'], { timeout: 10_000 }, (error, stdout, stderr) => {
-      if (error) reject(new Error(stderr.trim().split('\n')[0] || error.message));
+    execFile(command, ['--version'], { timeout: 10_000, env: { ...process.env, ...env } }, (error, stdout, stderr) => {
+      if (error) reject(new Error(inWords(stderr.trim().split('\n')[0] || error.message)));
       else resolve(stdout.trim().split('\n')[0] ?? '');
     });
   });
 }
 
+/** What the loader of programs says, for those who have never met it. */
+function inWords(complaint: string): string {
+  if (/GLIBC_[\d.]+' not found/.test(complaint)) return `it needs a newer Linux: Ubuntu 22.04, Debian 12, or later. (${complaint})`;
+  const missing = /error while loading shared libraries: ([^:]+)/.exec(complaint);
+  return missing ? `the library ${missing[1]} is missing; the package of your Linux that has it has to be installed. (${complaint})` : complaint;
+}
+
 /** The first server that can be run; an error tells of each that cannot. */
 export async function findServer(extensionPath: string): Promise<Server> {
   const failures: string[] = [];
-  for (const command of candidates(extensionPath)) {
+  for (const program of candidates(extensionPath)) {
     try {
-      return { command, version: await versionOf(command) };
+      return { ...program, version: await versionOf(program) };
     } catch (error) {
-      failures.push(`${command}: ${error instanceof Error ? error.message : String(error)}`);
+      failures.push(`${program.command}: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
-  throw new Error(failures.join('\n'));
+  throw new Error([...new Set(failures)].join('\n'));
 }
