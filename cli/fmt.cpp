@@ -3,6 +3,7 @@
 #include "cli/disk.h"
 #include "cli/output.h"
 #include "cli/unified_diff.h"
+#include "ide/fiacre_file.h"
 #include "syntax/format.h"
 
 #include <CLI/CLI.hpp>
@@ -55,21 +56,43 @@ int writeBack(const std::string& file, const std::string& text) {
   return failure ? fail(*failure) : kDone;
 }
 
+/// A text, and what lays it out.
+struct Layout {
+  syntax::Document document;
+  std::vector<syntax::TextEdit> edits;
+};
+
+Layout layOut(const std::string& file, std::string text) {
+  auto document = syntax::Document::parse(std::move(text));
+  auto edits = syntax::format(document);
+  tellUntouched(file, document);
+  if (edits.empty()) return {std::move(document), {}};
+  const auto result = syntax::applyEdits(document.text(), edits);
+  if (!syntax::sameTokens(document, syntax::Document::parse(result)))
+    throw std::logic_error("laying out `" + file + "` would change more than white space");
+  return {std::move(document), std::move(edits)};
+}
+
+/// Fiacre that cannot be read is left as it is, all of it.
+Layout layOutFiacre(const std::string& file, std::string text) {
+  auto edits = ide::formatFiacre(text);
+  if (!edits)
+    std::cerr << file << ": left as it is: run `proskill check` to see what is wrong with it\n";
+  return {syntax::Document::parse(std::move(text)),
+          edits.value_or(std::vector<syntax::TextEdit>{})};
+}
+
 int formatFile(const Arguments& arguments, const std::string& file) {
   auto text = readFile(file);
   if (!text) return fail("cannot read `" + file + "`: " + text.error());
-  auto document = syntax::Document::parse(std::move(*text));
-  auto edits = syntax::format(document);
-  tellUntouched(file, document);
+  const auto [document, edits] =
+      ide::isFiacre(file) ? layOutFiacre(file, std::move(*text)) : layOut(file, std::move(*text));
   if (arguments.diff) std::cout << unifiedDiff(file, document, edits);
   if (arguments.check && !edits.empty() && !arguments.diff) std::cout << file << '\n';
   if (arguments.check || arguments.diff)
     return arguments.check && !edits.empty() ? kNotLaidOut : kDone;
   if (edits.empty() && file != "-") return kDone;
-  auto result = syntax::applyEdits(document.text(), edits);
-  if (!syntax::sameTokens(document, syntax::Document::parse(result)))
-    throw std::logic_error("laying out `" + file + "` would change more than white space");
-  return writeBack(file, result);
+  return writeBack(file, syntax::applyEdits(document.text(), edits));
 }
 
 int run(const Arguments& arguments) {
@@ -83,7 +106,8 @@ int run(const Arguments& arguments) {
 
 void addFmt(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand("fmt", "Lay out programs in the one style that there is");
+  auto* command = app.add_subcommand(
+      "fmt", "Lay out programs and Fiacre (.fcr) in the one style that there is");
   command->add_option("file", arguments->files, "Files; - for standard input to standard output")
       ->required();
   command->add_flag("--check", arguments->check,

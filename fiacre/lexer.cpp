@@ -20,7 +20,8 @@ bool isWord(char c) {
 
 class Lexer {
 public:
-  Lexer(std::string_view read, std::vector<SyntaxProblem>& found) : text(read), problems(found) {}
+  Lexer(std::string_view read, std::vector<SyntaxProblem>& found, bool keep)
+      : text(read), problems(found), keepComments(keep) {}
 
   std::vector<Token> run() {
     while (skipBlank()) next();
@@ -35,13 +36,21 @@ private:
   bool skipBlank() {
     for (;;) {
       while (at < text.size() && isSpace(text[at])) ++at;
+      const auto begin = at;
       if (text.substr(at, 2) == "//")
         at = std::min(text.find('\n', at), text.size());
       else if (text.substr(at, 2) == "/*")
         skipLongComment();
       else
         return at < text.size();
+      if (keepComments) keepComment(begin);
     }
+  }
+
+  void keepComment(std::size_t begin) {
+    auto comment = text.substr(begin, at - begin);
+    while (isSpace(comment.back())) comment.remove_suffix(1);
+    tokens.push_back({TokenKind::Comment, comment, offset(begin)});
   }
 
   void skipLongComment() {
@@ -97,12 +106,18 @@ private:
   std::vector<SyntaxProblem>& problems;
   std::vector<Token> tokens;
   std::size_t at = 0;
+  bool keepComments;
 };
 
 } // namespace
 
 std::vector<Token> tokenize(std::string_view text, std::vector<SyntaxProblem>& problems) {
-  return Lexer(text, problems).run();
+  return Lexer(text, problems, false).run();
+}
+
+std::vector<Token> tokenizeWithComments(std::string_view text) {
+  std::vector<SyntaxProblem> problems;
+  return Lexer(text, problems, true).run();
 }
 
 } // namespace proskill::fiacre

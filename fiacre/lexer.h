@@ -14,7 +14,7 @@ struct SyntaxProblem {
   std::uint32_t end = 0;
 };
 
-enum class TokenKind : std::uint8_t { Name, Number, String, Symbol, End };
+enum class TokenKind : std::uint8_t { Name, Number, String, Symbol, Comment, End };
 
 /// A word or sign of a text, which outlives it.
 struct Token {
@@ -31,5 +31,9 @@ struct Token {
 /// of Fiacre are problems, one for each run of them, and left out.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text,
                                           std::vector<SyntaxProblem>& problems);
+
+/// The same with its comments, those of a line without the white space at its end; an End token is
+/// last.
+[[nodiscard]] std::vector<Token> tokenizeWithComments(std::string_view text);
 
 } // namespace proskill::fiacre

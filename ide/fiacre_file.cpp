@@ -1,6 +1,7 @@
 #include "ide/fiacre_file.h"
 
 #include "fiacre/check.h"
+#include "fiacre/format.h"
 #include "fiacre/parse.h"
 #include "fiacre/print.h"
 #include "syntax/codes.h"
@@ -76,6 +77,14 @@ void addChecks(codegen::Model& model) {
 } // namespace
 
 bool isFiacre(const std::filesystem::path& path) { return path.extension() == ".fcr"; }
+
+std::optional<std::vector<syntax::TextEdit>> formatFiacre(std::string_view text) {
+  const auto changes = fiacre::formatChanges(text);
+  if (!changes) return std::nullopt;
+  std::vector<syntax::TextEdit> edits;
+  for (const auto& change : *changes) edits.push_back({{change.begin, change.end}, change.text});
+  return edits;
+}
 
 FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
   FiacreFile result;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "codegen/model.h"
+#include "syntax/edit.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,8 @@ struct FiacreFile {
 
 /// Reads and checks a text; `path` is what places show. Never fails.
 [[nodiscard]] FiacreFile readFiacre(const std::filesystem::path& path, std::string text);
+
+/// The edits that lay a text of Fiacre out, in its order; nothing where it cannot be read.
+[[nodiscard]] std::optional<std::vector<syntax::TextEdit>> formatFiacre(std::string_view text);
 
 } // namespace proskill::ide

@@ -92,6 +92,26 @@ TEST_CASE("fmt says what it leaves as it is") {
         "standard input:2: left as it is: run `proskill check` to see what is wrong with it\n");
 }
 
+TEST_CASE("fmt lays out Fiacre, and leaves what it cannot read") {
+  const std::string crooked =
+      "process P is states a // one\nfrom a loop component m is par P end m";
+  const std::string straight =
+      "process P is\nstates a // one\n\nfrom a\n    loop\n\ncomponent m is\npar\n    P\nend\n\nm\n";
+  const TemporaryDirectory directory;
+  const auto file = directory.write("m.fcr", crooked);
+  CHECK(fmt({"--check", file}).out == file + "\n");
+  CHECK(fmt({"--diff", file}).out.starts_with("--- " + file));
+  CHECK(fmt({file}).exitCode == 0);
+  CHECK(readFile(file) == straight);
+  CHECK(fmt({"--check", file}).exitCode == 0);
+  const auto broken = directory.write("broken.fcr", "process   P is");
+  const Finished result = fmt({broken});
+  CHECK(result.exitCode == 0);
+  CHECK(result.err ==
+        broken + ": left as it is: run `proskill check` to see what is wrong with it\n");
+  CHECK(readFile(broken) == "process   P is");
+}
+
 TEST_CASE("fmt tells of files that cannot be read") {
   const Finished result = fmt({"no_such_file.proskill"});
   CHECK(result.exitCode == 2);
