@@ -1,6 +1,6 @@
 #include "lsp/run_worker.h"
 
-#include "lsp/child_process.h"
+#include "process/child.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ class Conversation {
 public:
   using Result = std::expected<OrderedJson, WorkerFailure>;
 
-  Conversation(ChildProcess& with, const std::function<void(const WorkerProgress&)>& tell)
+  Conversation(process::Child& with, const std::function<void(const WorkerProgress&)>& tell)
       : child(with), progress(tell) {}
 
   Result hold(std::string_view toSend, const Cancellation& cancellation, double seconds) {
@@ -80,7 +80,7 @@ private:
     result = std::unexpected(WorkerFailure{false, std::move(message)});
   }
 
-  ChildProcess& child;
+  process::Child& child;
   const std::function<void(const WorkerProgress&)>& progress;
   std::string line; ///< as far as it has come
   std::optional<Result> result;
@@ -93,7 +93,7 @@ runWorker(const std::vector<std::string>& command, const WorkerJob& job,
           const Cancellation& cancellation,
           const std::function<void(const WorkerProgress&)>& progress) {
   if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
-  auto child = ChildProcess::start(command);
+  auto child = process::Child::start(command);
   if (!child)
     return std::unexpected(
         WorkerFailure{false, "the process that verifies could not be started: " + child.error()});

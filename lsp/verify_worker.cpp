@@ -1,9 +1,9 @@
 #include "lsp/verify_worker.h"
 
 #include "codegen/model.h"
-#include "lsp/child_process.h"
 #include "lsp/report_json.h"
 #include "lsp/worker_job.h"
+#include "process/child.h"
 
 #include <fmt/format.h>
 
@@ -183,7 +183,7 @@ void work(const WorkerJob& job) {
 int runVerifyWorker() {
   const auto header = readJob();
   if (!header) return kNoJob;
-  if (!dieWithParent(header->parentId)) return kAlone;
+  if (!process::dieWithParent(header->parentId)) return kAlone;
   endWithInput();
   confine(header->job.budget);
   try {

@@ -10,8 +10,8 @@ using lsp::Json;
 
 namespace {
 
-lsp::ChildProcess startAdapter() {
-  auto started = lsp::ChildProcess::start({PROSKILL_PROGRAM, "dap"});
+process::Child startAdapter() {
+  auto started = process::Child::start({PROSKILL_PROGRAM, "dap"});
   REQUIRE(started);
   return std::move(*started);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lsp/child_process.h"
 #include "lsp/framing.h"
 #include "lsp/rpc.h"
+#include "process/child.h"
 
 #include <deque>
 #include <functional>
@@ -41,7 +41,7 @@ private:
   bool pump();
   lsp::Json waitFor(const std::function<bool(const lsp::Json&)>& isIt, const std::string& what);
 
-  lsp::ChildProcess child;
+  process::Child child;
   lsp::FrameReader frames;
   std::deque<lsp::Json> messages;
   std::string unsent;

@@ -1,6 +1,6 @@
-#include "lsp/child_process.h"
 #include "lsp/framing.h"
 #include "lsp/rpc.h"
+#include "process/child.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>
@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  static lsp::ChildProcess started() {
-    auto made = lsp::ChildProcess::start({PROSKILL_PROGRAM, "lsp"});
+  static process::Child started() {
+    auto made = process::Child::start({PROSKILL_PROGRAM, "lsp"});
     REQUIRE(made);
     return std::move(*made);
   }
@@ -86,7 +86,7 @@ private:
     return done.sent;
   }
 
-  lsp::ChildProcess child;
+  process::Child child;
   lsp::FrameReader frames;
   bool ended = false;
 };

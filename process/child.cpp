@@ -1,4 +1,4 @@
-#include "lsp/child_process.h"
+#include "process/child.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace proskill::lsp {
+namespace proskill::process {
 
 namespace {
 
@@ -59,8 +59,7 @@ std::string words(int status) {
 
 } // namespace
 
-std::expected<ChildProcess, std::string>
-ChildProcess::start(const std::vector<std::string>& command) {
+std::expected<Child, std::string> Child::start(const std::vector<std::string>& command) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     return std::unexpected(std::string(std::strerror(errno)));
@@ -72,15 +71,15 @@ ChildProcess::start(const std::vector<std::string>& command) {
   const int error = posix_spawn(&child, arguments[0], &surroundings.actions,
                                 &surroundings.attributes, arguments.data(), environ);
   ::close(ends[1]);
-  if (error == 0) return ChildProcess(child, ends[0]);
+  if (error == 0) return Child(child, ends[0]);
   ::close(ends[0]);
   return std::unexpected(std::string(std::strerror(error)));
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+Child::Child(Child&& other) noexcept
     : pid(std::exchange(other.pid, -1)), socket(std::exchange(other.socket, -1)) {}
 
-ChildProcess::~ChildProcess() {
+Child::~Child() {
   if (socket >= 0) ::close(socket);
   if (pid < 0) return;
   kill(pid, SIGKILL);
@@ -88,8 +87,7 @@ ChildProcess::~ChildProcess() {
   }
 }
 
-ChildProcess::Exchange ChildProcess::exchange(std::string_view toSend,
-                                              std::chrono::milliseconds patience) {
+Child::Exchange Child::exchange(std::string_view toSend, std::chrono::milliseconds patience) {
   Exchange done;
   const short wanted = toSend.empty() ? POLLIN : POLLIN | POLLOUT;
   pollfd end{socket, wanted, 0};
@@ -108,7 +106,7 @@ ChildProcess::Exchange ChildProcess::exchange(std::string_view toSend,
   return done;
 }
 
-std::string ChildProcess::ending() {
+std::string Child::ending() {
   int status = 0;
   constexpr int kTries = 100;
   for (int i = 0; i < kTries; ++i) {
@@ -130,4 +128,4 @@ bool dieWithParent(pid_t parent) {
   return getppid() == parent; // else the parent ended before we asked
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::process

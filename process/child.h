@@ -8,20 +8,20 @@
 
 #include <sys/types.h>
 
-namespace proskill::lsp {
+namespace proskill::process {
 
 /// A program that runs beside this one, with its standard input and output at the other end of a
 /// socket. It never outlives its object: the destructor kills it and waits for its end. Nor does a
 /// child that asks for it (`dieWithParent`) outlive the thread that started it.
-class ChildProcess {
+class Child {
 public:
   /// Starts a program, without a shell; its first word is a path. What went wrong is in words.
-  [[nodiscard]] static std::expected<ChildProcess, std::string>
+  [[nodiscard]] static std::expected<Child, std::string>
   start(const std::vector<std::string>& command);
 
-  ChildProcess(ChildProcess&& other) noexcept;
-  ChildProcess& operator=(ChildProcess&&) = delete;
-  ~ChildProcess();
+  Child(Child&& other) noexcept;
+  Child& operator=(Child&&) = delete;
+  ~Child();
 
   /// What has come and gone within a moment.
   struct Exchange {
@@ -38,7 +38,7 @@ public:
   [[nodiscard]] pid_t id() const { return pid; }
 
 private:
-  ChildProcess(pid_t child, int end) : pid(child), socket(end) {}
+  Child(pid_t child, int end) : pid(child), socket(end) {}
 
   pid_t pid = -1; ///< nothing is left to wait for: -1
   int socket = -1;
@@ -48,4 +48,4 @@ private:
 /// parent has ended already.
 [[nodiscard]] bool dieWithParent(pid_t parent);
 
-} // namespace proskill::lsp
+} // namespace proskill::process
