@@ -1,6 +1,7 @@
 #include "cli/disk.h"
 
 #include "cli/render.h"
+#include "ide/fiacre_file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -57,6 +58,11 @@ fs::path DiskFileSystem::canonical(const fs::path& path) const {
 }
 
 std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour) {
+  if (ide::isFiacre(root)) {
+    std::cerr << "error: `" << root << "` is a model in Fiacre, which only `check`, `verify` and "
+              << "`fmt` read\n";
+    return std::nullopt;
+  }
   const DiskFileSystem disk;
   auto document = disk.document(root);
   if (!document) {

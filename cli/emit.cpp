@@ -16,7 +16,7 @@
 namespace proskill::cli {
 namespace {
 
-enum ExitCode { kWritten = 0, kErrors = 1, kUsage = 2 };
+enum ExitCode { kWritten = 0, kFailed = 2 };
 
 enum class Target : std::uint8_t { Fiacre, HFiacre };
 
@@ -37,18 +37,18 @@ codegen::Edition edition(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
-  if (!program) return kErrors;
+  if (!program) return kFailed;
   auto options = arguments.options;
   options.edition = edition(arguments);
   const auto model = codegen::generate(*program, options);
   if (!model) {
     failGeneration(*program, model.error());
-    return kErrors;
+    return kFailed;
   }
   const auto text = fiacre::print(model->fiacre, {.prove = arguments.prove});
   if (const auto failed = writeOutput(arguments.output, text)) {
     std::cerr << "error: " << *failed << '\n';
-    return kUsage;
+    return kFailed;
   }
   return kWritten;
 }

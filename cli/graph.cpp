@@ -19,7 +19,7 @@
 namespace proskill::cli {
 namespace {
 
-enum ExitCode { kDrawn = 0, kErrors = 1, kUsage = 2 };
+enum ExitCode { kDrawn = 0, kFailed = 2 };
 
 const Choices<viz::Format> kFormats{
     {"dot", viz::Format::Dot}, {"svg", viz::Format::Svg}, {"png", viz::Format::Png}};
@@ -38,7 +38,7 @@ struct Arguments {
 
 int fail(const std::string& message) {
   std::cerr << "error: " << message << '\n';
-  return kUsage;
+  return kFailed;
 }
 
 template <class Value> Choices<std::optional<Value>> optional(const Choices<Value>& choices) {
@@ -123,7 +123,7 @@ std::string listOf(const std::vector<viz::Request>& requests) {
 
 int run(const Arguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
-  if (!program) return kErrors;
+  if (!program) return kFailed;
   const auto requests = choose(*program, arguments);
   if (requests.empty())
     return fail(arguments.name.empty()

@@ -140,14 +140,19 @@ private:
 
   // --- The program
 
-  void addProgram() {
-    const auto* mission = context.plan.mission;
-    begin("program", mission ? actorOf(*mission) : Actor{},
-          mission ? mission->skill().name.range : syntax::Range{});
+  /// Not asked where no skill runs: what does nothing may stop.
+  void addNoDeadlock() {
     fiacre::Pattern deadlock;
     deadlock.kind = PatternKind::DeadlockFree;
     holds("no_deadlock", "", "the program never stops before its mission has ended", Weight::Error,
           std::move(deadlock));
+  }
+
+  void addProgram() {
+    const auto* mission = context.plan.mission;
+    begin("program", mission ? actorOf(*mission) : Actor{},
+          mission ? mission->skill().name.range : syntax::Range{});
+    if (!context.plan.skills.empty()) addNoDeadlock();
     fiacre::Pattern progress;
     progress.kind = PatternKind::Progress;
     holds("time_progress", "", "time can always go on", Weight::Error, std::move(progress));

@@ -13,6 +13,15 @@ constexpr auto kDeclarations = std::to_array<std::string_view>(
     {"const", "type", "channel", "event", "task", "extern", "function", "process", "component",
      "property", "assert", "prove"});
 
+/// What is no Fiacre at all has as many problems as words: nobody reads them all.
+void shorten(std::vector<SyntaxProblem>& problems) {
+  constexpr std::size_t most = 1000;
+  if (problems.size() <= most) return;
+  auto& last = problems[most];
+  last.message = fmt::format("there are {} more mistakes from here on", problems.size() - most);
+  problems.resize(most + 1);
+}
+
 } // namespace
 
 bool Parser::isAtDeclaration() const {
@@ -130,6 +139,7 @@ void Parser::finish() {
                          parsed.program.main),
              token);
   std::ranges::stable_sort(parsed.problems, {}, &SyntaxProblem::begin);
+  shorten(parsed.problems);
 }
 
 Parsed parse(std::string_view text) { return Parser(text).program(); }

@@ -82,8 +82,15 @@ TEST_CASE("emit shows what is wrong with a program, and prints no model") {
   const TemporaryDirectory directory;
   const auto path = directory.write("bad.proskill", "(defskill m :body ((nothing)))\n");
   const auto done = emit({"fiacre", path});
-  CHECK(done.exitCode == 1);
+  CHECK(done.exitCode == 2);
   CHECK(done.out.empty());
   CHECK(contains(done.err, "error[PS"));
   CHECK(contains(done.err, "(nothing)"));
+}
+
+TEST_CASE("a model in Fiacre is no program to emit or draw") {
+  const auto done = emit({"fiacre", PROSKILL_SOURCE_DIR "/examples/fiacre/fischer.fcr"});
+  CHECK(done.exitCode == 2);
+  CHECK(done.out.empty());
+  CHECK(contains(done.err, "is a model in Fiacre"));
 }

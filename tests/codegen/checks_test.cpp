@@ -56,6 +56,14 @@ std::string patternOf(const std::string& property) {
 
 } // namespace
 
+TEST_CASE("what has no skills may stop") {
+  const auto asked = [](const std::string& program) {
+    return std::ranges::count(namesOf(test::modelOf(program)), "program.no_deadlock");
+  };
+  CHECK(asked("(defsv light :states (On Off) :init On)") == 0);
+  CHECK(asked("(defskill go :action (go))") == 1);
+}
+
 TEST_CASE("every part of a program has its default properties") {
   CHECK(namesOf(test::modelOf(kProgram)) ==
         std::vector<std::string>{

@@ -194,6 +194,14 @@ TEST_CASE("a mistake is told at its place, and the rest is read") {
   CHECK(parsed.program.processes.at(0).transitions.size() == 1);
 }
 
+TEST_CASE("of very many mistakes the first thousand are told") {
+  const auto problems = fiacre::parse(repeated("@ ", 5000)).problems;
+  REQUIRE(problems.size() == 1001);
+  CHECK(problems[999].message == "this is no sign of Fiacre");
+  CHECK(problems[1000].message == "there are 4000 more mistakes from here on");
+  CHECK(problems[1000].begin == 2000);
+}
+
 TEST_CASE("an origin is the text's own range") {
   constexpr std::string_view text = "process P is states s from s x := 1; to s";
   const auto parsed = fiacre::parse(text);
