@@ -19,12 +19,16 @@ std::function<void(const verify::Progress&)> ProgressLine::callback() {
 }
 
 void ProgressLine::show(const verify::Progress& progress) {
-  shown = true;
   auto rate = progress.seconds > 0 ? static_cast<double>(progress.classes) / progress.seconds : 0;
-  fmt::print(stderr,
-             "\r\x1b[K{} classes, {} markings, {} waiting, {:.0f} classes/s, {} MiB, {:.0f} s",
-             progress.classes, progress.markings, progress.waiting, rate,
-             progress.bytes / (1024 * 1024), progress.seconds);
+  say(fmt::format("{} classes, {} markings, {} waiting, {:.0f} classes/s, {} MiB, {:.0f} s",
+                  progress.classes, progress.markings, progress.waiting, rate,
+                  progress.bytes / (1024 * 1024), progress.seconds));
+}
+
+void ProgressLine::say(const std::string& line) {
+  if (!terminal) return;
+  shown = true;
+  fmt::print(stderr, "\r\x1b[K{}", line);
   std::fflush(stderr);
 }
 

@@ -3,6 +3,7 @@
 #include "verify/verify.h"
 
 #include <functional>
+#include <string>
 
 namespace proskill::cli {
 
@@ -17,6 +18,9 @@ public:
 
   /// Empty where there is no terminal.
   [[nodiscard]] std::function<void(const verify::Progress&)> callback();
+
+  /// Puts this in place of what stands there; does nothing where there is no terminal.
+  void say(const std::string& line);
 
 private:
   void show(const verify::Progress& progress);

@@ -1,12 +1,15 @@
 #include "cli/verify.h"
 
+#include "cli/difference_report.h"
 #include "cli/disk.h"
 #include "cli/graph_file.h"
+#include "cli/output.h"
 #include "cli/paint.h"
 #include "cli/progress.h"
 #include "cli/render.h"
 #include "cli/report.h"
 #include "cli/save_traces.h"
+#include "cli/tina_backend.h"
 #include "cli/verify_report.h"
 #include "ide/fiacre_file.h"
 
@@ -24,7 +27,7 @@ namespace proskill::cli {
 
 namespace {
 
-enum ExitCode { kGood = 0, kViolated = 1, kUsage = 2, kInconclusive = 3 };
+enum ExitCode { kGood = 0, kViolated = 1, kUsage = 2, kInconclusive = 3, kDiffer = 4 };
 
 enum class Format : std::uint8_t { Text, Json, JUnit, Sarif };
 
@@ -44,6 +47,7 @@ struct Arguments {
   std::vector<std::string> reduce;
   std::string graph;
   verify::GraphKind graphOf = verify::GraphKind::Classes;
+  BackendArguments backend;
   bool strict = false;
   bool expanded = false;
   codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
@@ -52,9 +56,9 @@ struct Arguments {
 /// Set by the first Ctrl-C: what is decided is then reported. The second one kills as usual.
 std::atomic<bool> interrupted{false};
 
-void onInterrupt(int) {
+void onInterrupt(int signal) {
   interrupted = true;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(signal, SIG_DFL);
 }
 
 const std::map<std::string, verify::Reduction> kReductions{
@@ -79,7 +83,7 @@ std::set<verify::Reduction> reductions(const std::vector<std::string>& names) {
   return chosen;
 }
 
-verify::Options engineOptions(const Arguments& arguments, ProgressLine& progress) {
+verify::Options engineOptions(const Arguments& arguments, ProgressLine* progress) {
   verify::Options options;
   options.reductions = reductions(arguments.reduce);
   options.limits.seconds = arguments.timeLimit;
@@ -87,7 +91,7 @@ verify::Options engineOptions(const Arguments& arguments, ProgressLine& progress
   options.limits.classes = arguments.classLimit;
   options.jobs = arguments.jobs;
   options.cancelled = &interrupted;
-  options.progress = progress.callback();
+  if (progress) options.progress = progress->callback();
   return options;
 }
 
@@ -130,18 +134,8 @@ std::optional<std::string> unknownName(const codegen::Model& model,
   return std::nullopt;
 }
 
-int verifyProperties(const Arguments& arguments, const analysis::Program& program,
-                     const codegen::Model& model) {
-  if (auto unknown = unknownName(model, arguments.properties))
-    return fail(fmt::format("no property is called `{}`; `--list` shows their names", *unknown));
-  std::signal(SIGINT, onInterrupt);
-  std::expected<ide::VerificationReport, verify::Unsupported> result;
-  {
-    ProgressLine progress;
-    result = ide::verifyModel(model, arguments.properties, engineOptions(arguments, progress));
-  }
-  if (!result) return failUnsupported(result.error());
-  VerifyReport report{program, model, *result, model.mainSkill};
+/// Prints and saves a finished report. Returns the exit code.
+int deliver(const Arguments& arguments, const VerifyReport& report) {
   write(arguments, report);
   if (!arguments.saveTraces.empty())
     if (auto error = saveTraces(arguments.saveTraces, report)) return fail(*error);
@@ -149,7 +143,66 @@ int verifyProperties(const Arguments& arguments, const analysis::Program& progra
     if (auto error = writeReport(arguments.report, report)) return fail(*error);
   std::cout.flush();
   if (!std::cout) return fail("the report could not be written to standard output");
-  return exitCodeOf(*result, arguments.strict);
+  return exitCodeOf(report.result, arguments.strict);
+}
+
+std::expected<ide::VerificationReport, verify::Unsupported> askEngine(const Arguments& arguments,
+                                                                      const codegen::Model& model) {
+  ProgressLine progress;
+  return ide::verifyModel(model, arguments.properties, engineOptions(arguments, &progress));
+}
+
+int verifyByTina(const Arguments& arguments, const analysis::Program& program,
+                 const codegen::Model& model) {
+  const auto run =
+      runTina(arguments.backend, model, arguments.properties, engineOptions(arguments, nullptr));
+  if (!run) return fail(run.error());
+  if (!run->said) return fail(tina::explain(run->said.error()));
+  return deliver(arguments, {program, model, run->said->report, model.mainSkill, "tina"});
+}
+
+/// What the engine says is the report; what Tina says beside it is a bug of one of them.
+int verifyByBoth(const Arguments& arguments, const analysis::Program& program,
+                 const codegen::Model& model) {
+  const auto options = engineOptions(arguments, nullptr);
+  const auto run = runTina(arguments.backend, model, arguments.properties, options);
+  if (!run) return fail(run.error());
+  const auto engine = askEngine(arguments, model);
+  if (!engine) return failUnsupported(engine.error());
+  const VerifyReport report{program, model, *engine, model.mainSkill, "both"};
+  const int code = deliver(arguments, report);
+  std::vector<Difference> differences;
+  if (run->said)
+    differences = differencesBetween(*engine, run->said->report);
+  else
+    differences.push_back({"", "can be explored", run->said.error().message});
+  if (differences.empty()) {
+    std::cerr << agreement(*engine, run->said->report) << '\n';
+    return code;
+  }
+  const auto file = unusedName(arguments.backend.difference);
+  if (auto problem = writeOutput(file, differenceReport(report, *run, differences)))
+    return fail(*problem);
+  if (!run->said) std::cerr << "error: " << tina::explain(run->said.error()) << '\n';
+  std::cerr << fmt::format("the engine and Tina differ: {}; a bug report is in {}\n",
+                           namesOf(differences), file.string());
+  return kDiffer;
+}
+
+int verifyProperties(const Arguments& arguments, const analysis::Program& program,
+                     const codegen::Model& model) {
+  if (auto unknown = unknownName(model, arguments.properties))
+    return fail(fmt::format("no property is called `{}`; `--list` shows their names", *unknown));
+  std::signal(SIGINT, onInterrupt);
+  if (arguments.backend.backend != Backend::Engine) {
+    std::signal(SIGTERM, onInterrupt); // so that no files are left behind
+    std::signal(SIGHUP, onInterrupt);
+    return arguments.backend.backend == Backend::Tina ? verifyByTina(arguments, program, model)
+                                                      : verifyByBoth(arguments, program, model);
+  }
+  const auto result = askEngine(arguments, model);
+  if (!result) return failUnsupported(result.error());
+  return deliver(arguments, {program, model, *result, model.mainSkill});
 }
 
 int runModel(const Arguments& arguments, bool list, const analysis::Program& program,
@@ -162,7 +215,7 @@ int runModel(const Arguments& arguments, bool list, const analysis::Program& pro
     std::signal(SIGINT, onInterrupt);
     ProgressLine progress;
     return exploreGraph(arguments.graph, arguments.graphOf, model,
-                        engineOptions(arguments, progress));
+                        engineOptions(arguments, &progress));
   }
   return verifyProperties(arguments, program, model);
 }
@@ -237,6 +290,7 @@ void addVerify(CLI::App& app, int& exitCode) {
           std::map<std::string, verify::GraphKind>{{"classes", verify::GraphKind::Classes},
                                                    {"markings", verify::GraphKind::Markings},
                                                    {"untimed", verify::GraphKind::Untimed}}));
+  addBackend(*command, arguments->backend);
   command->add_flag("--strict", arguments->strict, "Warnings make the exit code 1 too");
   command->add_flag("--expanded", arguments->expanded, "Verify the expanded model");
   command->add_option("--sv-automata", arguments->automata, "exact or paper")

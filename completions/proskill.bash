@@ -10,6 +10,7 @@ _proskill_values() {
     'verify --traces') echo 'failed all none' ;;
     'verify --reduce') echo 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation' ;;
     'verify --graph') echo 'counts' ;;
+    'verify --backend') echo 'engine tina both' ;;
     'verify --graph-of') echo 'classes markings untimed' ;;
     *' --sv-automata') echo 'exact paper' ;;
     *' --color') echo 'auto always never' ;;
@@ -24,7 +25,8 @@ _proskill_options() {
     emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
       echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
-            --class-limit --report --reduce --graph --graph-of --strict --expanded --sv-automata --color --help' ;;
+            --class-limit --report --reduce --graph --graph-of --backend --frac --sift --tina --selt --ktzio --cc
+            --fraclib --keep --difference --strict --expanded --sv-automata --color --help' ;;
     graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
     view) echo '--main --port --no-open --time-limit --memory-limit --help' ;;
     lsp) echo '--stdio --port --log --debounce --help' ;;
@@ -48,7 +50,8 @@ _proskill() {
     words="check explain fmt emit verify graph view lsp dap $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
-  elif [ "$previous" = --save-traces ] || [ "$previous" = --report ] || [ "$previous" = --out-dir ]; then
+  elif [ "$previous" = --save-traces ] || [ "$previous" = --report ] || [ "$previous" = --out-dir ] ||
+       [ "$previous" = --keep ] || [ "$previous" = --fraclib ]; then
     mapfile -t COMPREPLY < <(compgen -d -- "$current")
     return
   else

@@ -58,6 +58,16 @@ __proskill_option verify class-limit classes -x
 __proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation'
 __proskill_option verify graph 'write the state graph there, or counts' -r -a counts
 __proskill_option verify graph-of 'what its states are' -x -a 'classes markings untimed'
+__proskill_option verify backend 'who verifies' -x -a 'engine tina both'
+__proskill_option verify frac 'where frac is' -r
+__proskill_option verify sift 'where sift is' -r
+__proskill_option verify tina 'where tina is' -r
+__proskill_option verify selt 'where selt is' -r
+__proskill_option verify ktzio 'where ktzio is' -r
+__proskill_option verify cc 'a compiler of C' -r
+__proskill_option verify fraclib 'headers of frac' -x -a '(__fish_complete_directories)'
+__proskill_option verify keep 'leave the files of Tina there' -x -a '(__fish_complete_directories)'
+__proskill_option verify difference 'write what differs there' -r
 __proskill_option verify strict 'warnings count'
 __proskill_option graph kind 'what to draw' -x -a 'sv skill body calls'
 __proskill_option graph name 'which state variable or skill' -x

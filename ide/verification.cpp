@@ -101,22 +101,31 @@ bool selects(const std::vector<std::string>& names, const codegen::Check& check)
   });
 }
 
+Asked askedOf(const codegen::Model& model, const std::vector<std::string>& names) {
+  Asked asked;
+  for (const auto& check : model.checks)
+    if (selects(names, check)) {
+      asked.checks.push_back(&check);
+      asked.questions.push_back({check.property});
+    }
+  return asked;
+}
+
+VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
+                            const verify::Result& result) {
+  VerificationReport report{{}, result.exploration};
+  for (std::size_t i = 0; i < asked.checks.size(); ++i)
+    report.rows.push_back(row(*asked.checks[i], result.answers[i], model));
+  return report;
+}
+
 std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
             const verify::Options& options) {
-  std::vector<const codegen::Check*> asked;
-  std::vector<verify::Question> questions;
-  for (const auto& check : model.checks)
-    if (selects(names, check)) {
-      asked.push_back(&check);
-      questions.push_back({check.property});
-    }
-  auto result = verify::verify(model.fiacre, model.provenance, questions, options);
+  const auto asked = askedOf(model, names);
+  auto result = verify::verify(model.fiacre, model.provenance, asked.questions, options);
   if (!result) return std::unexpected(result.error());
-  VerificationReport report{{}, result->exploration};
-  for (std::size_t i = 0; i < asked.size(); ++i)
-    report.rows.push_back(row(*asked[i], result->answers[i], model));
-  return report;
+  return reportOf(model, asked, *result);
 }
 
 } // namespace proskill::ide

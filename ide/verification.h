@@ -72,6 +72,17 @@ struct VerificationReport {
 /// `takeoff.can_succeed.at_altitude`.
 [[nodiscard]] bool selects(const std::vector<std::string>& names, const codegen::Check& check);
 
+/// Selected checks of a model, in the model's order, and the question of each.
+struct Asked {
+  std::vector<const codegen::Check*> checks; ///< live in the model
+  std::vector<verify::Question> questions;
+};
+[[nodiscard]] Asked askedOf(const codegen::Model& model, const std::vector<std::string>& names);
+
+/// The verdicts that answers to these questions are, whoever gave them.
+[[nodiscard]] VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
+                                          const verify::Result& result);
+
 /// Verdicts on the selected checks of the model, in the model's order, from one exploration.
 [[nodiscard]] std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,

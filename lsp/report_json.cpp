@@ -88,6 +88,7 @@ Json reportJson(const VerifyReport& report) {
             {"program", report.program.files.front().path.string()},
             {"main", report.mainSkill.empty() ? Json() : Json(report.mainSkill)},
             {"unit", secondsJson(report.model.unit)}};
+  if (!report.backend.empty()) json["backend"] = report.backend;
   json["properties"] = Json::array();
   for (const auto& row : report.result.rows)
     json["properties"].push_back(propertyJson(report.program, row));

@@ -15,6 +15,7 @@ struct VerifyReport {
   const codegen::Model& model;
   const ide::VerificationReport& result;
   std::string mainSkill; ///< empty: a library of skills
+  std::string backend{}; ///< who verified: `tina`, `both`; empty: the engine alone
 };
 
 [[nodiscard]] OrderedJson reportJson(const VerifyReport& report);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <expected>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace proskill::process {
+
+/// A program to be run to its end. It reads nothing; what it says is kept.
+struct Job {
+  std::vector<std::string> command; ///< the first word is a path; no shell reads any of it
+  std::filesystem::path directory;  ///< where it runs
+  std::optional<double> seconds;
+  std::optional<std::uint64_t> memory; ///< bytes of address space, for each of its processes
+  std::uint64_t mostOutput = std::uint64_t{16} << 20; ///< bytes; a program that says more is ended
+  const std::atomic<bool>* cancelled = nullptr;
+  /// Called a few times a second with the seconds so far and the last line that it said.
+  std::function<void(double, std::string_view)> progress;
+};
+
+enum class Ending : std::uint8_t { Exited, Signalled, TimedOut, Cancelled, TooMuchOutput };
+
+struct Finished {
+  Ending ending = Ending::Exited;
+  int code = 0; ///< of its exit, or of the signal
+  std::string out;
+  std::string err;
+  double seconds = 0;
+
+  [[nodiscard]] bool succeeded() const { return ending == Ending::Exited && code == 0; }
+  /// "ended with exit code 1", "was ended by signal 9 (Killed)".
+  [[nodiscard]] std::string words() const;
+};
+
+/// Runs a program. When this returns, neither it nor any process that it started is left, wherever
+/// they went; nor when this process itself is killed. What kept it from starting is in words.
+[[nodiscard]] std::expected<Finished, std::string> run(const Job& job);
+
+} // namespace proskill::process

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "tina/ktz_text.h"
+#include "tina/names.h"
+#include "verify/compile.h"
+#include "verify/witness.h"
+
+#include <memory>
+
+namespace proskill::tina {
+
+/// Takes what Tina tells of runs back to the model: follows it step by step in the model's own
+/// transition system, so that a trace has dates and was replayed, like one that the engine found.
+class Guide {
+public:
+  /// \pre the arguments outlive this
+  [[nodiscard]] static std::expected<std::unique_ptr<Guide>, verify::Unsupported>
+  make(const fiacre::Program& program, const fiacre::Provenance& provenance,
+       const std::vector<verify::Question>& questions);
+
+  /// Whether the engine itself can tell that a run violates the property.
+  [[nodiscard]] bool judges(std::size_t question) const {
+    const auto kind = goals[question].kind;
+    return kind == verify::GoalKind::Events || kind == verify::GoalKind::Condition ||
+           kind == verify::GoalKind::Deadlock;
+  }
+
+  /// The trace along these transitions, up to where the property is violated; to their end where
+  /// the engine cannot judge. Why there is none, in words.
+  [[nodiscard]] std::expected<verify::Trace, std::string>
+  follow(std::size_t question, const std::vector<std::string>& transitions) const;
+
+  /// A shortest way in a graph to where the property is violated; nothing where there is none.
+  /// \pre judges(question)
+  [[nodiscard]] std::expected<std::optional<verify::Trace>, std::string>
+  search(std::size_t question, const KtzGraph& graph) const;
+
+private:
+  Guide(verify::Compiled compiled, const fiacre::Provenance& provenance, const std::string& main);
+
+  struct Node {
+    std::vector<verify::Word> state;
+    std::uint32_t parent = verify::kNone;
+    verify::TransitionId transition = verify::kNone;
+  };
+  struct Taken {
+    verify::TransitionId transition = verify::kNone;
+    bool exact = false; ///< its number, too, is the one in the name
+    std::vector<verify::Word> state;
+    verify::Bits events;
+  };
+
+  [[nodiscard]] std::vector<Taken> possible(const std::vector<verify::Word>& state,
+                                            const std::vector<Names::Part>& parts) const;
+  [[nodiscard]] bool maySee(const verify::Goal& goal, const std::vector<verify::Word>& before,
+                            const std::vector<verify::Word>& after,
+                            const verify::Bits& events) const;
+  [[nodiscard]] std::expected<verify::Trace, std::string>
+  follow(const verify::Goal& goal, const std::vector<std::vector<Names::Part>>& steps, bool toEnd,
+         bool exactly) const;
+  [[nodiscard]] bool agrees(const std::vector<verify::Word>& state, const KtzGraph& graph,
+                            std::uint32_t node) const;
+  [[nodiscard]] static verify::Steps wayTo(const std::vector<Node>& nodes, std::uint32_t node);
+
+  std::vector<verify::Goal> goals;
+  verify::Goal anything; ///< is seen everywhere
+  verify::System system;
+  verify::Enabling enabling;
+  Names names;
+  verify::Reductions none;
+  verify::Witness witness;
+};
+
+} // namespace proskill::tina

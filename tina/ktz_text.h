@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace proskill::tina {
+
+/// A state graph as `ktzio` writes it.
+struct KtzGraph {
+  struct State {
+    /// Places and variables with their values, by number in `properties`.
+    std::vector<std::pair<std::uint32_t, std::int64_t>> has;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; ///< label and target
+  };
+  std::vector<std::string> properties;
+  std::vector<std::string> labels;
+  std::vector<State> states; ///< 0 is the initial one
+};
+
+/// Reads it; what is wrong with it, and in which line, in words. The numbers of states and edges
+/// that it announces have to be right, so that half a file is noticed.
+[[nodiscard]] std::expected<KtzGraph, std::string> readKtzText(std::istream& in);
+
+} // namespace proskill::tina

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "verify/system.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace proskill::tina {
+
+/// What the names in the output of Tina stand for in a model. Both spellings of the names of
+/// processes are known: whether frac doubles the underscores in them is not certain.
+class Names {
+public:
+  /// \pre `system` outlives this \param main the name of the main component
+  Names(const verify::System& system, const std::string& main);
+
+  /// An instance's share in a transition: `J` of `PROCESS_K_tJ`.
+  struct Part {
+    verify::InstanceId instance = 0;
+    std::uint32_t leaf = 0;
+    friend auto operator<=>(const Part&, const Part&) = default;
+  };
+  /// The parts of a transition, by instance; nothing where it is not one of the model's.
+  [[nodiscard]] std::optional<std::vector<Part>> transition(std::string_view name) const;
+
+  struct Place {
+    verify::InstanceId instance = 0;
+    std::uint32_t location = 0;
+  };
+  [[nodiscard]] std::optional<Place> place(std::string_view name) const;
+  [[nodiscard]] std::optional<verify::CellId> variable(std::string_view name) const;
+
+private:
+  template <class Thing> using Table = std::map<std::string, std::optional<Thing>, std::less<>>;
+
+  bool parts(std::string_view name, std::vector<Part>& found) const;
+
+  Table<verify::InstanceId> instances; ///< nothing: the spelling is of several
+  Table<Place> places;
+  Table<verify::CellId> variables;
+};
+
+} // namespace proskill::tina

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "verify/verify.h"
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the tools write, as far as docs/tina.md knows it. What does not look as it should is
+/// nothing, never a guess.
+namespace proskill::tina {
+
+/// The formulas that frac makes of a model's properties (`model.ltl`).
+struct LtlFile {
+  std::string definitions;          ///< `op name = …;`, the prelude among them
+  std::vector<std::string> queries; ///< one for each `assert`, in order, without its `;`
+};
+[[nodiscard]] LtlFile readLtl(std::string_view text);
+
+/// The four counts that sift and tina end with.
+[[nodiscard]] std::optional<verify::Exploration> readCounts(std::string_view output);
+
+/// The verdicts of selt, in the order of the formulas; nothing where there are not just so many.
+[[nodiscard]] std::optional<std::vector<bool>> readVerdicts(std::string_view output,
+                                                            std::size_t expected);
+
+/// The transitions of a scenario (`.scn`), without their dates; nothing where there is none.
+[[nodiscard]] std::optional<std::vector<std::string>> readScenario(std::string_view text);
+
+/// The transitions in a counterexample as selt prints it: lines `-NAME … ->`.
+[[nodiscard]] std::vector<std::string> readCounterexample(std::string_view output);
+
+} // namespace proskill::tina

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <expected>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace proskill::tina {
+
+/// A fresh directory to run the tools in. It is gone with the object, unless it is to be kept.
+class Workspace {
+public:
+  /// \param keep a directory of the user's that is not there yet, or empty; nothing: a temporary
+  /// one. What is wrong, in words.
+  [[nodiscard]] static std::expected<Workspace, std::string>
+  make(const std::optional<std::filesystem::path>& keep);
+
+  Workspace(Workspace&& other) noexcept;
+  Workspace& operator=(Workspace&&) = delete;
+  ~Workspace();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return root; }
+  /// What went wrong, in words, or nothing.
+  [[nodiscard]] std::optional<std::string> write(const std::string& name,
+                                                 std::string_view text) const;
+  /// Nothing where it cannot be read.
+  [[nodiscard]] std::optional<std::string> read(const std::string& name) const;
+
+private:
+  Workspace(std::filesystem::path at, bool toKeep) : root(std::move(at)), kept(toKeep) {}
+
+  std::filesystem::path root;
+  bool kept = false;
+};
+
+} // namespace proskill::tina
