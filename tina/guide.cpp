@@ -90,10 +90,14 @@ bool Guide::maySee(const Goal& goal, const std::vector<Word>& before,
   }
 }
 
+bool Guide::seesAtOnce(const Goal& goal, const std::vector<Word>& first) const {
+  return goal.initially || maySee(goal, first, first, {});
+}
+
 verify::Steps Guide::wayTo(const std::vector<Node>& nodes, std::uint32_t node) {
   verify::Steps steps;
   for (; nodes[node].parent != kNone; node = nodes[node].parent)
-    steps.push_back(nodes[node].transition);
+    if (nodes[node].transition != kNone) steps.push_back(nodes[node].transition);
   std::ranges::reverse(steps);
   return steps;
 }
@@ -101,11 +105,15 @@ verify::Steps Guide::wayTo(const std::vector<Node>& nodes, std::uint32_t node) {
 std::expected<verify::Trace, std::string>
 Guide::follow(std::size_t question, const std::vector<std::string>& transitions) const {
   std::vector<std::vector<Names::Part>> steps;
+  std::string unknown;
   for (std::size_t i = 0; i < transitions.size(); ++i) {
-    auto parts = names.transition(transitions[i]);
-    if (!parts)
-      return std::unexpected(stepWords(i, transitions[i]) + "is no transition of the model");
-    steps.push_back(std::move(*parts));
+    if (auto parts = names.transition(transitions[i])) {
+      steps.push_back(std::move(*parts));
+      continue;
+    }
+    if (unknown.empty()) unknown = stepWords(i, transitions[i]) + "is no transition of the model";
+    // A step of an observer's alone is none of the model's.
+    if (auto some = names.partsWithin(transitions[i]); !some.empty()) steps.push_back(some);
   }
   const bool judged = judges(question);
   const Goal& goal = judged ? goals[question] : anything;
@@ -113,7 +121,8 @@ Guide::follow(std::size_t question, const std::vector<std::string>& transitions)
   auto strict = follow(goal, steps, !judged, true);
   if (strict) return strict;
   auto lenient = follow(goal, steps, !judged, false);
-  return lenient ? lenient : strict;
+  if (lenient) return lenient;
+  return unknown.empty() ? strict : std::unexpected(unknown);
 }
 
 std::expected<verify::Trace, std::string>
@@ -127,7 +136,7 @@ Guide::follow(const Goal& goal, const std::vector<std::vector<Names::Part>>& ste
     if (!trace) why = trace.error();
     return trace;
   };
-  if ((toEnd ? steps.empty() : maySee(goal, nodes[0].state, nodes[0].state, {})))
+  if (toEnd ? steps.empty() : seesAtOnce(goal, nodes[0].state))
     if (auto trace = attempt(0)) return trace;
   std::vector<std::uint32_t> here{0};
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -185,14 +194,13 @@ Guide::search(std::size_t question, const KtzGraph& graph) const {
     if (!made) return std::unexpected(made.error());
     return std::move(*made);
   };
-  if (maySee(goal, nodes[0].state, nodes[0].state, {})) return trace(0);
+  if (seesAtOnce(goal, nodes[0].state)) return trace(0);
   for (std::uint32_t at = 0; at < nodes.size(); ++at) {
     const auto before = nodes[at].state;
     for (const auto& [label, target] : graph.states[stateOf[at]].edges) {
       const auto& name = graph.labels[label];
-      const auto parts = names.transition(name);
-      if (!parts) return std::unexpected("`" + name + "` is no transition of the model");
-      auto all = possible(before, *parts);
+      const auto parts = names.transition(name).value_or(names.partsWithin(name));
+      auto all = parts.empty() ? std::vector<Taken>{{.state = before}} : possible(before, parts);
       auto found = std::ranges::find_if(all, [&, target = target](const Taken& taken) {
         return agrees(taken.state, graph, target);
       });
@@ -200,7 +208,7 @@ Guide::search(std::size_t question, const KtzGraph& graph) const {
         return std::unexpected("`" + name +
                                "` is not possible in the model where the graph has it, in state " +
                                std::to_string(stateOf[at]));
-      const bool seen = maySee(goal, before, found->state, found->events);
+      const bool seen = !parts.empty() && maySee(goal, before, found->state, found->events);
       if (nodeOf[target] != kNone && !seen) continue;
       const auto node = static_cast<std::uint32_t>(nodes.size());
       nodes.push_back({std::move(found->state), at, found->transition});

@@ -55,6 +55,8 @@ private:
   [[nodiscard]] bool maySee(const verify::Goal& goal, const std::vector<verify::Word>& before,
                             const std::vector<verify::Word>& after,
                             const verify::Bits& events) const;
+  [[nodiscard]] bool seesAtOnce(const verify::Goal& goal,
+                                const std::vector<verify::Word>& first) const;
   [[nodiscard]] std::expected<verify::Trace, std::string>
   follow(const verify::Goal& goal, const std::vector<std::vector<Names::Part>>& steps, bool toEnd,
          bool exactly) const;

@@ -71,22 +71,44 @@ std::optional<std::vector<Names::Part>> Names::transition(std::string_view name)
   return found;
 }
 
+/// The part that a name begins with, whose `_t` stands at `mark`.
+std::optional<Names::Prefix> Names::partAt(std::string_view name, std::size_t mark) const {
+  const auto instance = instances.find(name.substr(0, mark));
+  if (instance == instances.end() || !instance->second) return std::nullopt;
+  std::uint32_t leaf = 0;
+  const auto* last = name.data() + name.size();
+  const auto read = std::from_chars(name.data() + mark + 2, last, leaf);
+  if (read.ec != std::errc{} || (read.ptr != last && *read.ptr != '_')) return std::nullopt;
+  return Prefix{{*instance->second, leaf}, static_cast<std::size_t>(read.ptr - name.data())};
+}
+
 /// Cuts `A_1_t0_B_2_t3` behind each `_t` and number, where what is before it is an instance.
 bool Names::parts(std::string_view name, std::vector<Part>& found) const {
   for (auto at = name.find("_t"); at != std::string_view::npos; at = name.find("_t", at + 1)) {
-    const auto instance = instances.find(name.substr(0, at));
-    if (instance == instances.end() || !instance->second) continue;
-    std::uint32_t leaf = 0;
-    const auto* first = name.data() + at + 2;
-    const auto* last = name.data() + name.size();
-    const auto read = std::from_chars(first, last, leaf);
-    if (read.ec != std::errc{} || (read.ptr != last && *read.ptr != '_')) continue;
-    found.push_back({*instance->second, leaf});
-    if (read.ptr == last) return true;
-    if (parts({read.ptr + 1, last}, found)) return true;
+    const auto prefix = partAt(name, at);
+    if (!prefix) continue;
+    found.push_back(prefix->part);
+    if (prefix->length == name.size()) return true;
+    if (parts(name.substr(prefix->length + 1), found)) return true;
     found.pop_back();
   }
   return false;
+}
+
+std::vector<Names::Part> Names::partsWithin(std::string_view name) const {
+  std::vector<Part> found;
+  name = unquoted(name);
+  while (!name.empty()) {
+    std::optional<Prefix> prefix;
+    for (auto at = name.find("_t"); at != std::string_view::npos && !prefix;
+         at = name.find("_t", at + 1))
+      prefix = partAt(name, at);
+    if (prefix) found.push_back(prefix->part);
+    const auto end = prefix ? prefix->length : name.find('_');
+    name.remove_prefix(end >= name.size() ? name.size() : end + 1);
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 std::optional<Names::Place> Names::place(std::string_view name) const { return find(places, name); }

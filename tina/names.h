@@ -25,6 +25,10 @@ public:
   /// The parts of a transition, by instance; nothing where it is not one of the model's.
   [[nodiscard]] std::optional<std::vector<Part>> transition(std::string_view name) const;
 
+  /// The parts that are the model's where others are not, by instance: frac adds processes that
+  /// observe timed properties. None where nothing is the model's.
+  [[nodiscard]] std::vector<Part> partsWithin(std::string_view name) const;
+
   struct Place {
     verify::InstanceId instance = 0;
     std::uint32_t location = 0;
@@ -36,6 +40,11 @@ private:
   template <class Thing> using Table = std::map<std::string, std::optional<Thing>, std::less<>>;
 
   bool parts(std::string_view name, std::vector<Part>& found) const;
+  struct Prefix {
+    Part part;
+    std::size_t length = 0;
+  };
+  [[nodiscard]] std::optional<Prefix> partAt(std::string_view name, std::size_t mark) const;
 
   Table<verify::InstanceId> instances; ///< nothing: the spelling is of several
   Table<Place> places;

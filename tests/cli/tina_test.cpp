@@ -96,8 +96,27 @@ TEST_CASE("verify --backend tina says what is missing, and runs nothing") {
              Catch::Contains("`selt` is missing: the model checker of the Tina toolbox, "
                              "https://projects.laas.fr/tina/"));
   CHECK_FALSE(std::filesystem::exists(scene.tools.path("ran")));
-  const auto named = scene.verify({"--backend", "tina", "--selt", "/no/such/selt"});
-  CHECK_THAT(named.err, Catch::Contains("`/no/such/selt` is no program that can be run"));
+  const auto named =
+      scene.verify({"--backend", "tina", "--selt", "/no/such/selt", "--cc", "no-such-cc"});
+  CHECK_THAT(named.err, Catch::Contains("`/no/such/selt` is no program that can be run") &&
+                            Catch::Contains("`cc` is missing: `no-such-cc` is no program"));
+}
+
+TEST_CASE("verify --backend tina is for models in Fiacre, too") {
+  StandIns tools;
+  const TemporaryDirectory files;
+  const auto model = files.write("m.fcr", "process p is states a, b from a to b\n"
+                                          "component main is par * in p end main\n"
+                                          "property q is absent main/1/state b\nassert q\n");
+  tools.formulas("op q = x;\nq;\n");
+  tools.verdicts("FALSE\n");
+  tools.counterexample("p_1_t0@7\n", "");
+  const auto result =
+      run({PROSKILL_PROGRAM, "verify", model, "--backend", "tina", "--cc", tools.path("cc")},
+          {.environment = {tools.searchPath()}});
+  INFO(result.err);
+  CHECK(result.exitCode == 1);
+  CHECK_THAT(result.out, Catch::Contains(model + ":1:"));
 }
 
 TEST_CASE("verify --backend tina takes what is not understood for an error, with the output") {

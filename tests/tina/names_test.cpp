@@ -36,6 +36,9 @@ main)");
   CHECK(names.transition("{A_1_t5}") == Parts{{1, 5}});
   for (const auto* odd : {"", "A", "A_1", "A_1_t", "A_1_tx", "A_3_t0", "A_1_t0_", "A_1_t0x"})
     CHECK_FALSE(names.transition(odd).has_value());
+  CHECK(names.partsWithin("obs_1_t3_A_1_t5_other_2_t0") == Parts{{1, 5}});
+  CHECK(names.partsWithin("A__b_2_t1_obs_1_t0_A_1_t5") == Parts{{1, 5}, {2, 1}});
+  CHECK(names.partsWithin("obs_1_t3").empty());
   REQUIRE(names.place("A__b_2_ss__1").has_value());
   CHECK(names.place("A__b_2_ss__1")->instance == 2);
   CHECK(names.place("A_b_2_st")->location == 1);
