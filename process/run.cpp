@@ -157,7 +157,8 @@ private:
       if (all[1].fd < 0) err.closeReading();
       if (supervisor > 0) break;
     }
-    if (job.progress && supervisor > 0) {
+    if (job.progress && supervisor > 0 && seconds() >= nextProgress) {
+      nextProgress = seconds() + kPatience / 1000.0;
       const auto& said = finished.out.empty() ? finished.err : finished.out;
       job.progress(seconds(), lastLine(said));
     }
@@ -191,6 +192,7 @@ private:
   bool isTold = false;
   Finished finished;
   Clock::time_point started = Clock::now();
+  double nextProgress = 0;
 };
 
 } // namespace

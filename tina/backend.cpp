@@ -34,10 +34,14 @@ bool hasPriorities(const fiacre::Program& program) {
          });
 }
 
-/// The model with an `assert` for each property that is asked for, and for no other.
+/// The model with the properties that are asked for, and no other: frac would observe those, too.
 fiacre::Program asking(fiacre::Program program, const std::vector<verify::Question>& questions) {
-  for (auto& property : program.properties) property.asserted = false;
-  for (const auto& question : questions) program.properties[question.property].asserted = true;
+  std::vector<fiacre::Property> asked;
+  for (const auto& question : questions) {
+    asked.push_back(program.properties[question.property]);
+    asked.back().asserted = true;
+  }
+  program.properties = std::move(asked);
   return program;
 }
 

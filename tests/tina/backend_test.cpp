@@ -352,6 +352,21 @@ TEST_CASE("files are kept where that is asked for, in a fresh directory") {
   CHECK_THAT(scene.failure(options).message, Catch::Contains("is not empty"));
 }
 
+TEST_CASE("the tools are asked the questions alone, and answers are given to the right ones") {
+  Scene scene;
+  scene.programs.formulas("op small = [] s;\nop ends = [] - e;\nsmall;\nends;\n");
+  scene.programs.verdicts("TRUE\nFALSE\n");
+  tina::Options options;
+  options.tools = toolsOf(scene.programs);
+  const auto outcome =
+      tina::verify(scene.parsed.program, scene.parsed.provenance, {{2}, {1}}, options);
+  if (!outcome) FAIL(tina::explain(outcome.error()));
+  CHECK(outcome->result.answers[0].truth == Truth::False);
+  CHECK(outcome->result.answers[1].truth == Truth::True);
+  CHECK(outcome->model.find("impossible") == std::string::npos);
+  CHECK(outcome->model.find("assert small") < outcome->model.find("assert ends"));
+}
+
 TEST_CASE("what is missing is said, each with how to get it") {
   StandIns programs;
   const auto find = [&](const tina::ToolChoice& choice) {
