@@ -135,6 +135,8 @@ private:
     const auto done = session.run(name, std::move(command));
     if (!done) return done.error();
     const auto counts = readCounts(done->out + done->err);
+    if (saysUnfinished(done->out + done->err))
+      return Stop{false, fmt::format("`{}` did not explore the whole graph", name)};
     if (!counts)
       return Stop{false, fmt::format("what `{}` says of its graph is not understood", name)};
     outcome.result.exploration = *counts;

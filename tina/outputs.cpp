@@ -55,6 +55,19 @@ std::optional<std::string> withoutDate(std::string_view token) {
   return std::string(name);
 }
 
+/// With the beginnings of the lines: what a search is for stands there, and must not take long.
+template <class Visit> void eachShortLine(std::string_view text, Visit visit) {
+  constexpr std::size_t kMost = 300;
+  eachLine(text, [&](std::string_view line) { visit(std::string(line.substr(0, kMost))); });
+}
+
+/// More than fits is as good as the most.
+std::uint64_t count(const std::string& digits) {
+  std::uint64_t value = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return read.ec == std::errc{} ? value : UINT64_MAX;
+}
+
 } // namespace
 
 LtlFile readLtl(std::string_view text) {
@@ -77,21 +90,37 @@ LtlFile readLtl(std::string_view text) {
 }
 
 std::optional<verify::Exploration> readCounts(std::string_view output) {
-  static const std::regex kCounts(
-      R"((\d+)\s+class\S*\s*,\s*(\d+)\s+marking\S*\s*,\s*(\d+)\s+domain\S*\s*,\s*(\d+)\s+transition)");
-  std::match_results<std::string_view::const_iterator> match;
-  if (!std::regex_search(output.begin(), output.end(), match, kCounts)) return std::nullopt;
-  const auto number = [&](std::size_t i) -> std::uint64_t {
-    std::uint64_t value = 0;
-    const auto text = match[i].str();
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    return read.ec == std::errc{} ? value : UINT64_MAX;
-  };
-  return verify::Exploration{.classes = number(1),
-                             .markings = number(2),
-                             .domains = number(3),
-                             .transitions = number(4),
-                             .complete = true};
+  static const std::regex kCounts(R"((\d+)\s+class\S*\s*,\s*(\d+)\s+marking\S*\s*,)"
+                                  R"(\s*(\d+)\s+domain\S*\s*,\s*(\d+)\s+transition)");
+  static const std::regex kDigest(R"(^(states|transitions)\s+(\d+))");
+  std::optional<verify::Exploration> counts;
+  std::optional<std::uint64_t> states;
+  eachShortLine(output, [&](const std::string& line) {
+    std::smatch match;
+    if (std::regex_search(line, match, kCounts)) {
+      counts = {.classes = count(match[1]),
+                .markings = count(match[2]),
+                .domains = count(match[3]),
+                .transitions = count(match[4]),
+                .complete = true};
+    } else if (std::regex_search(line, match, kDigest)) {
+      if (match[1] == "states")
+        states = count(match[2]);
+      else if (states && !counts)
+        counts = {.classes = *states, .transitions = count(match[2]), .complete = true};
+    }
+  });
+  return counts;
+}
+
+bool saysUnfinished(std::string_view output) {
+  static const std::regex kWords(
+      R"(\b(aborted|interrupted|incomplete|unbounded|exceeded|not completed)\b)",
+      std::regex::icase);
+  bool found = false;
+  eachShortLine(output,
+                [&](const std::string& line) { found = found || std::regex_search(line, kWords); });
+  return found;
 }
 
 std::optional<std::vector<bool>> readVerdicts(std::string_view output, std::size_t expected) {

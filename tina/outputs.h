@@ -19,8 +19,12 @@ struct LtlFile {
 };
 [[nodiscard]] LtlFile readLtl(std::string_view text);
 
-/// The four counts that sift and tina end with.
+/// The four counts that sift ends with; or, of tina's digest, the numbers of states (as classes) and
+/// of transitions.
 [[nodiscard]] std::optional<verify::Exploration> readCounts(std::string_view output);
+
+/// Whether an explorer says that it stopped before its end: a verdict on such a graph is none.
+[[nodiscard]] bool saysUnfinished(std::string_view output);
 
 /// The verdicts of selt, in the order of the formulas; nothing where there are not just so many.
 [[nodiscard]] std::optional<std::vector<bool>> readVerdicts(std::string_view output,

@@ -188,6 +188,10 @@ TEST_CASE("what a tool says that is not understood is a failure that shows it, n
     CHECK_THAT(tina::explain(scene.failure()),
                Catch::Contains("`sift` says of its graph") && Catch::Contains("all went well"));
   }
+  SECTION("a graph that is not whole") {
+    scene.programs.counts("5 classe(s), 4 marking(s), 2 domain(s), 3 transition(s)\naborted\n");
+    CHECK(scene.failure().message == "`sift` did not explore the whole graph");
+  }
   SECTION("frac's formulas") {
     scene.programs.formulas("impossible;\n");
     CHECK_THAT(scene.failure().message, Catch::Contains("1 formulas for 3 properties"));

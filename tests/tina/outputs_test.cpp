@@ -65,6 +65,33 @@ TEST_CASE("the counts of sift are found among other lines") {
   CHECK_FALSE(tina::readCounts("").has_value());
 }
 
+TEST_CASE("the digest of tina has states and transitions of the graph behind those of the net") {
+  const auto counts = tina::readCounts("# net main, 7 places, 6 transitions, 18 arcs #\n"
+                                       "places 7 transitions 6 bounded Y live Y reversible Y\n"
+                                       "states 45 45 Y\ntransitions 112 6 Y\n");
+  REQUIRE(counts.has_value());
+  CHECK(counts->classes == 45);
+  CHECK(counts->transitions == 112);
+  CHECK_FALSE(tina::readCounts("states 45\n").has_value());
+}
+
+TEST_CASE("an explorer that stopped early is noticed; names of the model are no such words") {
+  CHECK(tina::saysUnfinished("16 classe(s)\nexploration aborted\n"));
+  CHECK(tina::saysUnfinished("Limit exceeded"));
+  CHECK_FALSE(tina::saysUnfinished("p_1_sinterrupted skill_interrupted_1_t0 # bounded Y\n"));
+}
+
+TEST_CASE("endless lines and very many of them are read in no time, and hold nothing") {
+  const std::string line(8'000'000, '1');
+  CHECK_FALSE(tina::readCounts(line).has_value());
+  CHECK_FALSE(tina::saysUnfinished(line));
+  CHECK_FALSE(tina::readVerdicts(line, 1).has_value());
+  std::string lines;
+  for (int i = 0; i < 300'000; ++i) lines += "states 1\n";
+  CHECK_FALSE(tina::readCounts(lines).has_value());
+  CHECK(tina::readCounts(lines + "transitions 2\n").has_value());
+}
+
 TEST_CASE("verdicts are read with and without formulas and banners; their number has to be right") {
   CHECK(tina::readVerdicts("TRUE\nFALSE\n", 2) == std::vector<bool>{true, false});
   CHECK(tina::readVerdicts("Selt version 3.8\nktz loaded, 4 states, 8 transitions\n"
