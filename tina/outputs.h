@@ -19,8 +19,8 @@ struct LtlFile {
 };
 [[nodiscard]] LtlFile readLtl(std::string_view text);
 
-/// The four counts that sift ends with; or, of tina's digest, the numbers of states (as classes) and
-/// of transitions.
+/// The four counts that sift ends with; or, of tina's digest, the numbers of states (as classes)
+/// and of transitions.
 [[nodiscard]] std::optional<verify::Exploration> readCounts(std::string_view output);
 
 /// Whether an explorer says that it stopped before its end: a verdict on such a graph is none.
