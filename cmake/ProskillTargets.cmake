@@ -16,6 +16,9 @@ if(PROSKILL_SANITIZE)
     -fsanitize=${PROSKILL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(proskill_flags INTERFACE -fsanitize=${PROSKILL_SANITIZE})
 endif()
+if(PROSKILL_FUZZ)
+  target_compile_options(proskill_flags INTERFACE -fsanitize-coverage=trace-pc,trace-cmp)
+endif()
 
 # proskill_library(NAME DEPENDS target…): every *.cpp of the current folder, as target proskill_NAME.
 function(proskill_library name)

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# fuzz/run.sh NAME SECONDS: tries random bytes, beginning with the examples and with all that was found
+# before. Says nothing but the last lines where all is well.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+name=$1 seconds=$2 work=build/fuzz/$1
+case $name in
+proskill) seeds=(examples/drone examples/arm examples/lift examples/rover) ;;
+fiacre) seeds=(examples/fiacre) ;;
+*) seeds=() ;;
+esac
+# What was tried with profit stays in build/, so that the next run goes on from there.
+mkdir -p "$work" build/fuzz/findings
+log=build/fuzz/$name.log
+"build/fuzz/bin/fuzz_$name" "$work" "fuzz/corpus/$name" "${seeds[@]}" -dict="fuzz/$name.dict" \
+  -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -max_len=3000 -print_final_stats=1 \
+  -artifact_prefix="build/fuzz/findings/$name-" >"$log" 2>&1
+status=$?
+runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+if [ $status -eq 0 ]; then
+  echo "$name: ${runs} texts in $seconds s, nothing found"
+else
+  tail -n 40 "$log"
+  echo "$name: found something. Mend it, and keep the text of build/fuzz/findings/ in fuzz/corpus/$name/"
+fi
+exit $status
