@@ -29,6 +29,23 @@ bool Parser::isAtDeclaration() const {
   return std::ranges::any_of(kDeclarations, [&](auto word) { return isAt(word); });
 }
 
+/// What the declaration at hand declares; nothing of one that only asks for something.
+std::optional<NameKind> Parser::declared() const {
+  constexpr auto kKinds =
+      std::to_array<std::pair<std::string_view, NameKind>>({{"const", NameKind::Constant},
+                                                            {"type", NameKind::Type},
+                                                            {"channel", NameKind::Channel},
+                                                            {"event", NameKind::Event},
+                                                            {"task", NameKind::Task},
+                                                            {"extern", NameKind::Extern},
+                                                            {"function", NameKind::Function},
+                                                            {"process", NameKind::Process},
+                                                            {"component", NameKind::Component},
+                                                            {"property", NameKind::Property}});
+  const auto found = std::ranges::find_if(kKinds, [&](auto& each) { return isAt(each.first); });
+  return found == kKinds.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// Whether what lies ahead ends a name that stands alone.
 bool Parser::endsEntry(std::size_t ahead) const {
   return peek(ahead).kind == TokenKind::End || isAt("property", ahead) || isAt("assert", ahead) ||
@@ -38,12 +55,15 @@ bool Parser::endsEntry(std::size_t ahead) const {
 Parsed Parser::program() {
   while (peek().kind != TokenKind::End) {
     const auto before = at;
+    const auto begin = peek().begin;
+    const auto kind = declared();
     try {
       actor.clear();
       declaration();
     } catch (const CannotRead&) {
       resume();
     }
+    if (kind) parsed.blocks.push_back({*kind, begin, lastEnd()});
     if (at == before) ++at; // an unreadable word that the next declaration begins with
   }
   finish();
@@ -72,7 +92,7 @@ void Parser::resume() {
 }
 
 void Parser::constant() {
-  const auto declared = names("the name of a constant");
+  const auto declared = names("the name of a constant", NameKind::Constant, true);
   expect(":");
   const Type shared = type();
   expect("is");
@@ -84,44 +104,44 @@ void Parser::constant() {
 }
 
 void Parser::typeDeclaration() {
-  TypeDeclaration result{.name = name("the name of a type")};
+  TypeDeclaration result{.name = name("the name of a type", NameKind::Type, true)};
   expect("is");
   result.type = type();
   parsed.program.types.push_back(std::move(result));
 }
 
 void Parser::channel() {
-  const auto declared = name("the name of a channel");
+  const auto declared = name("the name of a channel", NameKind::Channel, true);
   expect("is");
   portType(channels[declared]);
 }
 
 void Parser::eventPort() {
-  EventPort result{.port = {.name = name("the name of a port")}};
+  EventPort result{.port = {.name = name("the name of a port", NameKind::Event, true)}};
   expect(":");
   portType(result.port);
   expect("is");
-  result.function = name("the name of a function of C");
+  result.function = name("the name of a function of C", NameKind::Foreign);
   parsed.program.eventPorts.push_back(std::move(result));
 }
 
 void Parser::task() {
-  Task result{.name = name("the name of a task")};
+  Task result{.name = name("the name of a task", NameKind::Task, true)};
   result.parameters = typesInParentheses();
   expect(":");
   result.result = type();
   expect("is");
-  result.function = name("the name of a function of C");
+  result.function = name("the name of a function of C", NameKind::Foreign);
   parsed.program.tasks.push_back(std::move(result));
 }
 
 void Parser::external() {
-  Extern result{.name = name("the name of a function")};
+  Extern result{.name = name("the name of a function", NameKind::Extern, true)};
   result.parameters = typesInParentheses();
   expect(":");
   result.result = type();
   expect("is");
-  result.function = name("the name of a function of C");
+  result.function = name("the name of a function of C", NameKind::Foreign);
   parsed.program.externs.push_back(std::move(result));
 }
 
@@ -129,7 +149,7 @@ void Parser::entry() {
   if (!endsEntry(1)) fail(fmt::format("`{}` begins no declaration", peek().text));
   if (!parsed.program.main.empty())
     report(fmt::format("the model is `{}` already", parsed.program.main), peek());
-  parsed.program.main = name("the name of a component");
+  parsed.program.main = name("the name of a component", NameKind::Component);
 }
 
 void Parser::finish() {
@@ -142,6 +162,8 @@ void Parser::finish() {
   shorten(parsed.problems);
 }
 
-Parsed parse(std::string_view text) { return Parser(text).program(); }
+Parsed parse(std::string_view text, const PathSteps& steps) {
+  return Parser(text, steps).program();
+}
 
 } // namespace proskill::fiacre

@@ -81,7 +81,7 @@ Expr Parser::postfix() {
     if (constantsOnly) return result;
     if (accept(".")) {
       result = Expr{.kind = ExprKind::Field,
-                    .name = name("the name of a field"),
+                    .name = name("the name of a field", NameKind::Field),
                     .operands = {std::move(result)}};
     } else if (isAt("[") && !isAtPair("[", "]")) {
       ++at;
@@ -109,7 +109,7 @@ Expr Parser::primary() {
     if (result.operands.size() != 2) fail(fmt::format("`{}` takes a queue and an element", word));
     return result;
   }
-  const auto callee = name("an expression");
+  const auto callee = name("an expression", NameKind::Value);
   return isAt("(") ? call(callee) : Expr{.kind = ExprKind::Name, .name = callee};
 }
 
@@ -132,7 +132,7 @@ Expr Parser::parenthesised() {
 Expr Parser::record() {
   Expr result{.kind = ExprKind::Record};
   do {
-    result.fields.push_back(name("the name of a field"));
+    result.fields.push_back(name("the name of a field", NameKind::Field));
     expect("=");
     result.operands.push_back(expr());
   } while (accept(","));

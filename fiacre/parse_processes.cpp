@@ -5,7 +5,7 @@
 namespace proskill::fiacre {
 
 void Parser::function() {
-  Function result{.name = name("the name of a function")};
+  Function result{.name = name("the name of a function", NameKind::Function, true)};
   actor = "function " + result.name;
   result.parameters = parameters();
   expect(":");
@@ -20,7 +20,7 @@ void Parser::function() {
 
 void Parser::process() {
   const auto begin = peek().begin;
-  Process result{.name = name("the name of a process")};
+  Process result{.name = name("the name of a process", NameKind::Process, true)};
   actor = result.name;
   result.origin = origin(begin);
   if (accept("[")) {
@@ -32,7 +32,7 @@ void Parser::process() {
   expect("states");
   do {
     const auto place = peek().begin;
-    result.states.push_back({name("the name of a state"), 0});
+    result.states.push_back({name("the name of a state", NameKind::State, true), 0});
     result.states.back().origin = origin(place, "is in " + result.states.back().name);
   } while (accept(","));
   if (accept("var")) result.variables = variables();
@@ -44,7 +44,7 @@ void Parser::process() {
 /// A transition that cannot be read is left out, and the next one read.
 void Parser::from(Process& process) try {
   expect("from");
-  From result{.state = name("the name of a state")};
+  From result{.state = name("the name of a state", NameKind::State)};
   result.statement = statements();
   process.transitions.push_back(std::move(result));
   // The entry point's name is alone.
@@ -55,7 +55,7 @@ void Parser::from(Process& process) try {
 }
 
 void Parser::component() {
-  Component result{.name = name("the name of a component")};
+  Component result{.name = name("the name of a component", NameKind::Component, true)};
   actor = result.name;
   if (accept("[")) {
     result.interfacePorts = ports();
@@ -82,7 +82,9 @@ void Parser::component() {
 /// `a | b > c > d` is `a | b > c` and `c > d`.
 std::vector<Priority> Parser::priorities() {
   std::vector<Priority> all;
-  const auto group = [&] { return list("|", [&] { return name("the name of a port"); }); };
+  const auto group = [&] {
+    return list("|", [&] { return name("the name of a port", NameKind::Port); });
+  };
   do {
     auto higher = group();
     if (!isAt(">")) fail("`>` is missing");
@@ -105,7 +107,7 @@ bool Parser::acceptPortSet(std::string_view closing, PortSet& ports) {
   std::size_t ahead = 0;
   while (peek(ahead).kind == TokenKind::Name && isAt(",", ahead + 1)) ahead += 2;
   if (peek(ahead).kind != TokenKind::Name || !isAt(closing, ahead + 1)) return false;
-  ports = names("the name of a port");
+  ports = names("the name of a port", NameKind::Port);
   expect(closing);
   return true;
 }
@@ -126,9 +128,9 @@ void Parser::composition(Component& component) {
 
 Instance Parser::instance() {
   if (isAt("par")) fail("a composition within a composition: give it a component of its own");
-  Instance result{.process = name("the name of a process or a component")};
+  Instance result{.process = name("the name of a process or a component", NameKind::Process)};
   if (accept("[")) {
-    result.ports = names("the name of a port");
+    result.ports = names("the name of a port", NameKind::Port);
     expect("]");
   }
   if (!accept("(")) return result;

@@ -87,6 +87,7 @@ Ltl Parser::formulaPrimary() {
   }
   if (isAtName() && !isAt("/", 1)) {
     if (const auto named = formulas.find(peek().text); named != formulas.end()) {
+      mention(NameKind::Property);
       ++at;
       return named->second;
     }
@@ -107,30 +108,48 @@ Observable Parser::momentary(Ltl result, const Token& first) {
   throw CannotRead();
 }
 
+/// A place in `par`, or the name of what is there.
+std::optional<std::uint32_t> Parser::step() {
+  if (isAtName() && isAt("/", 1)) {
+    const auto known = steps.find(peek().text);
+    if (known == steps.end()) fail(fmt::format("no part of the model is called `{}`", peek().text));
+    ++at;
+    return known->second;
+  }
+  if (peek().kind != TokenKind::Number) return std::nullopt;
+  const auto place = number().number;
+  if (place < 1 || place > std::int64_t{1} << 31) fail("places in `par` count from 1");
+  return static_cast<std::uint32_t>(place);
+}
+
 /// `main/1/2/state idle`
 Observable Parser::atom() {
   const Token first = peek();
   Observable result;
-  paths.emplace_back(name("a path such as `main/1/state idle`"), first);
+  paths.emplace_back(name("a path such as `main/1/state idle`", NameKind::Component), first);
   expect("/");
-  while (peek().kind == TokenKind::Number) {
-    const auto place = number().number;
-    if (place < 1 || place > std::int64_t{1} << 31) fail("places in `par` count from 1");
-    result.path.push_back(static_cast<std::uint32_t>(place));
+  while (const auto place = step()) {
+    result.path.push_back(*place);
     expect("/");
   }
+  const Within within(*this, result.path);
   if (accept("value")) {
     constexpr std::size_t kEquality = 2;
     result.kind = ObservableKind::Value;
     result.value = binary(kEquality);
     return result;
   }
-  for (auto [word, kind] : {std::pair{"state", ObservableKind::State},
-                            {"tag", ObservableKind::Tag},
-                            {"event", ObservableKind::Event}}) {
+  struct Named {
+    std::string_view word;
+    ObservableKind kind;
+    NameKind name;
+  };
+  for (auto [word, kind, named] : {Named{"state", ObservableKind::State, NameKind::State},
+                                   {"tag", ObservableKind::Tag, NameKind::Tag},
+                                   {"event", ObservableKind::Event, NameKind::Port}}) {
     if (!accept(word)) continue;
     result.kind = kind;
-    result.name = name(fmt::format("the name of a {}", word));
+    result.name = name(fmt::format("the name of a {}", word), named);
     return result;
   }
   fail("`state`, `value`, `tag` or `event` is missing in the path");
@@ -196,7 +215,8 @@ void Parser::scopes(Pattern& pattern) {
 /// A property that is a formula of its own has a name that later ones use.
 void Parser::property() {
   const auto begin = peek().begin;
-  Property result{.name = name("the name of a property"), .asserted = false};
+  Property result{.name = name("the name of a property", NameKind::Property, true),
+                  .asserted = false};
   actor = "property " + result.name;
   expect("is");
   if (isAtPattern()) {
@@ -217,7 +237,7 @@ void Parser::property() {
 /// `assert p`, with texts for its verdicts, which are not kept.
 void Parser::assertion() {
   const Token token = peek();
-  auto asked = name("the name of a property");
+  auto asked = name("the name of a property", NameKind::Property);
   while (isAt("-") && peek(1).kind == TokenKind::Name && peek(2).kind == TokenKind::String) at += 3;
   const auto found = std::ranges::find(parsed.program.properties, asked, &Property::name);
   if (found != parsed.program.properties.end())

@@ -31,23 +31,27 @@ Statement Parser::statement() {
 Statement Parser::plain() {
   if (accept("null")) return {.kind = StatementKind::Null};
   if (accept("loop")) return {.kind = StatementKind::Loop};
-  if (accept("to")) return {.kind = StatementKind::To, .name = name("the name of a state")};
+  if (accept("to"))
+    return {.kind = StatementKind::To, .name = name("the name of a state", NameKind::State)};
   if (accept("wait")) return {.kind = StatementKind::Wait, .interval = interval()};
   if (accept("on")) return {.kind = StatementKind::On, .values = {expr()}};
   if (accept("return")) return {.kind = StatementKind::Return, .values = {expr()}};
-  if (accept("#")) return {.kind = StatementKind::Tag, .name = name("the name of a tag")};
+  if (accept("#"))
+    return {.kind = StatementKind::Tag, .name = name("the name of a tag", NameKind::Tag, true)};
   if (accept("if")) return conditional();
   if (accept("case")) return cases();
   if (accept("select")) return selection();
   if (isAt("while") || isAt("foreach")) return loop();
   if (accept("start")) {
-    Statement result{.kind = StatementKind::Start, .name = name("the name of a task")};
+    Statement result{.kind = StatementKind::Start,
+                     .name = name("the name of a task", NameKind::Task)};
     expect("(");
     result.values = exprs(")");
     return result;
   }
   if (accept("sync")) {
-    Statement result{.kind = StatementKind::Sync, .name = name("the name of a task")};
+    Statement result{.kind = StatementKind::Sync,
+                     .name = name("the name of a task", NameKind::Task)};
     if (isAtName()) result.targets.push_back(lvalue());
     return result;
   }
@@ -58,7 +62,7 @@ Statement Parser::plain() {
 /// An assignment, or a communication.
 Statement Parser::startingWithName() {
   if (isAt("!", 1) || isAt("?", 1)) {
-    Statement result{.name = name("a port")};
+    Statement result{.name = name("a port", NameKind::Port)};
     result.kind = isAt("!") ? StatementKind::Send : StatementKind::Receive;
     ++at;
     if (result.kind == StatementKind::Send) {
@@ -145,7 +149,7 @@ Statement Parser::loop() {
   } else {
     expect("foreach");
     result.kind = StatementKind::Foreach;
-    result.name = name("the name of a variable");
+    result.name = name("the name of a variable", NameKind::Value);
   }
   expect("do");
   result.children.push_back(statements());

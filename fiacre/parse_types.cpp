@@ -64,7 +64,7 @@ Type Parser::type() {
     return result;
   }
   if (isAtName() && !isAt("..", 1) && !constants.contains(peek().text))
-    return {.kind = TypeKind::Named, .name = name("a type")};
+    return {.kind = TypeKind::Named, .name = name("a type", NameKind::Type)};
   return range();
 }
 
@@ -80,7 +80,7 @@ Type Parser::range() {
 Type Parser::records() {
   Type result{.kind = TypeKind::Record};
   do {
-    const auto fields = names("the name of a field");
+    const auto fields = names("the name of a field", NameKind::Field, true);
     expect(":");
     const Type shared = type();
     for (const auto& field : fields) result.members.push_back({field, {shared}, {}});
@@ -93,7 +93,7 @@ Type Parser::records() {
 Type Parser::unions() {
   Type result{.kind = TypeKind::Union};
   do {
-    Member member{name("the name of a constructor"), {}, {}};
+    Member member{name("the name of a constructor", NameKind::Constructor, true), {}, {}};
     if (accept("of")) member.type.push_back(type());
     result.members.push_back(std::move(member));
   } while (accept("|"));
@@ -129,6 +129,7 @@ Interval Parser::interval() {
 void Parser::portType(Port& port) {
   if (accept("sync") || accept("none")) return;
   if (const auto channel = channels.find(peek().text); channel != channels.end()) {
+    mention(NameKind::Channel);
     ++at;
     port.values = channel->second.values;
     port.in = channel->second.in;
@@ -144,7 +145,7 @@ void Parser::portType(Port& port) {
 std::vector<Port> Parser::ports() {
   std::vector<Port> all;
   do {
-    const auto declared = names("the name of a port");
+    const auto declared = names("the name of a port", NameKind::Port, true);
     Port port;
     expect(":");
     portType(port);
@@ -165,7 +166,7 @@ std::vector<Parameter> Parser::parameters() {
     const auto first = all.size();
     do {
       const bool reference = accept("&");
-      all.push_back({name("the name of a parameter"), {}, reference});
+      all.push_back({name("the name of a parameter", NameKind::Parameter, true), {}, reference});
     } while (accept(","));
     expect(":");
     while (accept("read") || accept("write")) {
@@ -180,7 +181,7 @@ std::vector<Parameter> Parser::parameters() {
 std::vector<Variable> Parser::variables() {
   std::vector<Variable> all;
   do {
-    const auto declared = names("the name of a variable");
+    const auto declared = names("the name of a variable", NameKind::Variable, true);
     expect(":");
     Variable variable{.type = type()};
     if (accept(":=")) variable.init = expr();

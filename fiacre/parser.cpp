@@ -18,7 +18,9 @@ std::string shown(const Token& token) {
 
 } // namespace
 
-Parser::Parser(std::string_view read) : text(read) { tokens = tokenize(text, parsed.problems); }
+Parser::Parser(std::string_view read, PathSteps known) : text(read), steps(std::move(known)) {
+  tokens = tokenize(text, parsed.problems);
+}
 
 Parser::Deeper::Deeper(Parser& in) : parser(in) {
   if (++parser.depth <= kDeepest) return;
@@ -51,18 +53,23 @@ void Parser::expect(std::string_view wanted) {
   if (!accept(wanted)) fail(fmt::format("`{}` is missing before {}", wanted, shown(peek())));
 }
 
-std::string Parser::name(std::string_view what) {
+std::string Parser::name(std::string_view what, NameKind kind, bool declares) {
   const Token& token = peek();
   if (token.kind == TokenKind::Name && isReserved(token.text))
     fail(fmt::format("{} is missing: `{}` means something to Fiacre", what, token.text));
   if (token.kind != TokenKind::Name)
     fail(fmt::format("{} is missing before {}", what, shown(token)));
+  mention(kind, declares);
   ++at;
   return std::string(token.text);
 }
 
-std::vector<std::string> Parser::names(std::string_view what) {
-  return list(",", [&] { return name(what); });
+std::vector<std::string> Parser::names(std::string_view what, NameKind kind, bool declares) {
+  return list(",", [&] { return name(what, kind, declares); });
+}
+
+void Parser::mention(NameKind kind, bool declares) {
+  parsed.mentions.push_back({peek().begin, peek().end(), kind, declares, path});
 }
 
 void Parser::fail(std::string message) {

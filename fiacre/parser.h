@@ -19,7 +19,7 @@ struct CannotRead {};
 /// A recursive descent over the tokens of a text. A file for each group of constructs.
 class Parser {
 public:
-  explicit Parser(std::string_view text);
+  explicit Parser(std::string_view text, PathSteps known = {});
 
   Parsed program();
   std::optional<Expr> wholeExpr();
@@ -33,8 +33,10 @@ private:
   [[nodiscard]] bool isAtName() const;
   bool accept(std::string_view text);
   void expect(std::string_view text);
-  std::string name(std::string_view what);
-  std::vector<std::string> names(std::string_view what);
+  std::string name(std::string_view what, NameKind kind, bool declares = false);
+  std::vector<std::string> names(std::string_view what, NameKind kind, bool declares = false);
+  /// Notes the token at hand.
+  void mention(NameKind kind, bool declares = false);
   [[noreturn]] void fail(std::string message);
   void report(std::string message, const Token& at);
   template <class Element> auto list(std::string_view separator, Element element) {
@@ -48,6 +50,7 @@ private:
 
   // Declarations: parse.cpp
   [[nodiscard]] bool isAtDeclaration() const;
+  [[nodiscard]] std::optional<NameKind> declared() const;
   [[nodiscard]] bool endsEntry(std::size_t ahead) const;
   void declaration();
   void resume();
@@ -125,9 +128,11 @@ private:
   Observable observable();
   Observable momentary(Ltl formula, const Token& first);
   Observable atom();
+  std::optional<std::uint32_t> step();
 
   /// Counts how deep constructs are within each other, which the stack bounds.
   class Deeper;
+  class Within;
 
   std::string_view text;
   std::vector<Token> tokens;
@@ -135,6 +140,8 @@ private:
   std::size_t depth = 0;
   bool constantsOnly = false; ///< a `[` ends an interval's bound, and indexes nothing
   Parsed parsed;
+  std::uint32_t path = 0; ///< of the property's atom that is read
+  PathSteps steps;
   std::string actor; ///< of the origins that are made
   std::map<std::string, std::int64_t, std::less<>> constants;
   std::map<std::string, Port, std::less<>> channels;
@@ -149,6 +156,21 @@ public:
   ~Deeper() { --parser.depth; }
   Deeper(const Deeper&) = delete;
   Deeper& operator=(const Deeper&) = delete;
+
+private:
+  Parser& parser;
+};
+
+/// While it lives, names are looked for where a path leads.
+class Parser::Within {
+public:
+  Within(Parser& in, const std::vector<std::uint32_t>& steps) : parser(in) {
+    parser.parsed.paths.push_back(steps);
+    parser.path = static_cast<std::uint32_t>(parser.parsed.paths.size() - 1);
+  }
+  ~Within() { parser.path = 0; }
+  Within(const Within&) = delete;
+  Within& operator=(const Within&) = delete;
 
 private:
   Parser& parser;

@@ -111,6 +111,8 @@ bool isReserved(std::string_view name) {
   return std::ranges::find(kReserved, name) != kReserved.end();
 }
 
+std::span<const std::string_view> reservedWords() { return kReserved; }
+
 bool isIdentifier(std::string_view name) {
   return !name.empty() && isLetter(name.front()) &&
          std::ranges::all_of(name, [](char c) { return isLetter(c) || isDigit(c); });

@@ -46,21 +46,6 @@ std::string_view lastWord(std::string_view place) {
   return space == std::string_view::npos ? place : place.substr(space + 1);
 }
 
-/// Problems know the statement that they are in; those of declarations only a name.
-Range placeOf(const fiacre::Problem& problem, const fiacre::Provenance& provenance,
-              std::string_view text) {
-  const auto& origin = provenance.origins[problem.origin];
-  const auto name = inBackquotes(problem.message);
-  if (problem.origin != 0) {
-    const Range range{origin.begin, origin.end};
-    return name.empty() ? range : narrowed(text, range, name);
-  }
-  const Range whole{0, static_cast<Offset>(text.size())};
-  const Range declared =
-      problem.place.empty() ? whole : narrowed(text, whole, lastWord(problem.place));
-  return declared == whole ? Range{0, 0} : declared;
-}
-
 void addChecks(codegen::Model& model) {
   const auto& properties = model.fiacre.properties;
   for (std::size_t i = 0; i < properties.size(); ++i) {
@@ -76,7 +61,24 @@ void addChecks(codegen::Model& model) {
 
 } // namespace
 
+/// Problems know the statement that they are in; those of declarations only a name.
+Range rangeOf(const fiacre::Problem& problem, const fiacre::Provenance& provenance,
+              std::string_view text) {
+  const auto& origin = provenance.origins[problem.origin];
+  const auto name = inBackquotes(problem.message);
+  if (problem.origin != 0) {
+    const Range range{origin.begin, origin.end};
+    return name.empty() ? range : narrowed(text, range, name);
+  }
+  const Range whole{0, static_cast<Offset>(text.size())};
+  const Range declared =
+      problem.place.empty() ? whole : narrowed(text, whole, lastWord(problem.place));
+  return declared == whole ? Range{0, 0} : declared;
+}
+
 bool isFiacre(const std::filesystem::path& path) { return path.extension() == ".fcr"; }
+
+bool isFiacre(const View& view) { return isFiacre(view.program().files[view.file].path); }
 
 std::optional<std::vector<syntax::TextEdit>> formatFiacre(std::string_view text) {
   const auto changes = fiacre::formatChanges(text);
@@ -98,7 +100,7 @@ FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
   if (!result.diagnostics.empty()) return result; // what was not read would be missed everywhere
   for (const auto& problem : fiacre::check(result.model.fiacre))
     result.diagnostics.push_back(syntax::makeDiagnostic(
-        Code::FiacreModel, {0, placeOf(problem, result.model.provenance, source)}, problem.place,
+        Code::FiacreModel, {0, rangeOf(problem, result.model.provenance, source)}, problem.place,
         problem.message));
   addChecks(result.model);
   return result;

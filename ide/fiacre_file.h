@@ -1,6 +1,8 @@
 #pragma once
 
 #include "codegen/model.h"
+#include "fiacre/check.h"
+#include "ide/snapshot.h"
 #include "syntax/edit.h"
 
 #include <filesystem>
@@ -20,9 +22,15 @@ struct FiacreFile {
 };
 
 [[nodiscard]] bool isFiacre(const std::filesystem::path& path); ///< by its name: `.fcr`
+[[nodiscard]] bool isFiacre(const View& view);
 
 /// Reads and checks a text; `path` is what places show. Never fails.
 [[nodiscard]] FiacreFile readFiacre(const std::filesystem::path& path, std::string text);
+
+/// The place of a problem in the text that has it: of its statement, or else of the name that it
+/// is about. `{0, 0}` where it is in none of them.
+[[nodiscard]] syntax::Range rangeOf(const fiacre::Problem& problem,
+                                    const fiacre::Provenance& provenance, std::string_view text);
 
 /// The edits that lay a text of Fiacre out, in its order; nothing where it cannot be read.
 [[nodiscard]] std::optional<std::vector<syntax::TextEdit>> formatFiacre(std::string_view text);

@@ -1,5 +1,7 @@
 #include "ide/snapshot.h"
 
+#include "ide/fiacre_file.h"
+
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -49,6 +51,12 @@ bool isCurrent(const AnalysedProgram& analysed, const OpenTexts& before, const O
   });
 }
 
+/// Of a model in Fiacre, which defines nothing, the text alone.
+analysis::Program loaded(const Overlay& files, const fs::path& root) {
+  if (!isFiacre(root)) return analysis::load(files, root);
+  return readFiacre(root, files.read(root).value_or(std::string())).program;
+}
+
 } // namespace
 
 AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings)
@@ -67,7 +75,10 @@ const analysis::flow::Flow* AnalysedProgram::flow() const {
 
 const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
   std::call_once(findingsOnce, [this] {
-    knownFindings = analysis::flow::inspect(program, analysis, settings, flow());
+    const auto& root = program.files.front();
+    knownFindings = isFiacre(root.path)
+                        ? readFiacre(root.path, root.document.text()).diagnostics
+                        : analysis::flow::inspect(program, analysis, settings, flow());
   });
   return knownFindings;
 }
@@ -133,9 +144,9 @@ std::shared_ptr<const AnalysedProgram> Snapshot::program(const fs::path& root) c
     entry = slot;
   }
   std::call_once(entry->once, [&] {
-    auto whole = std::make_shared<const AnalysedProgram>(
-        analysis::load(Overlay(*disk, texts), root),
-        settings ? settings(root) : analysis::flow::Settings{});
+    auto whole = std::make_shared<const AnalysedProgram>(loaded(Overlay(*disk, texts), root),
+                                                         settings ? settings(root)
+                                                                  : analysis::flow::Settings{});
     std::lock_guard lock(mutex);
     entry->program = std::move(whole);
   });

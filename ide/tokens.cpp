@@ -1,5 +1,8 @@
 #include "ide/tokens.h"
 
+#include "ide/fiacre_file.h"
+#include "ide/fiacre_text.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -143,7 +146,12 @@ private:
 } // namespace
 
 std::vector<Token> tokens(const View& view, syntax::Range within) {
-  return Collector(view, within).run();
+  if (!isFiacre(view)) return Collector(view, within).run();
+  auto all = FiacreText(view.text()).tokens();
+  std::erase_if(all, [&](const Token& token) {
+    return token.range.end < within.begin || within.end < token.range.begin;
+  });
+  return all;
 }
 
 std::vector<Token> tokens(const View& view) {

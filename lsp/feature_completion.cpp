@@ -1,4 +1,6 @@
 #include "ide/completion.h"
+#include "ide/fiacre_file.h"
+#include "ide/fiacre_text.h"
 #include "lsp/convert.h"
 #include "lsp/markup.h"
 #include "lsp/symbol_json.h"
@@ -79,8 +81,11 @@ ide::CompletionTrigger triggerOf(const Json& params) {
 Answer completion(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
+  const auto trigger = triggerOf(request.params);
+  const auto found = ide::isFiacre(at->view)
+                         ? ide::FiacreText(at->view.text()).complete(at->at, trigger)
+                         : ide::complete(request.snapshot, at->view, at->at, trigger);
   const Converter convert(at->view, request);
-  const auto found = ide::complete(request.snapshot, at->view, at->at, triggerOf(request.params));
   const Shared shared{convert.range(at->view.file, found.insert),
                       convert.range(at->view.file, found.replace), convert.uri(at->view.file),
                       request.client};

@@ -1,5 +1,7 @@
 #include "lsp/registry.h"
 
+#include "lsp/feature_fiacre.h"
+
 namespace proskill::lsp {
 
 Registry allFeatures() {
@@ -8,6 +10,7 @@ Registry allFeatures() {
                    addHierarchy, addHints, addHover, addLenses, addModel, addNavigation, addRename,
                    addStructure, addSymbols, addTokens})
     add(registry);
+  addFiacre(registry);
   return registry;
 }
 

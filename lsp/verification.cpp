@@ -1,5 +1,7 @@
 #include "lsp/verification.h"
 
+#include "ide/fiacre_file.h"
+
 #include "lsp/verdict_json.h"
 
 #include <fmt/format.h>
@@ -141,6 +143,7 @@ void Verification::noticeEdit(const ide::OpenTexts& open) {
 
 void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,
                              const VerificationSettings& chosen, const Cancellation& cancellation) {
+  if (ide::isFiacre(path)) return; // it is no program
   for (const auto& of : now.views(path)) {
     if (cancellation.isCancelled()) return;
     if (!chosen.trusted)

@@ -29,7 +29,7 @@
 
 (with-eval-after-load 'eglot
   (add-to-list 'eglot-server-programs
-               (cons 'proskill-mode (lambda (&rest _) (list proskill-program "lsp")))))
+               (cons '(proskill-mode fiacre-mode) (lambda (&rest _) (list proskill-program "lsp")))))
 
 ;;; Syntax and colours
 
@@ -247,6 +247,58 @@ PARTS are those of the form around it."
 
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\.proskill\\'" . proskill-mode))
+
+;;; Models in Fiacre
+
+(defconst fiacre--control
+  '("begin" "case" "do" "else" "elsif" "end" "foreach" "from" "if" "loop" "of" "on" "par"
+    "return" "select" "start" "then" "to" "unless" "wait" "where" "while"))
+(defconst fiacre--declarations
+  '("assert" "channel" "component" "const" "extern" "function" "in" "init" "is" "out" "port"
+    "priority" "process" "property" "prove" "read" "states" "task" "type" "var" "write"))
+(defconst fiacre--types '("array" "bool" "int" "nat" "none" "queue" "record" "sync" "union"))
+(defconst fiacre--builtins
+  '("and" "append" "dequeue" "empty" "enqueue" "first" "full" "not" "or" "until"
+    "absent" "after" "always" "before" "between" "deadlockfree" "duration" "enter" "event"
+    "for" "infinitelyoften" "interval" "lasting" "leadsto" "leave" "ltl" "mortal" "obs"
+    "precedes" "present" "state" "tag" "value" "within"))
+
+(defconst fiacre--font-lock
+  `((,(concat "\\_<" (regexp-opt '("process" "component" "function" "type" "channel" "property") t)
+              "\\_>\\s-+\\([A-Za-z_][A-Za-z0-9_]*\\)")
+     (1 font-lock-keyword-face) (2 font-lock-function-name-face))
+    ("\\_<\\(from\\|to\\)\\_>\\s-+\\([A-Za-z_][A-Za-z0-9_]*\\)"
+     (1 font-lock-keyword-face) (2 font-lock-constant-face))
+    ("#[A-Za-z_][A-Za-z0-9_]*" . font-lock-constant-face)
+    (,(regexp-opt (append fiacre--control fiacre--declarations) 'symbols) . font-lock-keyword-face)
+    (,(regexp-opt fiacre--types 'symbols) . font-lock-type-face)
+    (,(regexp-opt fiacre--builtins 'symbols) . font-lock-builtin-face)
+    ("\\_<\\(?:true\\|false\\|null\\|any\\)\\_>" . font-lock-constant-face)))
+
+(defvar fiacre-mode-syntax-table
+  (let ((table (make-syntax-table prog-mode-syntax-table)))
+    (modify-syntax-entry ?/ ". 124b" table)
+    (modify-syntax-entry ?* ". 23" table)
+    (modify-syntax-entry ?\n "> b" table)
+    (modify-syntax-entry ?_ "_" table)
+    ;; Intervals of time open with `]' and close with `['.
+    (modify-syntax-entry ?\[ "." table)
+    (modify-syntax-entry ?\] "." table)
+    table))
+
+;;;###autoload
+(define-derived-mode fiacre-mode prog-mode "Fiacre"
+  "Major mode for models in Fiacre."
+  (setq-local comment-start "// ")
+  (setq-local comment-end "")
+  (setq-local comment-start-skip "\\(?://+\\|/\\*+\\)\\s-*")
+  (setq-local indent-tabs-mode nil)
+  (setq-local tab-width 4)
+  (setq-local indent-line-function #'indent-relative)
+  (setq-local font-lock-defaults '(fiacre--font-lock)))
+
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.fcr\\'" . fiacre-mode))
 
 (provide 'proskill-mode)
 ;;; proskill-mode.el ends here

@@ -10,11 +10,13 @@ HELIX = pathlib.Path(__file__).resolve().parents[2] / "editors/helix"
 complaints = []
 
 settings = tomllib.loads((HELIX / "languages.toml").read_text())
-language, = settings["language"]
+language, fiacre = settings["language"]
 grammar, = settings["grammar"]
 if language["name"] != "proskill" or language["file-types"] != ["proskill"]:
     complaints.append("languages.toml: not for *.proskill")
-for server in language["language-servers"]:
+if fiacre["name"] != "fiacre" or fiacre["file-types"] != ["fcr"]:
+    complaints.append("languages.toml: not for *.fcr")
+for server in language["language-servers"] + fiacre["language-servers"]:
     if server not in settings["language-server"]:
         complaints.append(f"languages.toml: no server {server}")
 if settings["language-server"]["proskill"] != {"command": "proskill", "args": ["lsp"]}:

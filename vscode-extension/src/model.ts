@@ -6,8 +6,11 @@ import type { panel } from './protocol';
 
 const kScheme = 'proskill-model';
 
-/** The Fiacre text of a program, beside it; the transition of a trace's current step is marked. */
-export class FiacreView implements vscode.TextDocumentContentProvider, vscode.Disposable {
+/**
+ * The Fiacre text of a program, beside it; the transition of a trace's current step is marked. The definition of
+ * whatever stands in it is the program's line that it was made from.
+ */
+export class FiacreView implements vscode.TextDocumentContentProvider, vscode.DefinitionProvider, vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<vscode.Uri>();
   readonly onDidChange = this.changes.event;
   private readonly models = new Map<string, protocol.Model>();
@@ -21,6 +24,7 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.Di
   constructor(private readonly client: Client) {
     this.subscriptions = [
       vscode.workspace.registerTextDocumentContentProvider(kScheme, this),
+      vscode.languages.registerDefinitionProvider({ scheme: kScheme }, this),
       vscode.workspace.onDidSaveTextDocument(() => this.refresh()),
       vscode.window.onDidChangeVisibleTextEditors(() => this.draw()),
       this.mark, this.changes,
@@ -33,11 +37,36 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.Di
 
   async open(uri?: vscode.Uri): Promise<void> {
     const program = uri ?? currentText().uri;
+    const cursor = vscode.window.activeTextEditor;
+    const line = cursor?.document.uri.toString() === program.toString() ? cursor.selection.active.line : undefined;
     const name = program.path.split('/').pop()?.replace(/\.proskill$/, '') ?? 'model';
     const model = vscode.Uri.from({ scheme: kScheme, path: `/${name}.fcr`, query: program.toString() });
     const document = await vscode.workspace.openTextDocument(model);
-    await vscode.window.showTextDocument(document, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: true });
+    const editor = await vscode.window.showTextDocument(
+      document, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: true });
     this.draw(true);
+    const made = line === undefined ? undefined : this.madeFrom(model, program, line);
+    if (made && this.origins.length === 0)
+      editor.revealRange(new vscode.Range(made.firstLine, 0, made.lastLine, 0), vscode.TextEditorRevealType.InCenter);
+  }
+
+  /** The innermost part of the program that a line of its model was made from. */
+  provideDefinition(document: vscode.TextDocument, { line }: vscode.Position): vscode.Location | undefined {
+    const parts = this.models.get(document.uri.toString())?.ranges
+      .filter(({ firstLine, lastLine, location }) => location && firstLine <= line && line <= lastLine) ?? [];
+    const place = smallest(parts, ({ firstLine, lastLine }) => lastLine - firstLine)?.location;
+    if (!place) return undefined;
+    const { start, end } = place.range;
+    return new vscode.Location(
+      vscode.Uri.parse(place.uri), new vscode.Range(start.line, start.character, end.line, end.character));
+  }
+
+  /** The part of a model that comes from a line of the program: from as little around it as there is. */
+  private madeFrom(model: vscode.Uri, program: vscode.Uri, line: number): protocol.Model['ranges'][number] | undefined {
+    const around = this.models.get(model.toString())?.ranges.filter(({ location }) =>
+      location?.uri && vscode.Uri.parse(location.uri).toString() === program.toString()
+      && location.range.start.line <= line && line <= location.range.end.line) ?? [];
+    return smallest(around, ({ location }) => location!.range.end.line - location!.range.start.line);
   }
 
   async provideTextDocumentContent(uri: vscode.Uri): Promise<string> {
@@ -67,4 +96,9 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.Di
       if (scroll && ranges[0]) editor.revealRange(ranges[0], vscode.TextEditorRevealType.InCenterIfOutsideViewport);
     }
   }
+}
+
+/** The first of those of which none is smaller. */
+function smallest<T>(all: T[], size: (one: T) => number): T | undefined {
+  return all.reduce<T | undefined>((best, one) => (best === undefined || size(one) < size(best) ? one : best), undefined);
 }

@@ -38,6 +38,20 @@
         (let ((inhibit-message t)) (indent-region (point-min) (point-max)))
         (should (equal (cons file (lines-that-differ wanted (buffer-string))) (list file)))))))
 
+(ert-deftest models-in-fiacre-have-a-mode ()
+  (with-temp-buffer
+    (insert "// One.\nprocess P is\nstates a\n\nfrom a\n    wait ]0,...[; /* so */\n    to a\n")
+    (let ((buffer-file-name "m.fcr")) (set-auto-mode))
+    (should (eq major-mode 'fiacre-mode))
+    (font-lock-ensure)
+    (dolist (case '(("One" font-lock-comment-face) ("process" font-lock-keyword-face)
+                    ("P" font-lock-function-name-face) ("wait" font-lock-keyword-face)
+                    ("so" font-lock-comment-face)))
+      (goto-char (point-min))
+      (let (case-fold-search) (search-forward (car case)))
+      (should (equal (list (car case) (get-text-property (match-beginning 0) 'face))
+                     case)))))
+
 (ert-deftest lines-are-indented-while-they-are-typed ()
   (with-program ""
     (dolist (line '("(defskill fly" ":success there" ":body" "((takeoff)"
@@ -69,7 +83,7 @@
                     ("if " font-lock-keyword-face) ("Low" font-lock-constant-face)
                     ("break" font-lock-keyword-face)))
       (goto-char (point-min))
-      (search-forward (car case))
+      (let (case-fold-search) (search-forward (car case)))
       (should (equal (cons (car case) (list (get-text-property (match-beginning 0) 'face))) case)))))
 
 (ert-deftest comments-are-made-and-taken-away ()

@@ -45,6 +45,24 @@ return {
     expect.equal({ it.col, it.end_col }, { column, column + 1 })
   end },
 
+  { 'models in Fiacre have colours, and are served as programs are', function(child)
+    local text = '// One.\nprocess P is\nstates a\nfrom a to b\ncomponent m is par P end\nm\n'
+    child:open(child:file('m.fcr', text))
+    expect.equal(child:lua('return vim.bo.filetype'), 'fiacre')
+    local group = 'return vim.fn.synIDattr(vim.fn.synIDtrans(vim.fn.synID(%d, %d, 1)), "name")'
+    expect.equal(child:lua(group:format(1, 4)), 'Comment')
+    expect.equal(child:lua(group:format(2, 1)), 'Statement')
+    child:wait(has_diagnostic('the state `b` is not declared'))
+    child:at('states |a')
+    child:lua("vim.lsp.buf.references()")
+    child:wait('return #vim.fn.getqflist() == 2')
+    child:lua([[
+      vim.cmd('cclose')
+      if vim.lsp.buf.format then vim.lsp.buf.format() else vim.lsp.buf.formatting_sync() end
+    ]])
+    child:wait("return vim.fn.getline(6) == '    to b'")
+  end },
+
   { 'names are completed, those that fit the place', function(child)
     drone(child)
     child:at('(^ (localization_status |Valid))')
