@@ -12,6 +12,7 @@
 #include "cli/tina_backend.h"
 #include "cli/verify_report.h"
 #include "ide/fiacre_file.h"
+#include "ide/model_additions.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,6 +34,8 @@ enum class Format : std::uint8_t { Text, Json, JUnit, Sarif };
 
 struct Arguments {
   std::string file;
+  std::string environment;
+  std::vector<std::string> added;
   std::vector<std::string> properties;
   std::string mainSkill;
   Format format = Format::Text;
@@ -220,14 +223,40 @@ int runModel(const Arguments& arguments, bool list, const analysis::Program& pro
   return verifyProperties(arguments, program, model);
 }
 
+/// Reads what a user adds to a model. \return it is all right; else that was said
+template <class Add>
+bool add(const Arguments& arguments, const std::string& file, analysis::Program& program,
+         codegen::Model& model, Add addTo) {
+  auto text = DiskFileSystem().read(file);
+  if (!text) {
+    fail(fmt::format("cannot read `{}`: {}", file, text.error()));
+    return false;
+  }
+  const auto diagnostics = addTo(model, program, file, std::move(*text));
+  render(std::cerr, program, diagnostics, Paint{wantsColour(arguments.colour, STDERR_FILENO)});
+  return diagnostics.empty();
+}
+
+bool addAll(const Arguments& arguments, analysis::Program& program, codegen::Model& model) {
+  if (!arguments.environment.empty() &&
+      !add(arguments, arguments.environment, program, model, ide::replaceEnvironment))
+    return false;
+  return std::ranges::all_of(arguments.added, [&](const std::string& file) {
+    return add(arguments, file, program, model, ide::addProperties);
+  });
+}
+
 /// A model that was written by hand.
 int runFiacre(const Arguments& arguments, bool list) {
   auto text = DiskFileSystem().read(arguments.file);
   if (!text) return fail(fmt::format("cannot read `{}`: {}", arguments.file, text.error()));
-  const auto read = ide::readFiacre(arguments.file, std::move(*text));
+  if (!arguments.environment.empty())
+    return fail("a model in Fiacre has its environment: `--environment` is for programs");
+  auto read = ide::readFiacre(arguments.file, std::move(*text));
   render(std::cerr, read.program, read.diagnostics,
          Paint{wantsColour(arguments.colour, STDERR_FILENO)});
   if (!read.diagnostics.empty()) return kUsage;
+  if (!addAll(arguments, read.program, read.model)) return kUsage;
   if (read.model.checks.empty() && arguments.graph.empty())
     return fail("nothing is asserted: write `property p is deadlockfree` and `assert p`");
   return runModel(arguments, list, read.program, read.model);
@@ -243,6 +272,7 @@ int run(const Arguments& arguments, bool list) {
   options.automata = arguments.automata;
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());
+  if (!addAll(arguments, *program, *model)) return kUsage;
   return runModel(arguments, list, *program, *model);
 }
 
@@ -256,6 +286,10 @@ void addVerify(CLI::App& app, int& exitCode) {
   command->add_option("--property", arguments->properties,
                       "Only these: a name, or its beginning up to a dot");
   command->add_flag("--list", *list, "Print the properties' names and stop");
+  command->add_option("--environment", arguments->environment,
+                      "A process in Fiacre, in the place of the environment");
+  command->add_option("--properties", arguments->added,
+                      "More properties: a file in Fiacre, or one formula (.ltl)");
   command->add_option("--main", arguments->mainSkill, "The skill that is the mission");
   command->add_option("--format", arguments->format, "text, json, junit or sarif")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"text", Format::Text},

@@ -24,7 +24,7 @@ _proskill_options() {
     fmt) echo '--check --diff --help' ;;
     emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
     verify)
-      echo '--property --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
+      echo '--property --environment --properties --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
             --class-limit --report --reduce --graph --graph-of --backend --frac --sift --tina --selt --ktzio --cc
             --fraclib --keep --difference --strict --expanded --sv-automata --color --help' ;;
     graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
@@ -38,7 +38,7 @@ _proskill_options() {
 _proskill_properties() {
   local word
   for word in "${COMP_WORDS[@]:2}"; do
-    case "$word" in *.proskill) proskill verify --list "$word" 2>/dev/null; return ;; esac
+    case "$word" in *.proskill | *.fcr) proskill verify --list "$word" 2>/dev/null; return ;; esac
   done
 }
 

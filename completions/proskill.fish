@@ -46,6 +46,8 @@ __proskill_option 'emit verify view' main 'the skill that is the mission' -x
 __proskill_option 'emit verify' expanded 'name every state'
 __proskill_option 'emit verify' sv-automata 'form of the automata' -x -a 'exact paper'
 __proskill_option verify property 'only these' -x -a '(__proskill_properties)'
+__proskill_option verify environment 'a process in Fiacre for the environment' -r
+__proskill_option verify properties 'more properties' -r
 __proskill_option verify list 'print the names of the properties'
 __proskill_option verify format 'how to print' -x -a 'text json junit sarif'
 __proskill_option verify traces 'whose traces to show' -x -a 'failed all none'
