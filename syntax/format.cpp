@@ -69,6 +69,11 @@ bool wouldJoin(char end, char begin) {
          (isWordCharacter(end) || std::string_view("$:.-").contains(end));
 }
 
+/// A minus and a name are two tokens, with or without space between them; with a number it is one.
+bool endsAtName(char end, char begin) {
+  return end == '-' && isWordCharacter(begin) && (begin < '0' || begin > '9');
+}
+
 /// Behind the string that begins there.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at)
@@ -94,7 +99,9 @@ std::string tokensOf(const Document& document) {
       continue;
     } else {
       if (text[at] == '"') end = endOfString(text, at);
-      if (apart && !tokens.empty() && wouldJoin(tokens.back(), text[at])) tokens += ' ';
+      if (!tokens.empty() && wouldJoin(tokens.back(), text[at]) &&
+          (apart || endsAtName(tokens.back(), text[at])))
+        tokens += ' ';
       tokens += text.substr(at, end - at);
     }
     apart = false;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto kLamp = "(defsv lamp :states (On Off) :init Off :transitions :all)\n"
                        "(defevent switch_on :effects (lamp On))\n"
-                       "(defskill wait_for_light :time_interval [1,2]\n"
+                       "(defskill wait_for_light :time_interval [1,2] :action (look)\n"
                        "  :success seen (:postcondition (lamp On)))\n";
 constexpr auto kDark = "property dark is absent model/value lamp = On\nassert dark\n";
 

@@ -15,7 +15,7 @@ constexpr auto kLamp = R"(
 (defsv lamp :states (On Off) :init Off :transitions :all)
 (defevent switch_on :effects (lamp On))
 (defevent switch_off :effects (lamp Off))
-(defskill wait_for_light :time_interval [1,2]
+(defskill wait_for_light :time_interval [1,2] :action (look)
   :success seen (:postcondition (lamp On)))
 )";
 

@@ -222,3 +222,10 @@ TEST_CASE("a form that is closed is laid out, and nothing around it") {
   CHECK(typed("(defskill m :body ((printf \"(  )^\" 1)))") ==
         "(defskill m :body ((printf \"(  )\" 1)))");
 }
+
+TEST_CASE("a minus that touches a name stands apart from it afterwards") {
+  const auto before = Document::parse("(defproperty p (always (-a B)))\n");
+  const auto after = Document::parse(applyEdits(before.text(), format(before)));
+  CHECK(after.text() == "(defproperty p (always (- a B)))\n");
+  CHECK(sameTokens(before, after));
+}
