@@ -194,10 +194,11 @@ private:
       if (hasChanged(*now)) cancelled = true;
       const double rate = seen.seconds > 0 ? static_cast<double>(seen.classes) / seen.seconds : 0;
       set("checking", "",
-          {{"decided", 0},
+          {{"decided", seen.decided},
            {"total", total},
            {"classes", seen.classes},
            {"rate", rate},
+           {"bytes", seen.bytes},
            {"seconds", seen.seconds}});
     };
     return engine;

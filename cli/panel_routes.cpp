@@ -64,7 +64,11 @@ PanelData::Answer call(std::string_view method, const Json& params, PanelData& d
         {"contract", 1},
         {"layout", "all"},
         {"can",
-         {{"source", true}, {"save", false}, {"verify", data.canVerify()}, {"follow", false}}},
+         {{"source", true},
+          {"save", false},
+          {"open", false},
+          {"verify", data.canVerify()},
+          {"follow", false}}},
         {"program", data.program()}};
   if (method == "news") return news.after(params.value("after", std::size_t{0}));
   if (method == "trace") return data.trace(text("name"));

@@ -89,7 +89,7 @@ private:
     if (found == bySubject.end()) return;
     const Summary summary(found->second);
     Lens lens{LensKind::Verdicts, id, symbol.at.range, summary.words(), {}};
-    if (isStale) lens.title += " (stale)";
+    if (isStale) lens.title += " (outdated)";
     if (summary.worst && summary.worst->steps) lens.property = summary.worst->name;
     result.push_back(std::move(lens));
   }

@@ -47,6 +47,8 @@ struct TraceStep {
 struct Trace {
   std::vector<verify::Change> initial;
   std::vector<TraceStep> steps;
+  /// The steps from this one on, from 0, repeat for ever; nothing: the trace ends with its last step.
+  std::optional<std::size_t> loop;
 };
 
 /// The verdict on one property.

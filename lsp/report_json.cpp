@@ -73,7 +73,9 @@ Json traceJson(const analysis::Program& program, const ide::Trace& trace) {
   for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
   Json steps = Json::array();
   for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  return {{"initial", initial}, {"steps", steps}};
+  Json json{{"initial", initial}, {"steps", steps}};
+  if (trace.loop) json["loop"] = *trace.loop;
+  return json;
 }
 
 Json explorationJson(const verify::Exploration& exploration) {

@@ -185,7 +185,8 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
           {"initial", trace.at("initial")},
           {"variables", variablesJson(program, trace.at("initial"))},
           {"actors", actorsJson(program, trace.at("steps"))},
-          {"steps", std::move(steps)}};
+          {"steps", std::move(steps)},
+          {"loop", trace.contains("loop") ? Json(trace.at("loop")) : Json()}};
 }
 
 Json verdictDiagnostics(const ide::Verdicts& verdicts, const ide::Snapshot& snapshot,

@@ -108,7 +108,7 @@ export interface Program {
   /** The verdicts are for older texts. */
   stale: boolean;
   message: string;
-  progress: { decided: number; total: number; classes: number; rate: number; seconds: number } | null;
+  progress: { decided: number; total: number; classes: number; rate: number; bytes: number; seconds: number } | null;
   verdicts: Verdict[];
   exploration: Exploration | null;
   pictures: PictureName[];
@@ -186,6 +186,8 @@ export interface Hello {
     source: boolean;
     /** The host writes files, by `save`; else the browser does. */
     save: boolean;
+    /** `open` asks the user for a trace's file; else the browser does. */
+    open: boolean;
     /** `verify` begins a verification. */
     verify: boolean;
     /** `caret` is sent when the caret moves. */
@@ -206,6 +208,8 @@ export interface Requests {
   picture: [PictureParams, Picture];
   source: [{ uri: string }, { uri: string; text: string }];
   save: [{ name: string; type: string; text?: string; base64?: string }, { saved: boolean }];
+  /** The host shows what it has read, by `show`. */
+  open: [Record<string, never>, null];
   verify: [Record<string, never>, null];
 }
 export type Method = keyof Requests;

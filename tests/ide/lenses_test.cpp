@@ -65,10 +65,10 @@ TEST_CASE("verdicts are counted, and lead to a trace where there is one") {
 TEST_CASE("verdicts on an older text are called stale") {
   const MarkedProgram before(kProgram);
   const MarkedProgram now(kProgram + "(defresource arm)\n");
-  CHECK(titles(now, verdictsFor(before), "go").front().ends_with("(stale)"));
+  CHECK(titles(now, verdictsFor(before), "go").front().ends_with("(outdated)"));
   // The same text, parsed again, is the same text.
   CHECK_FALSE(
-      titles(MarkedProgram(kProgram), verdictsFor(before), "go").front().ends_with("(stale)"));
+      titles(MarkedProgram(kProgram), verdictsFor(before), "go").front().ends_with("(outdated)"));
 }
 
 TEST_CASE("references are counted in words") {

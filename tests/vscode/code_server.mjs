@@ -1,6 +1,6 @@
 // One code-server of its own: its own home, its own extensions, on a free port of the loopback.
 import { execFileSync, spawn } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, readlinkSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
@@ -12,6 +12,8 @@ const kSettings = {
   'workbench.secondarySideBar.defaultVisibility': 'hidden', 'chat.commandCenter.enabled': false,
   'window.commandCenter': false, 'breadcrumbs.enabled': false, 'editor.stickyScroll.enabled': false,
   'workbench.layoutControl.enabled': false, 'testing.openTesting': 'neverOpen',
+  '[jsonc]': { 'editor.autoClosingBrackets': 'never', 'editor.autoClosingQuotes': 'never', 'editor.autoSurround': 'never',
+    'editor.quickSuggestions': false, 'editor.formatOnType': false },
 };
 
 export class CodeServer {
@@ -63,6 +65,17 @@ export class CodeServer {
         return [];
       }
     });
+  }
+
+  /** How many processes verify, for this editor's server. */
+  workers() {
+    return readdirSync('/proc').filter((name) => /^\d+$/.test(name)).filter((name) => {
+      try {
+        return readlinkSync(`/proc/${name}/exe`).startsWith(this.home) && readFileSync(`/proc/${name}/cmdline`, 'utf8').includes('verify-worker');
+      } catch {
+        return false;
+      }
+    }).length;
   }
 
   stop() {

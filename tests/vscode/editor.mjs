@@ -24,16 +24,16 @@ export class Editor {
     return this.page.locator('.quick-input-widget:visible');
   }
 
-  /** A line of what Ctrl+P or F1 offers; again, where something has taken the keyboard away. */
-  async pick(key, text, row) {
+  /** A line of what Ctrl+P or F1 offers, by its label; again, where something has taken the keyboard away. */
+  async pick(key, text, row, after = ', ') {
     await expect(`${row} in the list of ${key}`, async () => {
       await this.press('Escape', key);
       const input = this.quickInput().locator('input.input');
       await input.waitFor({ timeout: 2000 });
       await input.fill(text);
-      await this.quickInput().locator('.monaco-list-row').filter({ hasText: row }).first().waitFor({ timeout: 5000 });
-      await this.press('Enter');
-      await this.quickInput().waitFor({ state: 'hidden', timeout: 2000 });
+      const found = this.quickInput().locator(`.monaco-list-row[aria-label="${row}"], .monaco-list-row[aria-label^="${row}${after}"]`).first();
+      await found.click({ timeout: 5000 });
+      await found.waitFor({ state: 'hidden', timeout: 2000 });
       return true;
     });
   }
@@ -43,12 +43,21 @@ export class Editor {
     return this.pick('F1', `>${title}`, title);
   }
 
+  /** By its name in the list of themes. */
+  async theme(name) {
+    await this.command('Preferences: Color Theme');
+    await this.quickInput().locator('input.input').fill(name);
+    await this.quickInput().locator(`.monaco-list-row.focused[aria-label^="${name}"]`).waitFor();
+    await this.press('Enter');
+    await this.quickInput().waitFor({ state: 'hidden' });
+  }
+
   async openFile(path) {
     const name = path.split('/').pop();
     await expect(`${path} in an editor`, async () => {
       const open = this.page.locator('.tab').filter({ hasText: name });
       if (await open.count()) await open.first().click();
-      else await this.pick('Control+p', path, name);
+      else await this.pick('Control+p', path, name, ' ');
       await this.tab(name).first().waitFor({ timeout: 5000 });
       return true;
     }, 30_000);
@@ -111,11 +120,11 @@ export class Editor {
     }, uriEnd);
   }
 
-  /** The frame of the panel that is in view. */
-  async panel() {
+  /** The frame of a panel: of the one with this view, where there are several. */
+  async panel(view = '.automaton-view, .trace-view') {
     return expect('a panel in a webview', async () => {
       for (const frame of this.page.frames())
-        if (await frame.locator('#panel > *').count().catch(() => 0)) return frame;
+        if (await frame.locator(view).count().catch(() => 0)) return frame;
       return undefined;
     });
   }

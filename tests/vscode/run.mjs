@@ -19,6 +19,8 @@ function workspace() {
   const folder = mkdtempSync(join(tmpdir(), 'proskill-workspace-'));
   for (const name of ['drone', 'rover', 'lift']) cpSync(join(tree, 'examples', name), join(folder, name), { recursive: true });
   cpSync(join(tree, 'docs/tour/dock.proskill'), join(folder, 'dock.proskill'));
+  mkdirSync(join(folder, '.vscode'));
+  writeFileSync(join(folder, '.vscode/settings.json'), '{}');
   return folder;
 }
 
@@ -66,7 +68,7 @@ async function main() {
   const root = workspace();
   const server = await CodeServer.start(folder, vsix);
   const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] });
   page.setDefaultTimeout(15_000);
   const consoleLines = [];
   page.on('console', (message) => consoleLines.push(`${message.type()}: ${message.text()}`));

@@ -1,5 +1,11 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { equal, expect } from './expect.mjs';
 import { failing } from './scenario_verification.mjs';
+
+const kDrone = 'drone/drone.proskill';
+const lineOf = (root, path, text) =>
+  readFileSync(join(root, path), 'utf8').split('\n').findIndex((line) => line.includes(text)) + 1;
 
 /** The line at which the debugger has stopped, as the gutter marks it. */
 const stopped = (page) => page.evaluate(() => {
@@ -40,5 +46,54 @@ export const scenarios = {
     equal('back at the start', await stopped(page), first);
     await editor.press('Shift+F5');
     await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+  },
+
+  /** Run to a breakpoint on a line, and to the end. */
+  async breakpoint({ editor, page, root }) {
+    const line = lineOf(root, kDrone, '(takeoff height');
+    await editor.openFile(kDrone);
+    await editor.goTo(line);
+    await editor.statusSays(/\d+ of \d+ bad/);
+    await editor.press('F9');
+    await page.locator('.codicon-debug-breakpoint, .codicon-debug-breakpoint-unverified').first().waitFor();
+    await editor.command('ProSkill: Replay Trace in the Debugger');
+    await editor.quickInput().locator('input.input').fill(failing);
+    await editor.press('Enter');
+    await page.locator('.debug-toolbar').waitFor();
+    await expect('the first line', () => stopped(page));
+    await editor.press('F5');
+    await expect(`line ${line}`, async () => (await stopped(page)) === line);
+    const stack = page.locator('.debug-call-stack .monaco-list-row');
+    await stack.filter({ hasText: 'takeoff' }).first().waitFor();
+    await editor.picture('breakpoint-met');
+    await editor.press('Shift+F5');
+    await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+    await editor.press('Control+1', 'F9');
+    await page.locator('.glyph-margin-widgets .codicon-debug-breakpoint').first().waitFor({ state: 'detached' });
+  },
+
+  /** F5 without a configuration simulates: the user picks what happens, takes it back, and picks something else. */
+  async simulation({ editor, page }) {
+    await editor.command('View: Close All Editors');
+    await editor.openFile('lift/lift.proskill');
+    await editor.press('F5');
+    await page.locator('.debug-toolbar').waitFor();
+    const stack = page.locator('.debug-call-stack .monaco-list-row');
+    await expect('the first line', () => stopped(page), 30_000);
+    for (const [step, actor] of [['call_from_1 occurs', 'call_from_1'], ['key_turned occurs', 'key_turned']]) {
+      await editor.command('Debug: Step Into Target');
+      const row = editor.quickInput().locator(`.monaco-list-row[aria-label^="${step}"]`);
+      await row.waitFor();
+      if (actor === 'key_turned') await editor.picture('simulation-steps');
+      await row.click();
+      await stack.filter({ hasText: actor }).first().waitFor();
+      if (actor === 'call_from_1') {
+        await page.locator('.debug-toolbar .codicon-debug-step-back').click();
+        await stack.filter({ hasText: actor }).filter({ hasText: 'occurs' }).first().waitFor({ state: 'detached' });
+      }
+    }
+    await editor.press('Shift+F5');
+    await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+    await editor.command('View: Close All Editors');
   },
 };

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { equal, expect } from './expect.mjs';
 
 /** What `proskill verify` says of a property; the editor has to agree with it. */
-function verified({ proskill, root }, program, name) {
+export function verified({ proskill, root }, program, name) {
   let text;
   try {
     text = execFileSync(proskill, ['verify', '--format', 'json', join(root, program)], { encoding: 'utf8', maxBuffer: 1 << 26 });
@@ -17,9 +17,9 @@ const kProgram = 'drone/drone.proskill';
 /** The mission may end too early. */
 export const failing = 'uav_mission.no_undershoot';
 const kSubject = 'uav_mission';
-const row = (page, label) => page.locator(`.test-explorer .monaco-list-row[aria-label*="${label}"]`);
+export const row = (page, label) => page.locator(`.test-explorer .monaco-list-row[aria-label*="${label}"]`);
 
-async function expand(page, text) {
+export async function expand(page, text) {
   await row(page, text).first().waitFor();
   await row(page, text).first().click();
   await page.keyboard.press('ArrowRight');

@@ -32,11 +32,14 @@ export class AutomatonPreview implements vscode.Disposable {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
-  /** Of what is named, else of what is defined where the caret is. */
+  /** Of what is named, such as by a lens, at its node; else of what is defined where the caret is, at the caret's. */
   async open(uri?: vscode.Uri, picture?: { kind: panel.PictureKind; name: string }): Promise<void> {
     const document = uri ? await vscode.workspace.openTextDocument(uri) : currentText();
     const editor = vscode.window.visibleTextEditors.find((it) => it.document === document);
-    const show: panel.Show = { picture: picture ?? (await this.here(document, editor?.selection.active)) };
+    const caret = editor?.selection.active;
+    const show: panel.Show = picture
+      ? { picture: await this.named(document, picture), ...(await definitionOf(document, picture.name)) }
+      : { picture: await this.here(document, caret), ...(caret && { at: locationAt(document, caret) }) };
     if (this.host && this.host.uri.toString() === document.uri.toString()) {
       this.host.showIt(show);
       this.host.reveal(false);
@@ -59,6 +62,15 @@ export class AutomatonPreview implements vscode.Disposable {
     return { kind, name };
   }
 
+  /** A skill that calls others is shown by its body. */
+  private async named(document: vscode.TextDocument, picture: { kind: panel.PictureKind; name: string }): Promise<typeof picture> {
+    if (picture.kind !== 'skill') return picture;
+    const { kind, name } = await this.client.running.sendRequest(protocol.automaton, {
+      textDocument: { uri: document.uri.toString() }, name: picture.name, format: 'json',
+    });
+    return { kind, name };
+  }
+
   private edited(): void {
     clearTimeout(this.typing);
     this.typing = setTimeout(() => this.host?.tell('edited', {}), kTyping);
@@ -67,8 +79,17 @@ export class AutomatonPreview implements vscode.Disposable {
   private moved(editor: vscode.TextEditor): void {
     if (editor.document.languageId !== 'proskill') return;
     clearTimeout(this.moving);
-    const { line, character } = editor.selection.active;
-    const range = { start: { line, character }, end: { line, character } };
-    this.moving = setTimeout(() => this.host?.tell('caret', { uri: editor.document.uri.toString(), range }), kMoving);
+    const here = locationAt(editor.document, editor.selection.active);
+    this.moving = setTimeout(() => this.host?.tell('caret', here), kMoving);
   }
+}
+
+function locationAt(document: vscode.TextDocument, { line, character }: vscode.Position): panel.Location {
+  return { uri: document.uri.toString(), range: { start: { line, character }, end: { line, character } } };
+}
+
+async function definitionOf(document: vscode.TextDocument, name: string): Promise<{ at?: panel.Location }> {
+  const symbols = await vscode.commands.executeCommand<vscode.DocumentSymbol[] | undefined>('vscode.executeDocumentSymbolProvider', document.uri);
+  const found = symbols?.find((symbol) => symbol.name === name);
+  return found ? { at: locationAt(document, found.selectionRange.start) } : {};
 }

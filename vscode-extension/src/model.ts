@@ -89,8 +89,7 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.De
     for (const editor of vscode.window.visibleTextEditors) {
       const model = this.models.get(editor.document.uri.toString());
       if (!model) continue;
-      const ranges = model.ranges
-        .filter(({ origin }) => this.origins.includes(origin))
+      const ranges = innermost(model.ranges.filter(({ origin }) => this.origins.includes(origin)))
         .map(({ firstLine, lastLine }) => new vscode.Range(firstLine, 0, lastLine, 0));
       editor.setDecorations(this.mark, ranges);
       if (scroll && ranges[0]) editor.revealRange(ranges[0], vscode.TextEditorRevealType.InCenterIfOutsideViewport);
@@ -101,4 +100,11 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.De
 /** The first of those of which none is smaller. */
 function smallest<T>(all: T[], size: (one: T) => number): T | undefined {
   return all.reduce<T | undefined>((best, one) => (best === undefined || size(one) < size(best) ? one : best), undefined);
+}
+
+/** Without those that hold others: a transition, and not the process around it. */
+function innermost<Lines extends { firstLine: number; lastLine: number }>(all: Lines[]): Lines[] {
+  const holds = (outer: Lines, inner: Lines): boolean =>
+    outer.firstLine <= inner.firstLine && inner.lastLine <= outer.lastLine && outer.lastLine - outer.firstLine > inner.lastLine - inner.firstLine;
+  return all.filter((it) => !all.some((other) => holds(it, other)));
 }

@@ -99,6 +99,7 @@ export class PanelHost implements vscode.Disposable {
       case 'trace': return this.trace(params);
       case 'picture': return this.picture(params);
       case 'save': return save(params);
+      case 'open': return vscode.commands.executeCommand('proskill.openTraceFile');
       case 'verify': return vscode.commands.executeCommand('proskill.verify', this.uri.toString());
       default: throw new Error(`VS Code has no ${String(method)}`);
     }
@@ -109,7 +110,7 @@ export class PanelHost implements vscode.Disposable {
     return {
       contract: 1,
       layout: this.layout,
-      can: { source: false, save: true, verify: vscode.workspace.isTrusted, follow: this.layout === 'automaton' },
+      can: { source: false, save: true, open: true, verify: vscode.workspace.isTrusted, follow: this.layout === 'automaton' },
       program: await this.program(),
       show: this.show,
       ...(this.remembered && { remembered: this.remembered }),

@@ -21,12 +21,16 @@ const plural = (count: number, one: string): string => `${count} ${one}${count =
 /** How many verdicts are bad, or how many there are. */
 function outcome({ counts, stale }: Verdicts): Look {
   const old = stale ? ' (outdated)' : '';
-  const open = counts.inconclusive ? `, ${counts.inconclusive} inconclusive` : '';
-  if (counts.errors)
-    return { text: `$(error) ProSkill: ${counts.errors} of ${counts.total} bad${old}`, tooltip: '', background: 'error' };
-  if (counts.warnings)
-    return { text: `$(warning) ProSkill: ${plural(counts.warnings, 'warning')}, ${plural(counts.total, 'property').replace('propertys', 'properties')}${old}`, tooltip: '' };
-  return { text: `$(pass) ProSkill: ${counts.good} of ${counts.total}${open}${old}`, tooltip: '' };
+  const bad = counts.errors + counts.warnings;
+  const parts = [`${counts.good} good`, counts.errors && plural(counts.errors, 'error'), counts.warnings && plural(counts.warnings, 'warning'),
+    counts.inconclusive && `${counts.inconclusive} inconclusive`];
+  const tooltip = `${parts.filter((part) => part).join(', ')}${old}`;
+  if (!bad) {
+    const open = counts.inconclusive ? `, ${counts.inconclusive} inconclusive` : '';
+    return { text: `$(pass) ProSkill: ${counts.good} of ${counts.total} good${open}${old}`, tooltip };
+  }
+  const text = `${counts.errors ? '$(error)' : '$(warning)'} ProSkill: ${bad} of ${counts.total} bad${old}`;
+  return { text, tooltip, ...(counts.errors && !stale && { background: 'error' as const }) };
 }
 
 /** What the status bar says of a program. */
@@ -36,7 +40,7 @@ export function lookOf(program: Verdicts): Look {
     case 'waiting': return program.verdicts.length ? outcome(program) : { text: '$(check) ProSkill', tooltip: '' };
     case 'checking':
       return {
-        text: `$(sync~spin) ProSkill: verifying ${progress?.decided ?? 0} of ${progress?.total ?? 0}`,
+        text: progress ? `$(sync~spin) ProSkill: verifying, ${progress.decided} of ${progress.total} decided` : '$(sync~spin) ProSkill: verifying',
         tooltip: progress
           ? `${progress.classes.toLocaleString()} states, ${Math.round(progress.rate).toLocaleString()} a second, ` +
             `${Math.round(progress.bytes / 1e6)} MB, ${progress.seconds.toFixed(1)} s`
@@ -45,7 +49,7 @@ export function lookOf(program: Verdicts): Look {
     case 'done': return outcome(program);
     case 'errors': return { text: '$(error) ProSkill: errors', tooltip: 'The program has errors; nothing is verified' };
     case 'failed': return { text: '$(warning) ProSkill: failed', tooltip: program.message, background: 'warning' };
-    case 'off': return { text: '$(check) ProSkill', tooltip: program.message };
+    case 'off': return program.verdicts.length ? outcome(program) : { text: '$(check) ProSkill', tooltip: program.message };
   }
 }
 

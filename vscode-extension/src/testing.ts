@@ -99,7 +99,7 @@ export class Testing implements vscode.Disposable {
     item.sortText = String(index).padStart(5, '0');
     this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
     item.children.replace(subject.properties.map((property, place) => {
-      const child = this.item(item.children, `${program}##${property.id}`, property.label, property.location ?? subject.location, parent.uri);
+      const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), property.location ?? subject.location, parent.uri);
       child.sortText = String(place).padStart(5, '0');
       this.nodes.set(child, { kind: 'property', program, name: property.id });
       return child;
@@ -213,6 +213,12 @@ export class Testing implements vscode.Disposable {
     this.tell(run, items.filter((it) => decided.has(this.nameOf(it))), program.verdicts, program.exploration?.seconds ?? 0);
     run.end();
   }
+}
+
+/** Without the name of what it is about, which stands above it, and without the marks of code, which would be shown as they are. */
+function shortLabel(subject: string, label: string): string {
+  const start = `\`${subject}\` `;
+  return (label.startsWith(start) ? label.slice(start.length) : label).replaceAll('`', '');
 }
 
 function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMessage {

@@ -6,6 +6,7 @@ import { currentText, reveal } from './places';
 import type { Programs } from './programs';
 import type { panel } from './protocol';
 import { StepMarks } from './step_marks';
+import { readTrace } from './trace_file';
 
 /** The trace view: one for each window; the editors and the Fiacre text go with its current step. */
 export class TraceView implements vscode.Disposable {
@@ -37,8 +38,8 @@ export class TraceView implements vscode.Disposable {
   async openFile(file?: vscode.Uri): Promise<void> {
     const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { Trace: ['json'] }, openLabel: 'Open trace' }))?.[0];
     if (!chosen) return;
-    const read = parse(Buffer.from(await vscode.workspace.fs.readFile(chosen)).toString('utf8'));
-    this.show(read.program ? vscode.Uri.parse(read.program) : currentText().uri, { given: read, step: 0 });
+    const read = await readTrace(chosen);
+    if (read) this.show(read.program, { given: read.trace, step: 0 });
   }
 
   private async choose(uri: vscode.Uri): Promise<string | undefined> {
@@ -84,17 +85,4 @@ export class TraceView implements vscode.Disposable {
     this.marks.show(current);
     this.fiacre.follow(current?.step ?? null);
   }
-}
-
-function parse(text: string): panel.Trace & { program?: string } {
-  let value: unknown;
-  try {
-    value = JSON.parse(text);
-  } catch {
-    throw new Error('This file is not JSON. The trace view saves traces that can be opened again.');
-  }
-  const trace = value as panel.Trace;
-  if (!Array.isArray(trace?.steps) || typeof trace.initial !== 'object')
-    throw new Error('This file holds no trace: it has no `steps` or no `initial`.');
-  return trace;
 }

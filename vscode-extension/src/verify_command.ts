@@ -16,19 +16,20 @@ export async function verify(client: Client, { uri, names }: Subject): Promise<v
   if (result) await tell(program, result);
 }
 
+interface WorkDone {
+  kind: string;
+  /** how many properties are decided, states, rate, memory and time */
+  message?: string;
+}
+
 let asked = 0;
 
 async function request(client: Client, program: vscode.Uri, names: string[],
                        progress: vscode.Progress<{ message?: string }>, token: vscode.CancellationToken):
                        Promise<protocol.VerifyResult | undefined> {
-  const listener = client.onVerdicts(({ progress: now }) => {
-    if (now) progress.report({ message: `${now.decided} of ${now.total}; ${now.classes.toLocaleString()} states, ` +
-      `${Math.round(now.rate).toLocaleString()} a second, ${Math.round(now.bytes / 1e6)} MB` });
-  });
   const workDoneToken = `proskill.verify.${++asked}`;
   const reports = client.running.onProgress(
-    { is: (value: unknown): value is { kind: string; message?: string } => typeof value === 'object' } as never,
-    workDoneToken, (value: { message?: string }) => {
+    { is: (value: unknown): value is WorkDone => typeof value === 'object' } as never, workDoneToken, (value: WorkDone) => {
       if (value.message) progress.report({ message: value.message });
     });
   try {
@@ -38,7 +39,6 @@ async function request(client: Client, program: vscode.Uri, names: string[],
     if (token.isCancellationRequested) return undefined;
     throw error;
   } finally {
-    listener.dispose();
     reports.dispose();
   }
 }

@@ -37,13 +37,14 @@ export class ReportHost implements Host {
       case 'source': return this.source((params as { uri: string }).uri);
       case 'picture': return this.picture(params as PictureParams);
       case 'save':
+      case 'open':
       case 'verify': return fail('a report cannot do this');
     }
   }
 
   private hello(): Hello {
     return {
-      contract: 1, layout: 'all', can: { source: true, save: false, verify: false, follow: false },
+      contract: 1, layout: 'all', can: { source: true, save: false, open: false, verify: false, follow: false },
       program: programOf(this.report.report),
     };
   }

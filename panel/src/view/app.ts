@@ -215,6 +215,7 @@ class App {
   }
 
   private openFile(): void {
+    if (this.hello.can.open) return void this.host.request('open', {}).catch((error: Error) => this.say(error.message));
     const input = h('input', { type: 'file', accept: '.json,application/json', onchange: () => void this.read(input.files?.[0]) });
     input.click();
   }
@@ -242,12 +243,17 @@ class App {
   }
 }
 
+function progressWords({ decided, total, classes, rate, bytes, seconds }: NonNullable<Program['progress']>): string {
+  const much = `${plural(classes, 'class', 'classes')}, ${Math.round(rate).toLocaleString('en')} a second, ${Math.round(bytes / 1e6)} MB`;
+  return `decided ${decided} of ${plural(total, 'property', 'properties')}; ${much}, ${Math.round(seconds)} s`;
+}
+
 function stateWords(program: Program): string {
   const { progress, exploration } = program;
   switch (program.state) {
     case 'waiting': return 'waiting for an idle moment';
     case 'checking':
-      return progress ? `verifying: ${progress.decided} of ${progress.total}, ${plural(progress.classes, 'class', 'classes')}` : 'verifying';
+      return progress ? `verifying: ${progressWords(progress)}` : 'verifying';
     case 'errors': return program.message || 'the text has errors';
     case 'failed': return program.message || 'the verification failed';
     case 'off': return program.message || 'not verified';

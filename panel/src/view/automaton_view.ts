@@ -36,7 +36,7 @@ export class AutomatonView {
   constructor(private readonly host: Host, private readonly saver: Saver, private readonly changed: (picture: PictureName) => void) {
     this.stage = new Stage((id, twice) => this.click(id, twice));
     this.field = h('input', {
-      type: 'search', class: 'search', placeholder: 'Search the picture', 'aria-label': 'Search the picture',
+      type: 'search', class: 'search', placeholder: 'Search', 'aria-label': 'Search the picture',
       oninput: () => this.search(), onkeydown: (event: KeyboardEvent) => this.searchKey(event),
     });
     this.follow = toggle({ icon: 'follow', title: 'Follow: mark what is at the caret or the current step', on: true, changed: () => this.markCaret(true) });

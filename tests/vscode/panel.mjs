@@ -1,0 +1,29 @@
+// What several scenarios do in the panel.
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect } from './expect.mjs';
+
+/** A line of one of the panel's menus, named by the beginning of its title; of a section of it. */
+export async function choose(frame, menu, item, section = '') {
+  const opener = frame.locator(`.menu > button[title^="${menu}"]`);
+  await opener.click();
+  const list = frame.locator('.menu-list:not([hidden])');
+  const lines = section ? list.locator(`.menu-title:has-text("${section}") ~ .menu-item`) : list.locator('.menu-item');
+  await lines.filter({ hasText: item }).first().click();
+  // What can be checked leaves the menu open.
+  if (await list.count()) await list.press('Escape');
+}
+
+/** Saves by the editor's own dialog, and gives the file's bytes. */
+export async function saved({ editor, root }, frame, menu, format, name) {
+  const file = join(root, name);
+  rmSync(file, { force: true });
+  await choose(frame, menu, format, 'Save');
+  const input = editor.quickInput().locator('input.input');
+  await expect(`the dialog to propose ${name}`, async () => (await input.inputValue()).endsWith(name));
+  await expect(`${name} on the disk`, async () => {
+    if (await editor.quickInput().count()) await editor.press('Enter');
+    return existsSync(file) && readFileSync(file).length > 0;
+  });
+  return readFileSync(file);
+}

@@ -1,0 +1,99 @@
+// The Testing view over time: results of an older text, runs that are cancelled, results that come by themselves.
+import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { equal, expect } from './expect.mjs';
+import { expand, row } from './scenario_verification.mjs';
+
+const kDrone = 'drone/drone.proskill';
+const kSettings = '.vscode/settings.json';
+const mission = (page) => row(page, 'takes at least').first();
+
+/** Nine skills side by side, three times each: what no explorer is through with in a minute. */
+function slowProgram() {
+  const names = Array.from({ length: 9 }, (_, i) => `s${i}`);
+  const skills = names.map((name, i) => `(defskill ${name} :time_interval [${i + 1},${i + 7}] :action (go) :success ok :failure no)`);
+  const branches = names.map((name) => `((${name}) (${name}) (${name}))`);
+  return `${skills.join('\n')}\n(defskill mission :success done :body ((// ${branches.join(' ')}) (success done)))\n`;
+}
+
+async function writeSettings({ editor, page }, text) {
+  await editor.openFile(kSettings);
+  await editor.press('Control+a');
+  await editor.press('Delete');
+  await page.keyboard.insertText(text);
+}
+
+const undone = ({ editor, page }) => expect('the text as it was', async () => {
+  await editor.press('Control+z');
+  return !(await page.locator('.tab.active.dirty').count());
+});
+
+export const scenarios = {
+  /** A setting with a value that it cannot have is marked; a proper one works as soon as it is saved. */
+  async settings(world) {
+    const { editor, page } = world;
+    await writeSettings(world, '{"proskill.verify.live": "never", "proskill.verify.seconds": 2}');
+    await editor.squiggles('warning').first().waitFor();
+    await editor.command('Go to Next Problem (Error, Warning, Info)');
+    await page.locator('.marker-widget', { hasText: 'Incorrect type. Expected "boolean"' }).first().waitFor();
+    await editor.picture('settings-wrong');
+    await editor.press('Escape');
+    await writeSettings(world, '{"proskill.verify.live": false}');
+    await editor.squiggles('warning').first().waitFor({ state: 'detached' });
+    await editor.save();
+    equal('the settings', readFileSync(join(world.root, kSettings), 'utf8'), '{"proskill.verify.live": false}');
+  },
+
+  /** The text changes, and nothing verifies it: what is known of it is shown as outdated, wherever it is shown. */
+  async outdated(world) {
+    const { editor, page } = world;
+    await editor.openFile(kDrone);
+    await editor.statusSays(/\d+ of \d+ bad$/);
+    await editor.command('Testing: Focus on Test Explorer View');
+    await mission(page).locator('.computed-state:not(.retired)').waitFor();
+    await editor.press('Control+1');
+    await editor.goTo(160);
+    await editor.type('; ');
+    await editor.statusSays('(outdated)');
+    await mission(page).locator('.computed-state.retired').waitFor();
+    await page.locator('.codelens-decoration', { hasText: /violated.*\(outdated\)/ }).first().waitFor();
+    await editor.picture('outdated-all');
+    await undone(world);
+  },
+
+  /** A run that takes long is cancelled: nothing is left of it. */
+  async cancel({ editor, page, server, root }) {
+    const path = join(root, 'lift/slow.proskill');
+    writeFileSync(path, slowProgram());
+    await editor.openFile('lift/slow.proskill');
+    await editor.statusSays('ProSkill');
+    await editor.command('Test: Run Tests in Current File');
+    await editor.statusSays(/verifying, \d+ of \d+ decided/);
+    equal('processes that verify', server.workers(), 1);
+    await editor.picture('cancel-running');
+    await editor.press('Control+;', 'Control+x');
+    await expect('that nothing verifies', () => server.workers() === 0);
+    await page.locator('.test-explorer .codicon-testing-loading-icon').first().waitFor({ state: 'detached' });
+    await editor.command('View: Close Editor');
+    rmSync(path);
+  },
+
+  /** While the continuous run is on, verdicts follow the text without a click. */
+  async continuous(world) {
+    const { editor, page } = world;
+    await writeSettings(world, '{}');
+    await editor.save();
+    await editor.openFile(kDrone);
+    await page.locator('.pane-header .codicon-testing-turn-continuous-run-on, .title-actions .codicon-testing-turn-continuous-run-on').first().click();
+    await mission(page).locator('.codicon-testing-failed-icon').waitFor();
+    await editor.press('Control+1');
+    await editor.goTo(162, 20);
+    await editor.press('Backspace');
+    await editor.type('1');
+    await mission(page).locator('.codicon-testing-passed-icon').waitFor();
+    await editor.picture('continuous-passed');
+    await undone(world);
+    await mission(page).locator('.codicon-testing-failed-icon').waitFor();
+    await page.locator('.codicon-testing-turn-continuous-run-off').first().click();
+  },
+};

@@ -1,0 +1,108 @@
+// What can be done with traces: from a lens, filtered, pinned, compared, saved, opened again.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { equal, expect } from './expect.mjs';
+import { choose, saved } from './panel.mjs';
+import { failing, verified } from './scenario_verification.mjs';
+
+const kDrone = 'drone/drone.proskill';
+/** Of those above the mission, of which alone ten properties are bad. */
+const lens = (page, text) => page.locator('.codelens-decoration', { hasText: '10 violated' }).locator('a', { hasText: text });
+const steps = (frame) => frame.locator('.step');
+const count = (frame) => frame.locator('.count').textContent();
+
+async function openFromFile({ editor, root }, name) {
+  await editor.command('ProSkill: Open Trace from File');
+  const input = editor.quickInput().locator('input.input');
+  await expect('the dialog in a folder', async () => (await input.inputValue()).startsWith(root));
+  await editor.quickInput().locator('.monaco-list-row[aria-label=".."]').waitFor();
+  await input.fill(join(root, name));
+  await expect('the dialog to take it', async () => {
+    if (!(await editor.quickInput().count())) return true;
+    await editor.press('Enter');
+    return false;
+  });
+}
+
+export const scenarios = {
+  /** The lenses of the mission: verify it, open a trace of it, show its body. */
+  async lenses({ editor, page }) {
+    await editor.openFile(kDrone);
+    await editor.goTo(161);
+    await lens(page, 'verify').first().click();
+    await page.locator('.notification-toast', { hasText: /ProSkill: 10 of 31 not good/ }).first().waitFor();
+    await editor.picture('lenses-verified');
+    await editor.command('Notifications: Clear All Notifications');
+    await lens(page, /^✗ 10 violated/).first().click();
+    let frame = await editor.panel('.trace-view');
+    await frame.locator('.trace-head .badge.violated').waitFor();
+    await editor.command('View: Close All Editors');
+    await editor.openFile(kDrone);
+    await lens(page, 'show automaton').first().click();
+    frame = await editor.panel('.automaton-view');
+    await frame.locator('.ring.selected').waitFor();
+    equal('the picture', await frame.locator('select.pictures').inputValue(), 'body uav_mission');
+    await editor.command('View: Close All Editors');
+  },
+
+  /** The steps of one actor, the ones that change something, a variable at the top, a search, another trace beside. */
+  async filters({ editor, page }) {
+    await editor.openFile(kDrone);
+    await editor.statusSays(/\d+ of \d+ bad/);
+    await editor.command('ProSkill: Open Trace');
+    await editor.quickInput().locator('input.input').fill(failing);
+    await editor.press('Enter');
+    const frame = await editor.panel('.trace-view');
+    await steps(frame).first().waitFor();
+    await choose(frame, 'Filter', 'start_drone', 'Only steps by');
+    await expect('the steps of start_drone alone', async () => /\(2 shown\)/.test(await count(frame)));
+    await choose(frame, 'Filter', 'All steps');
+    await choose(frame, 'Filter', 'Only steps that change something');
+    await expect('fewer steps', async () => /shown/.test(await count(frame)));
+    await choose(frame, 'Filter', 'All steps');
+    const values = frame.locator('.values tbody tr');
+    const some = await values.count();
+    await frame.locator('.values button[title^="Hide variables"]').click();
+    await expect('all variables', async () => (await values.count()) > some);
+    await values.filter({ hasText: 'battery' }).first().hover();
+    await frame.locator('button[title="Pin battery to the top"]').click();
+    await expect('battery at the top', async () => /^battery/.test(await values.first().textContent()));
+    await frame.locator('.values button[title^="Hide variables"]').click();
+    await frame.locator('.trace-view .search').fill('localization');
+    await expect('what is found', async () => (await frame.locator('.step.found').count()) === 2);
+    await editor.picture('filters-found');
+    await page.keyboard.press('Escape');
+    await choose(frame, 'Compare', 'takes at most 120 s');
+    await frame.locator('.comparing', { hasText: /Compared with .* differ/ }).waitFor();
+    await editor.picture('filters-compared');
+    await frame.locator('button[title="End the comparison"]').click();
+  },
+
+  /** Saved as JSON, text and SVG; the JSON is opened again, and so is what `proskill verify` saves. */
+  async saves(world) {
+    const { editor, root, proskill } = world;
+    let frame = await editor.panel('.trace-view');
+    const name = `${failing}.json`;
+    const json = JSON.parse((await saved(world, frame, 'Export', 'Trace as JSON', name)).toString());
+    equal('steps in the file', json.steps.length, verified(world, kDrone, failing).trace.steps.length);
+    equal('text', /start_drone/.test((await saved(world, frame, 'Export', 'Trace as text', `${failing}.txt`)).toString()), true);
+    equal('SVG', /^<svg[^]*start_drone/.test((await saved(world, frame, 'Export', 'Lanes as SVG', `${failing}.svg`)).toString()), true);
+    mkdirSync(join(root, 'traces'), { recursive: true });
+    try {
+      execFileSync(proskill, ['verify', '--save-traces', 'traces', kDrone], { cwd: root, stdio: 'ignore' });
+    } catch {
+      // It ends with 1, because something is violated.
+    }
+    for (const file of [name, `traces/${name}`]) {
+      await editor.command('View: Close All Editors');
+      await openFromFile(world, file);
+      frame = await editor.panel('.trace-view');
+      await frame.locator('#step-0.current').waitFor();
+      equal(`steps of ${file}`, (await count(frame)).trim(), `1 of ${json.steps.length}`);
+      await expect('the text of the first step', async () => (await editor.markedLines('drone.proskill'))[0] === 161);
+    }
+    equal('there', existsSync(join(root, name)), true);
+    await editor.command('View: Close All Editors');
+  },
+};

@@ -1,0 +1,24 @@
+import { equal, expect } from './expect.mjs';
+
+export const scenarios = {
+  /** From the list of walkthroughs; every step shows its text or its picture. */
+  async walkthrough({ editor, page }) {
+    await editor.command('Welcome: Open Walkthrough...');
+    await editor.quickInput().locator('input.input').fill('Get started with ProSkill');
+    await editor.quickInput().locator('.monaco-list-row[aria-label*="Get started with ProSkill"]').click();
+    const steps = page.locator('.gettingStarted .getting-started-step');
+    await expect('its steps', async () => (await steps.count()) === 5);
+    for (const title of ['See the automaton', 'Verify it', 'Click through what goes wrong']) {
+      const step = steps.filter({ hasText: title });
+      await step.click();
+      await expect(`the picture of "${title}"`, () => page.evaluate(() =>
+        [...document.querySelectorAll('.gettingStarted .getting-started-media img')].some((it) => it.naturalWidth > 600)));
+      await editor.picture(`walkthrough-${title.split(' ')[0].toLowerCase()}`);
+    }
+    await steps.filter({ hasText: 'Put skills together' }).click();
+    const text = page.frameLocator('iframe.webview.ready').frameLocator('iframe#active-frame');
+    await text.locator('pre', { hasText: 'defskill recharge' }).first().waitFor();
+    equal('marks of code that are shown as they are', await steps.filter({ hasText: '`' }).count(), 0);
+    await editor.command('View: Close All Editors');
+  },
+};

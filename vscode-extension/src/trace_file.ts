@@ -1,0 +1,43 @@
+import { existsSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+import * as vscode from 'vscode';
+import { open } from '../../panel/src/model/parse';
+import { currentText } from './places';
+import type { panel } from './protocol';
+
+interface Read {
+  trace: panel.Trace;
+  /** a text of its program */
+  program: vscode.Uri;
+}
+
+/** What the trace view saves, what `proskill verify --save-traces` does, or one of a report; undefined: none was chosen. */
+export async function readTrace(file: vscode.Uri): Promise<Read | undefined> {
+  const name = vscode.workspace.asRelativePath(file);
+  const text = Buffer.from(await vscode.workspace.fs.readFile(file)).toString('utf8');
+  let traces: panel.Trace[];
+  try {
+    ({ traces } = open(text));
+  } catch (error) {
+    throw new Error(`${name} holds no trace: ${error instanceof Error ? error.message : String(error)}.`);
+  }
+  if (!traces.length) throw new Error(`${name} is a report without a trace.`);
+  const trace = traces.length === 1 ? traces[0] : await choose(traces);
+  if (!trace) return undefined;
+  for (const step of trace.steps) if (step.location) step.location.uri = uriOf(step.location.uri, file).toString();
+  const first = trace.steps.find(({ location }) => location)?.location;
+  return { trace, program: first ? vscode.Uri.parse(first.uri) : currentText().uri };
+}
+
+async function choose(traces: panel.Trace[]): Promise<panel.Trace | undefined> {
+  const entries = traces.map((trace) => ({ label: trace.name, description: `${trace.verdict}, ${trace.steps.length} steps`, detail: trace.words, trace }));
+  return (await vscode.window.showQuickPick(entries, { placeHolder: 'The trace of which property?', matchOnDetail: true }))?.trace;
+}
+
+/** A path is relative to where the verification ran: the workspace most likely, else where the file lies. */
+function uriOf(place: string, file: vscode.Uri): vscode.Uri {
+  if (/^[a-z][a-z0-9+.-]+:/i.test(place)) return vscode.Uri.parse(place);
+  const folders = [...(vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath), dirname(file.fsPath)];
+  const found = folders.map((folder) => resolve(folder, place)).find(existsSync);
+  return vscode.Uri.file(found ?? resolve(folders[0]!, place));
+}
