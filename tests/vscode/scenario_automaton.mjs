@@ -66,6 +66,5 @@ export const scenarios = {
       await editor.press('Control+z');
       return !(await page.locator('.tab.dirty').count());
     });
-    await editor.command('View: Close All Editors');
   },
 };
