@@ -2,8 +2,10 @@
 
 find_program(PROSKILL_CCACHE ccache)
 if(PROSKILL_CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER ${PROSKILL_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${PROSKILL_CCACHE})
+  # Without these liberties nothing is kept that was compiled with a precompiled header.
+  set(launcher env CCACHE_SLOPPINESS=pch_defines,time_macros ${PROSKILL_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 
 add_library(proskill_flags INTERFACE)
@@ -19,6 +21,17 @@ endif()
 if(PROSKILL_FUZZ)
   target_compile_options(proskill_flags INTERFACE -fsanitize-coverage=trace-pc,trace-cmp)
 endif()
+
+# proskill_precompiled(NAME HEADERS <header>… DEPENDS target…): headers that cost each file that reads them a second or two, read
+# once for all targets that say `target_precompile_headers(… REUSE_FROM proskill_precompiled_NAME)`.
+function(proskill_precompiled name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;DEPENDS" ${ARGN})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// A library has a source.\n")
+  add_library(proskill_precompiled_${name} STATIC ${source})
+  target_link_libraries(proskill_precompiled_${name} PRIVATE ${ARG_DEPENDS} proskill_flags)
+  target_precompile_headers(proskill_precompiled_${name} PRIVATE ${ARG_HEADERS})
+endfunction()
 
 # proskill_library(NAME DEPENDS target…): every *.cpp of the current folder, as target proskill_NAME.
 function(proskill_library name)
