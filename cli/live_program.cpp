@@ -3,6 +3,7 @@
 #include "cli/source_place.h"
 #include "cli/verify_report.h"
 #include "codegen/model.h"
+#include "ide/fiacre_file.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,8 @@ constexpr std::chrono::milliseconds kBetweenLooks{250};
 /// A program and what it was read from. Never changes.
 struct Loaded {
   analysis::Program program;
-  std::string error; ///< the first one; empty: the program has none
+  std::optional<codegen::Model> model; ///< of a model in Fiacre; else generated when it is needed
+  std::string error;                   ///< the first one; empty: the program has none
   std::vector<std::pair<fs::path, fs::file_time_type>> stamps;
 };
 
@@ -34,8 +36,9 @@ fs::file_time_type stampOf(const fs::path& path) {
   return error ? fs::file_time_type::min() : time;
 }
 
-std::string firstError(const analysis::Program& program) {
-  for (const auto& found : analysis::check(program)) {
+std::string firstError(const analysis::Program& program,
+                       const std::vector<syntax::Diagnostic>& diagnostics) {
+  for (const auto& found : diagnostics) {
     if (found.severity != syntax::Severity::Error) continue;
     SourcePlaces places(program);
     return fmt::format("{}:{}: {}", places.path(found.location.file),
@@ -49,11 +52,18 @@ std::shared_ptr<const Loaded> load(const std::string& file) {
   const DiskFileSystem disk;
   // Before the texts are read: what is written in between is then seen as a change.
   const auto before = stampOf(file);
-  loaded->program = analysis::load(disk, file);
+  if (ide::isFiacre(file)) {
+    auto read = ide::readFiacre(file, disk.read(file).value_or(""));
+    loaded->program = std::move(read.program);
+    loaded->model = std::move(read.model);
+    loaded->error = firstError(loaded->program, read.diagnostics);
+  } else {
+    loaded->program = analysis::load(disk, file);
+    loaded->error = firstError(loaded->program, analysis::check(loaded->program));
+  }
   for (const auto& read : loaded->program.files)
     loaded->stamps.emplace_back(read.path, stampOf(read.path));
   loaded->stamps.front().second = before;
-  loaded->error = firstError(loaded->program);
   return loaded;
 }
 
@@ -174,9 +184,7 @@ private:
 
   void verifyOnce(const std::shared_ptr<const Loaded>& now) {
     if (!now->error.empty()) return set("errors", now->error);
-    codegen::Options choice;
-    choice.mainSkill = options.mainSkill;
-    const auto model = codegen::generate(now->program, choice);
+    const auto model = modelOf(*now);
     if (!model) return set("errors", model.error().message);
     set("checking", "");
     const auto result = ide::verifyModel(*model, {}, engine(now, model->checks.size()));
@@ -184,6 +192,14 @@ private:
     if (cancelled) return; // what comes next is newer
     take(lsp::reportJson({now->program, *model, *result, model->mainSkill}));
     set("done", "");
+  }
+
+  [[nodiscard]] std::expected<codegen::Model, codegen::GenerationError>
+  modelOf(const Loaded& now) const {
+    if (now.model) return *now.model;
+    codegen::Options choice;
+    choice.mainSkill = options.mainSkill;
+    return codegen::generate(now.program, choice);
   }
 
   verify::Options engine(const std::shared_ptr<const Loaded>& now, std::size_t total) {

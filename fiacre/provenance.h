@@ -33,6 +33,7 @@ struct Watched {
 struct Provenance {
   std::vector<Origin> origins{1};
   std::vector<Watched> watched;
+  bool byHand = false; ///< the model is what the user wrote: all variables and states are shown
 };
 
 } // namespace proskill::fiacre

@@ -97,6 +97,7 @@ FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
     result.diagnostics.push_back(syntax::makeDiagnostic(
         Code::FiacreText, {0, {problem.begin, problem.end}}, problem.message));
   result.model = {.fiacre = std::move(parsed.program), .provenance = std::move(parsed.provenance)};
+  result.model.provenance.byHand = true;
   if (!result.diagnostics.empty()) return result; // what was not read would be missed everywhere
   for (const auto& problem : fiacre::check(result.model.fiacre))
     result.diagnostics.push_back(syntax::makeDiagnostic(

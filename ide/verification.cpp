@@ -1,5 +1,8 @@
 #include "ide/verification.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -73,6 +76,7 @@ TraceStep inWords(const verify::Step& raw, const fiacre::Provenance& provenance)
     if (!origin.words.empty()) step.words = origin.words;
     if (auto location = locate(origin)) step.location = location;
   }
+  if (provenance.byHand) step.actor = fmt::format("{}", fmt::join(raw.instances, ", "));
   step.changes = raw.changes;
   step.transitions = raw.transitions;
   step.origins = raw.origins;

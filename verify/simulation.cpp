@@ -46,6 +46,7 @@ struct Simulation::State {
     auto& choice = made.choice;
     choice.step = {.origins = tellingLast(provenance, log),
                    .transitions = {nameOf(system, id, log)},
+                   .instances = instancesOf(system, id),
                    .date = at,
                    .changes = changesBetween(system, now.state, next->state)};
     choice.scale = kScale;

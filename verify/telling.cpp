@@ -18,6 +18,13 @@ std::string nameOf(const System& system, TransitionId transition, const StepLog&
   return name;
 }
 
+std::vector<std::string> instancesOf(const System& system, TransitionId transition) {
+  std::vector<std::string> names;
+  for (const auto part : system.transitions[transition].parts)
+    names.push_back(system.instances[system.paths[part].instance].name);
+  return names;
+}
+
 std::vector<fiacre::OriginId> tellingLast(const fiacre::Provenance& provenance,
                                           const StepLog& log) {
   std::vector<fiacre::OriginId> all;

@@ -10,6 +10,9 @@ namespace proskill::verify {
 /// As frac names transitions; of a synchronisation the later member comes first.
 [[nodiscard]] std::string nameOf(const System& system, TransitionId transition, const StepLog& log);
 
+/// The instances of processes that move, in the order of the model.
+[[nodiscard]] std::vector<std::string> instancesOf(const System& system, TransitionId transition);
+
 /// Each origin once, in the order of the path; those with words after those without.
 [[nodiscard]] std::vector<fiacre::OriginId> tellingLast(const fiacre::Provenance& provenance,
                                                         const StepLog& log);

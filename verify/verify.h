@@ -38,6 +38,7 @@ struct Date {
 struct Step {
   std::vector<fiacre::OriginId> origins; ///< of the statements that were passed, most telling last
   std::vector<std::string> transitions;  ///< the Fiacre transitions: `skill_takeoff_1_t3`
+  std::vector<std::string> instances;    ///< of processes, that move: `skill_takeoff_1`
   Date earliest;                         ///< since the start, over all runs through these steps
   std::optional<Date> latest;            ///< nothing: unbounded
   std::int64_t date = 0; ///< in the concrete run that was replayed, in units of 1/Trace::scale

@@ -86,6 +86,12 @@ private:
   const System& system;
 };
 
+void watchStates(System& system) {
+  for (const auto& instance : system.instances)
+    if (instance.locations.size() > 1)
+      system.watched.push_back({instance.name, instance.location, instance.locations});
+}
+
 /// A model that nobody says anything about: all of its variables.
 void watchAll(const Elaboration& model, System& system) {
   for (CellId i = 0; i < system.cells.size(); ++i)
@@ -97,6 +103,7 @@ void watchAll(const Elaboration& model, System& system) {
 
 void watch(const fiacre::Provenance& provenance, const Elaboration& model, const Types& types,
            System& system) {
+  if (provenance.byHand) watchStates(system);
   if (provenance.watched.empty()) return watchAll(model, system);
   Finder finder(model, types, system);
   for (const auto& watched : provenance.watched)

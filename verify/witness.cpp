@@ -45,6 +45,7 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
     const Window& window = dating->steps[i];
     made.steps.push_back({.origins = tellingLast(provenance, log),
                           .transitions = {nameOf(system, evidence.steps[i], log)},
+                          .instances = instancesOf(system, evidence.steps[i]),
                           .earliest = window.earliest,
                           .latest = window.latest,
                           .date = window.date,

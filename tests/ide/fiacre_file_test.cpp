@@ -18,6 +18,13 @@ std::string found(const std::string& text) {
   return all;
 }
 
+std::string told(const std::vector<verify::Change>& changes) {
+  std::string all;
+  for (const auto& each : changes)
+    all += each.variable + ": " + each.before + " to " + each.after + ", ";
+  return all;
+}
+
 } // namespace
 
 TEST_CASE("the codes about Fiacre are raised by their examples") {
@@ -37,6 +44,22 @@ TEST_CASE("a mistake in Fiacre is told at the name that it is about") {
         "`b`: process P, state a: the state `b` is not declared\n");
 }
 
+TEST_CASE("of several instances of a process each has its name in a trace") {
+  const auto read = ide::readFiacre(
+      "m.fcr", "process P [p: sync] is\nstates a, b\nfrom a p; to b\n"
+               "component m is port p: sync par * in P[p] || P[p] end\nm\n"
+               "property never is absent m/2/state b\nassert never\n");
+  REQUIRE(read.diagnostics.empty());
+  const auto report = ide::verifyModel(read.model, {}, {});
+  REQUIRE(report.has_value());
+  REQUIRE(report->rows[0].trace.has_value());
+  const auto& trace = *report->rows[0].trace;
+  CHECK(told(trace.initial) == "P_1:  to a, P_2:  to a, ");
+  REQUIRE(trace.steps.size() == 1);
+  CHECK(trace.steps[0].actor == "P_1, P_2");
+  CHECK(told(trace.steps[0].changes) == "P_1: a to b, P_2: a to b, ");
+}
+
 TEST_CASE("a model by hand is verified, with a trace at its lines") {
   const std::string text = "process P is\nstates a, b\nvar x: 0..3 := 0\n"
                            "from a wait [1,2]; x := x + 1; if x = 3 then to b else to a end\n"
@@ -52,7 +75,8 @@ TEST_CASE("a model by hand is verified, with a trace at its lines") {
   const auto& steps = report->rows[0].trace->steps;
   REQUIRE(steps.size() == 3);
   CHECK(steps[2].words == "to b");
-  CHECK(steps[2].actor == "P");
+  CHECK(steps[2].actor == "P_1");
+  CHECK(told(steps[2].changes) == "P_1: a to b, P_1.x: 2 to 3, ");
   CHECK(text.substr(steps[2].location->range.begin, steps[2].location->range.length()) == "to b");
   CHECK(steps[2].earliest.seconds == syntax::Rational{3, 1});
   CHECK(steps[2].latest->seconds == syntax::Rational{6, 1});
