@@ -123,6 +123,7 @@ private:
   Ltl formulaPrefix();
   Ltl formulaPrimary();
   Observable observable();
+  Observable observableUpTo(std::string_view word);
   Observable momentary(Ltl formula, const Token& first);
   Observable atom();
 
@@ -135,7 +136,8 @@ private:
   std::size_t depth = 0;
   bool constantsOnly = false; ///< a `[` ends an interval's bound, and indexes nothing
   Parsed parsed;
-  std::string actor; ///< of the origins that are made
+  std::string_view separator; ///< a word that does not join formulas here
+  std::string actor;          ///< of the origins that are made
   std::map<std::string, std::int64_t, std::less<>> constants;
   std::map<std::string, Port, std::less<>> channels;
   /// Formulas that are properties by themselves; others name them.

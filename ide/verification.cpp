@@ -30,6 +30,9 @@ Trace translate(const verify::Trace& raw, const codegen::Model& model) {
     before = step.date;
     trace.steps.push_back(std::move(step));
   }
+  trace.loop = raw.loop;
+  const auto last = raw.steps.empty() ? 0 : raw.steps.back().date;
+  if (raw.end > last) trace.end = seconds(raw.end, raw.scale, model.unit);
   return trace;
 }
 
@@ -73,6 +76,7 @@ TraceStep inWords(const verify::Step& raw, const fiacre::Provenance& provenance)
     if (!origin.words.empty()) step.words = origin.words;
     if (auto location = locate(origin)) step.location = location;
   }
+  if (!raw.failure.empty()) step.words += (step.words.empty() ? "" : ": ") + raw.failure;
   step.changes = raw.changes;
   step.transitions = raw.transitions;
   step.origins = raw.origins;

@@ -47,6 +47,9 @@ struct TraceStep {
 struct Trace {
   std::vector<verify::Change> initial;
   std::vector<TraceStep> steps;
+  std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
+  /// Until when nothing else happens, where that is what is shown: seconds since the start.
+  std::optional<syntax::Rational> end;
 };
 
 /// The verdict on one property.
