@@ -183,6 +183,10 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
   auto layout = layoutOf(*row.trace);
   std::size_t number = 0;
   for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
+  if (row.trace->loop)
+    out << fmt::format("    and from step {} on again and again\n", *row.trace->loop + 1);
+  else if (row.trace->end)
+    out << fmt::format("    and nothing else until {} s\n", syntax::toString(*row.trace->end));
 }
 
 void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options) {

@@ -35,9 +35,11 @@ public:
     for (const auto& observable : pattern.operands) check(observable);
     if (pattern.after) check(*pattern.after);
     if (pattern.before) check(*pattern.before);
+    if (pattern.until) check(*pattern.until);
     if (pattern.within) checkInterval(*pattern.within, report);
     if (pattern.forInterval) checkInterval(*pattern.forInterval, report);
-    if (pattern.lasting && *pattern.lasting < 0) report("a time is negative");
+    if (pattern.lasting.value_or(0) < 0 || pattern.forDuration.value_or(0) < 0)
+      report("a time is negative");
     if (pattern.kind == PatternKind::Ltl) check(pattern.ltl);
   }
 
@@ -49,6 +51,7 @@ private:
       wanted = pattern.operands.empty() ? 0 : 1;
       break;
     case PatternKind::Progress:
+    case PatternKind::NoError:
     case PatternKind::Ltl: wanted = 0; break;
     case PatternKind::LeadsTo:
     case PatternKind::Precedes: wanted = 2; break;

@@ -52,7 +52,11 @@ Ltl Parser::formulaChain(std::size_t level) {
   const auto& connective = kConnectives[level];
   std::vector<Ltl> operands{formulaChain(level + 1)};
   const bool toTheRight = connective.ltl == LtlKind::Implies || connective.ltl == LtlKind::Until;
-  while (accept(connective.word)) {
+  const auto joins = [&] {
+    if (connective.word == separator) return false;
+    return accept(connective.word) || (connective.ltl == LtlKind::Until && accept("U"));
+  };
+  while (joins()) {
     operands.push_back(formulaChain(toTheRight ? level : level + 1));
     if (toTheRight) break;
   }
@@ -81,7 +85,9 @@ Ltl Parser::formulaPrefix() {
 
 Ltl Parser::formulaPrimary() {
   if (accept("(")) {
+    const auto outside = std::exchange(separator, {});
     Ltl inner = formula();
+    separator = outside;
     expect(")");
     return inner;
   }
@@ -100,6 +106,15 @@ Ltl Parser::formulaPrimary() {
 Observable Parser::observable() {
   const Token first = peek();
   return momentary(formula(), first);
+}
+
+/// One that ends at a word which would join it to what follows.
+Observable Parser::observableUpTo(std::string_view word) {
+  separator = word;
+  const Token first = peek();
+  Ltl read = formula();
+  separator = {};
+  return momentary(std::move(read), first);
 }
 
 Observable Parser::momentary(Ltl result, const Token& first) {
@@ -181,7 +196,7 @@ Pattern Parser::pattern() {
 Pattern Parser::betweenTwo(Observable first) {
   Pattern result{.kind = isAt("leadsto") ? PatternKind::LeadsTo : PatternKind::Precedes};
   ++at;
-  if (isAt("first")) fail("`leadsto first` is not read yet");
+  result.first = result.kind == PatternKind::LeadsTo && accept("first");
   result.operands.push_back(std::move(first));
   result.operands.push_back(observable());
   scopes(result);
@@ -191,7 +206,13 @@ Pattern Parser::betweenTwo(Observable first) {
 void Parser::scopes(Pattern& pattern) {
   for (;;) {
     if (accept("after")) {
-      pattern.after = observable();
+      pattern.after = observableUpTo("until");
+      if (accept("until")) pattern.until = observable();
+    } else if (accept("between")) {
+      pattern.between = true;
+      pattern.after = observableUpTo("and");
+      expect("and");
+      pattern.until = observable();
     } else if (accept("before")) {
       pattern.before = observable();
     } else if (accept("within")) {
@@ -206,7 +227,6 @@ void Parser::scopes(Pattern& pattern) {
         pattern.forInterval = interval();
       }
     } else {
-      if (isAt("between") || isAt("until")) fail(fmt::format("`{}` is not read yet", peek().text));
       return;
     }
   }

@@ -126,6 +126,7 @@ private:
   Ltl formulaPrefix();
   Ltl formulaPrimary();
   Observable observable();
+  Observable observableUpTo(std::string_view word);
   Observable momentary(Ltl formula, const Token& first);
   Observable atom();
   std::optional<std::uint32_t> step();
@@ -142,7 +143,8 @@ private:
   Parsed parsed;
   std::uint32_t path = 0; ///< of the property's atom that is read
   PathSteps steps;
-  std::string actor; ///< of the origins that are made
+  std::string_view separator; ///< a word that does not join formulas here
+  std::string actor;          ///< of the origins that are made
   std::map<std::string, std::int64_t, std::less<>> constants;
   std::map<std::string, Port, std::less<>> channels;
   /// Formulas that are properties by themselves; others name them.

@@ -79,7 +79,9 @@ std::string printLtl(const Ltl& ltl, const std::string& main) {
 /// When the pattern is looked at: `after …`, `before …`, and its times.
 std::string printScope(const Pattern& pattern, const std::string& main) {
   std::string out;
-  if (pattern.after) out += " after " + plain(*pattern.after, main);
+  if (pattern.after)
+    out += (pattern.between ? " between " : " after ") + plain(*pattern.after, main);
+  if (pattern.until) out += (pattern.between ? " and " : " until ") + plain(*pattern.until, main);
   if (pattern.before) out += " before " + plain(*pattern.before, main);
   if (pattern.within) out += " within " + printInterval(*pattern.within);
   if (pattern.forInterval) out += " for interval " + printInterval(*pattern.forInterval);
@@ -100,6 +102,7 @@ std::string_view word(PatternKind kind) {
   case PatternKind::Precedes: return "precedes";
   case PatternKind::Ltl: return "ltl";
   case PatternKind::Progress: return "progress";
+  case PatternKind::NoError: return "no error";
   }
   assert(false);
   return {};
@@ -112,11 +115,13 @@ std::string printPattern(const Pattern& pattern, const std::string& main) {
   switch (pattern.kind) {
   case PatternKind::DeadlockFree: return "deadlockfree";
   case PatternKind::Progress: return "time can always progress";
+  case PatternKind::NoError: return "nothing fails at run time";
   case PatternKind::Ltl: return "ltl " + printLtl(pattern.ltl, main);
   case PatternKind::LeadsTo:
   case PatternKind::Precedes:
-    return fmt::format("{} {} {}{}", operand(operands[0], main), word(pattern.kind),
-                       operand(operands[1], main), printScope(pattern, main));
+    return fmt::format("{} {}{} {}{}", operand(operands[0], main), word(pattern.kind),
+                       pattern.first ? " first" : "", operand(operands[1], main),
+                       printScope(pattern, main));
   default:
     return fmt::format("{} {}{}", word(pattern.kind), plain(operands[0], main),
                        printScope(pattern, main));
@@ -134,7 +139,8 @@ void printProperty(Output& out, const Property& property, const std::string& mai
       writer.comment(0, "It may stop where " + printObservable(rest, main) + ".");
   const auto text =
       fmt::format("property {} is {}", property.name, printPattern(property.pattern, main));
-  if (property.pattern.kind == PatternKind::Progress) return writer.comment(0, text);
+  const auto kind = property.pattern.kind;
+  if (kind == PatternKind::Progress || kind == PatternKind::NoError) return writer.comment(0, text);
   writer.line(0, text);
   if (!property.asserted) return;
   writer.line(0, fmt::format("{} {}", options.prove ? "prove" : "assert", property.name));

@@ -259,6 +259,7 @@ enum class PatternKind : std::uint8_t {
   Precedes,
   Ltl,
   Progress, // not of Fiacre: time can always go on; printed as a comment
+  NoError,  // likewise: nothing fails at run time
 };
 
 enum class LtlKind : std::uint8_t { Atom, Globally, Finally, Next, Until, Not, And, Or, Implies };
@@ -277,6 +278,9 @@ struct Pattern {
   std::vector<Observable> operands;
   std::optional<Observable> after;
   std::optional<Observable> before;
+  std::optional<Observable> until; ///< ends what `after` begins, again and again
+  bool between = false;            ///< `between AFTER and UNTIL`: only where the end comes
+  bool first = false;              ///< LeadsTo: the first one after it
   std::optional<Interval> within;
   std::optional<Interval> forInterval;
   std::optional<std::int64_t> forDuration;

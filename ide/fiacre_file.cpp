@@ -46,7 +46,19 @@ std::string_view lastWord(std::string_view place) {
   return space == std::string_view::npos ? place : place.substr(space + 1);
 }
 
+/// What is asked of every model, unless it has a property of the name itself.
+void addErrorCheck(fiacre::Program& program) {
+  constexpr std::string_view kName = "no_runtime_error";
+  if (std::ranges::find(program.properties, kName, &fiacre::Property::name) !=
+      program.properties.end())
+    return;
+  program.properties.push_back({.name = std::string(kName),
+                                .pattern = {.kind = fiacre::PatternKind::NoError},
+                                .asserted = true});
+}
+
 void addChecks(codegen::Model& model) {
+  addErrorCheck(model.fiacre);
   const auto& properties = model.fiacre.properties;
   for (std::size_t i = 0; i < properties.size(); ++i) {
     if (!properties[i].asserted) continue;

@@ -33,6 +33,9 @@ Trace translate(const verify::Trace& raw, const codegen::Model& model) {
     before = step.date;
     trace.steps.push_back(std::move(step));
   }
+  trace.loop = raw.loop;
+  const auto last = raw.steps.empty() ? 0 : raw.steps.back().date;
+  if (raw.end > last) trace.end = seconds(raw.end, raw.scale, model.unit);
   return trace;
 }
 
@@ -77,6 +80,7 @@ TraceStep inWords(const verify::Step& raw, const fiacre::Provenance& provenance)
     if (auto location = locate(origin)) step.location = location;
   }
   if (provenance.byHand) step.actor = fmt::format("{}", fmt::join(raw.instances, ", "));
+  if (!raw.failure.empty()) step.words += (step.words.empty() ? "" : ": ") + raw.failure;
   step.changes = raw.changes;
   step.transitions = raw.transitions;
   step.origins = raw.origins;

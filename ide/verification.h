@@ -47,8 +47,9 @@ struct TraceStep {
 struct Trace {
   std::vector<verify::Change> initial;
   std::vector<TraceStep> steps;
-  /// The steps from this one on, from 0, repeat for ever; nothing: the trace ends with its last step.
-  std::optional<std::size_t> loop;
+  std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
+  /// Until when nothing else happens, where that is what is shown: seconds since the start.
+  std::optional<syntax::Rational> end;
 };
 
 /// The verdict on one property.

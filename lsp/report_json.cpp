@@ -73,9 +73,10 @@ Json traceJson(const analysis::Program& program, const ide::Trace& trace) {
   for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
   Json steps = Json::array();
   for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  Json json{{"initial", initial}, {"steps", steps}};
-  if (trace.loop) json["loop"] = *trace.loop;
-  return json;
+  Json made{{"initial", initial}, {"steps", steps}};
+  if (trace.loop) made["loop"] = *trace.loop;
+  if (trace.end) made["end"] = secondsJson(*trace.end);
+  return made;
 }
 
 Json explorationJson(const verify::Exploration& exploration) {

@@ -95,7 +95,8 @@ private:
   void choose() {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       const auto& property = program.properties[questions[i].property];
-      if (property.pattern.kind == PatternKind::Progress)
+      const auto kind = property.pattern.kind;
+      if (kind == PatternKind::Progress || kind == PatternKind::NoError)
         outcome.result.answers[i].reason = "Fiacre has no words for this property";
       else
         order.push_back(i);

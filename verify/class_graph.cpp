@@ -253,6 +253,9 @@ std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& prog
   auto compiled = compile(program, {}, {});
   if (!compiled) return std::unexpected(compiled.error());
   const System system = placed(std::move(compiled->system));
+  if (std::ranges::any_of(system.transitions, &Transition::blocksLater))
+    return std::unexpected(
+        Unsupported{"classes are not counted where what has priority has to wait for its time"});
   return ClassGraph(system, limits).run();
 }
 

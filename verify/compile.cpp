@@ -34,9 +34,13 @@ void summarise(const System& system, Path& path) {
     addReads(system, node, path.reads);
     path.mayFail = path.mayFail || mayFail(system, node);
   };
-  for (const auto& instruction : path.code)
+  for (std::size_t i = 0; i < path.code.size(); ++i) {
+    const auto& instruction = path.code[i];
     if (instruction.kind == InstructionKind::On || instruction.kind == InstructionKind::JumpUnless)
       reads(instruction.node);
+    if (instruction.kind == InstructionKind::Fail) path.mayFail = true;
+    if (instruction.kind == InstructionKind::Jump && instruction.last <= i) path.mayFail = true;
+  }
   for (const auto& assignment : path.assignments) {
     reads(assignment.value);
     path.writes.insert(assignment.target);
@@ -87,12 +91,34 @@ private:
       if (state == process.states.end())
         unsupported("`from " + from.state + "` is no state of `" + process.name + "`");
       auto location = static_cast<std::uint32_t>(state - process.states.begin());
-      for (auto& path : pathsOf(from, location, context, expressions)) {
+      auto all = pathsOf(from, location, context, expressions);
+      addErrors(all);
+      for (auto& path : all) {
         if (path.wait) requireSound(*path.wait, path.origin);
         summarise(system, path);
         system.paths.push_back(std::move(path));
       }
     }
+  }
+
+  /// A guard that comes to a fault is an error at once: a path of its own that fails.
+  void addErrors(std::vector<Path>& paths) {
+    std::vector<Path> errors;
+    for (const auto& path : paths)
+      for (const auto& risk : path.risks) {
+        if (std::ranges::find(errors, risk.node, &Path::guard) != errors.end()) continue;
+        Path& made = errors.emplace_back();
+        made.instance = path.instance;
+        made.location = path.location;
+        made.guard = risk.node;
+        made.wait = fiacre::Interval{.lower = 0, .upper = 0};
+        made.origin = risk.origin;
+        if (risk.origin != 0)
+          made.code.push_back({.kind = InstructionKind::Origin, .first = risk.origin});
+        made.code.push_back({.kind = InstructionKind::Fail, .node = risk.value});
+        made.fails = true;
+      }
+    std::ranges::move(errors, std::back_inserter(paths));
   }
 
   void addTransition(std::vector<PathId> parts, std::optional<NodeId> agree = {}) {
@@ -107,6 +133,7 @@ private:
       NodeId here = nodes.equal(nodes.cell(instance.location), nodes.number(path.location));
       made.guard = nodes.both(made.guard, nodes.both(here, path.guard));
       made.tentative = made.tentative || path.tentative;
+      made.fails = made.fails || path.fails;
       if (!path.loops) made.consumed.insert(path.instance);
       if (made.writes.meets(path.writes))
         unsupported("two parts of a synchronisation write the same variable", path.origin);
@@ -198,8 +225,8 @@ private:
     return static_cast<PathId>(system.paths.size() - 1);
   }
 
-  /// Priorities between ports, and `unless` between silent paths. What goes first must be possible
-  /// at any time when it is enabled: then being enabled decides, and no date.
+  /// Priorities between ports, and `unless` between silent paths. Where what goes first is possible
+  /// at any time when it is enabled, being enabled decides; else its clock.
   void findBlockers() {
     const auto chosen = [](const Path& path) { return path.select != 0; };
     if (model.priorities.empty() && std::ranges::none_of(system.paths, chosen)) return;
@@ -207,10 +234,10 @@ private:
       for (TransitionId high = 0; high < system.transitions.size(); ++high) {
         if (low == high || !goesBefore(system.transitions[high], system.transitions[low])) continue;
         const auto& interval = system.transitions[high].interval;
-        if (isClocked(interval) || interval.lowerOpen || interval.lower > 0)
-          unsupported("what has priority must have the interval [0,0] or [0,...[",
-                      system.paths[system.transitions[high].parts[0]].origin);
-        system.transitions[low].blockers.push_back(high);
+        const bool waits = interval.lowerOpen || interval.lower > 0;
+        auto& blocked = system.transitions[low];
+        (waits ? blocked.laterBlockers : blocked.blockers).push_back(high);
+        system.transitions[high].blocksLater = system.transitions[high].blocksLater || waits;
         system.hasPriorities = true;
       }
   }

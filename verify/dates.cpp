@@ -40,13 +40,25 @@ public:
       const auto& fired = system.transitions[step];
       if (fired.clock != kNone)
         all.push_back({since[fired.clock], i + 1, lowerBound(fired.interval)});
+      for (auto blocker : fired.laterBlockers) {
+        const auto& first = system.transitions[blocker];
+        if (contains(enabled, blocker))
+          all.push_back({i + 1, since[first.clock], notYet(first.interval)});
+      }
       const TransitionSet before = enabled;
-      if (fire(system, step, state.data(), log) != Outcome::Done) return std::nullopt;
+      const Outcome outcome = fire(system, step, state.data(), log);
+      if (outcome == Outcome::Failed && i + 1 == evidence.steps.size()) {
+        all.push_back({i + 1, i + 2, kZero}); // an error: all ends here
+        all.push_back({i + 2, i + 1, kZero});
+        return std::move(all);
+      }
+      if (outcome != Outcome::Done) return std::nullopt;
       enabling.update(step, state.data(), enabled);
       restart(step, before, i + 1);
     }
     const std::size_t last = evidence.steps.size();
     letTimePass(last, last + 1);
+    watch(last);
     for (const auto& range : evidence.clocks) {
       all.push_back({since[range.clock], last + 1, range.lower});
       if (range.upper != kInfinite) all.push_back({last + 1, since[range.clock], range.upper});
@@ -63,6 +75,29 @@ private:
       if (transition.clock != kNone && transition.interval.upper)
         all.push_back({to, since[transition.clock], upperBound(transition.interval)});
     });
+  }
+
+  /// The moves of a monitor: when they are, and what its clock is then. Dates of their own are
+  /// behind that of the end.
+  void watch(std::size_t last) {
+    std::size_t reset = 0;
+    std::size_t own = last + 2;
+    std::size_t before = 0;
+    for (const auto& mark : evidence.marks) {
+      const auto& edge = evidence.monitor->locations[mark.location].edges[mark.edge];
+      const std::size_t date = mark.atStep ? mark.after : own++;
+      if (before != date) all.push_back({before, date, kZero}); // in this order
+      if (mark.after != date) {
+        all.push_back({mark.after, date, kZero});
+        all.push_back({date, mark.after + 1, kZero});
+      }
+      before = date;
+      if (evidence.monitor->locations[mark.location].timed) {
+        if (edge.clock.lower != kZero) all.push_back({reset, date, edge.clock.lower});
+        if (edge.clock.upper != kInfinite) all.push_back({date, reset, edge.clock.upper});
+      }
+      if (edge.reset) reset = date;
+    }
   }
 
   /// Clocks that do not go on start at the step.
@@ -130,7 +165,9 @@ std::optional<Dating> dated(const System& system, const Enabling& enabling,
                             const Evidence& evidence) {
   auto constraints = Writer(system, enabling, evidence).write();
   if (!constraints) return std::nullopt;
-  const std::size_t dates = evidence.steps.size() + 2;
+  const auto ofTheMonitor = static_cast<std::size_t>(
+      std::ranges::count(evidence.marks, false, &Mark::atStep)); // moves between steps
+  const std::size_t dates = evidence.steps.size() + 2 + ofTheMonitor;
   bool strict = std::ranges::any_of(*constraints, [](const auto& c) { return c.limit % 2 == 0; });
   Dating made{.scale = strict ? static_cast<std::int64_t>(dates) : 1};
   auto latest = tightest(*constraints, dates, true);
@@ -143,7 +180,8 @@ std::optional<Dating> dated(const System& system, const Enabling& enabling,
     if ((*latest)[i] != kNoLimit) window.latest = Date{(*latest)[i] >> 1, (*latest)[i] % 2 == 0};
     made.steps.push_back(window);
   }
-  made.end = run->back();
+  made.end = (*run)[evidence.steps.size() + 1];
+  for (std::size_t i = evidence.steps.size() + 2; i < dates; ++i) made.marks.push_back((*run)[i]);
   return made;
 }
 

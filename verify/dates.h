@@ -16,6 +16,7 @@ struct Dating {
   std::vector<Window> steps;
   std::int64_t end =
       0; ///< when the evidence is seen, in units of 1/scale: at the last step or later
+  std::vector<std::int64_t> marks; ///< when a monitor moves between steps
 };
 
 /// Dates for the steps of a run, as a system of difference constraints: each step fires between the

@@ -31,6 +31,9 @@ void cellNames(const Types& types, const Type& named, const std::string& name,
       cellNames(types, type.element.at(0), name + "[" + std::to_string(i) + "]", all);
   } else {
     all.push_back(name);
+    if (type.kind != TypeKind::Union) return;
+    for (const auto& member : type.members)
+      if (!member.type.empty()) cellNames(types, member.type[0], name + "." + member.name, all);
   }
 }
 
@@ -41,6 +44,13 @@ void rootsAssigned(const Statement& statement, std::set<std::string>& roots) {
     roots.insert(root->name);
   }
   if (statement.kind == StatementKind::Foreach) roots.insert(statement.name);
+  if (statement.kind == StatementKind::Case)
+    for (std::size_t i = 1; i < statement.values.size(); ++i) { // what `frame(x)` gives to x
+      const fiacre::Expr* inner = &statement.values[i];
+      const bool binds = !inner->operands.empty();
+      while (!inner->operands.empty()) inner = &inner->operands[0];
+      if (binds && inner->kind == fiacre::ExprKind::Name) roots.insert(inner->name);
+    }
   for (const auto& child : statement.children) rootsAssigned(child, roots);
 }
 

@@ -26,18 +26,18 @@ inline void writeCell(const System& system, CellId id, std::int64_t value, Word*
       (state[cell.word] & ~cell.mask) | (static_cast<Word>(value - cell.low) << cell.shift);
 }
 
-/// The value of a node over packed cells. `failed` is set where it divides by zero.
+/// The value of a node over packed cells. `fault` is set to the first that it comes to.
 [[nodiscard]] std::int64_t evaluate(const System& system, NodeId node, const Word* state,
-                                    bool& failed);
-/// For guards: a division by zero counts as false.
+                                    FaultId& fault);
+/// For guards: a fault counts as false.
 [[nodiscard]] inline bool holds(const System& system, NodeId node, const Word* state) {
-  bool failed = false;
-  return evaluate(system, node, state, failed) != 0 && !failed;
+  FaultId fault = kNoFault;
+  return evaluate(system, node, state, fault) != 0 && fault == kNoFault;
 }
 /// The truth of a goal's condition.
 [[nodiscard]] bool holdsAt(const System& system, NodeId node, const Moment& moment);
 
-/// The value of a node where cell i holds values[i]; nothing where it divides by zero.
+/// The value of a node where cell i holds values[i]; nothing where it comes to a fault.
 [[nodiscard]] std::optional<std::int64_t> evaluateUnpacked(const System& system, NodeId node,
                                                            const std::vector<std::int64_t>& values);
 

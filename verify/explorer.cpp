@@ -14,10 +14,11 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
                    Forgetting forgetting, LimitWatch& watch)
     : system(of), goals(asked), reductions(with), limits(watch), graph(of, with, forgetting) {
   goalsOfEvent.resize(system.eventCount);
+  hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
   result.goals.resize(goals.size());
   for (std::size_t i = 0; i < goals.size(); ++i) {
     const Goal& goal = goals[i];
-    if (goal.kind == GoalKind::Unsupported) continue;
+    if (goal.kind == GoalKind::Unsupported || goal.kind == GoalKind::Run) continue;
     ++open;
     goal.events.each([&](EventId event) { goalsOfEvent[event].push_back(i); });
     if (goal.kind != GoalKind::Condition) continue;
@@ -106,8 +107,10 @@ void Explorer::expand(NodeIndex index) {
   passed.clear();
   if (reductions.openVariables) return expandOpen(index);
   bool stopped = true;
+  const bool ends = fails(loaded.enabled); // the run ends here: a guard comes to a fault
   eachIn(loaded.enabled, [&](TransitionId transition) {
     stopped = false;
+    if (ends && !system.transitions[transition].fails) return;
     if (!graph.enabling.isBlocked(transition, loaded.enabled)) step(index, transition);
   });
   if (stopped) noticeDeadlock();
@@ -118,7 +121,9 @@ void Explorer::expand(NodeIndex index) {
 void Explorer::expandOpen(NodeIndex index) {
   const OpenVariables& open = *reductions.openVariables;
   std::vector<Word> state = loaded.state;
+  const bool ends = fails(loaded.enabled);
   graph.enabling.eachHere(loaded.state.data(), [&](TransitionId transition) {
+    if (ends && !system.transitions[transition].fails) return;
     const bool within = open.staysWithin(transition, loaded.state.data());
     if (within && open.isSilent(transition)) return;
     std::uint32_t choice = 0;
@@ -128,6 +133,13 @@ void Explorer::expandOpen(NodeIndex index) {
       return false;
     });
   });
+}
+
+bool Explorer::fails(const TransitionSet& enabled) const {
+  bool any = false;
+  if (hasErrors)
+    eachIn(enabled, [&](TransitionId id) { any = any || system.transitions[id].fails; });
+  return any;
 }
 
 void Explorer::step(NodeIndex parent, TransitionId transition) {
@@ -168,8 +180,7 @@ bool Explorer::advance(Current& current, TransitionId transition) {
   const Outcome outcome = fire(system, transition, current.state.data(), log);
   if (outcome == Outcome::GaveUp) return false;
   if (outcome == Outcome::Failed) {
-    result.failure = log.failure;
-    result.failureOrigin = log.origins.empty() ? 0 : log.origins.back();
+    noticeError();
     return false;
   }
   graph.enabling.update(transition, current.state.data(), current.enabled);
@@ -322,6 +333,19 @@ void Explorer::noticeDeadlock() {
     if (goals[i].kind == GoalKind::Deadlock && !result.goals[i] &&
         !holdsAt(system, goals[i].condition, moment))
       found(i);
+}
+
+/// Where nobody asks for errors, one ends the exploration.
+void Explorer::noticeError() {
+  bool asked = false;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (goals[i].kind != GoalKind::Error) continue;
+    asked = true;
+    found(i);
+  }
+  if (asked) return;
+  result.failure = log.failure;
+  result.failureOrigin = log.origins.empty() ? 0 : log.origins.back();
 }
 
 void Explorer::found(std::size_t goal) {

@@ -87,6 +87,8 @@ private:
   void noticeStep(const Current& after);
   void noticeState(const Current& current);
   void noticeDeadlock();
+  void noticeError();
+  [[nodiscard]] bool fails(const TransitionSet& enabled) const;
   void found(std::size_t goal);
   [[nodiscard]] bool allDecided() const { return open == 0 && !goals.empty(); }
   [[nodiscard]] Progress progress(NodeIndex next) const;
@@ -103,7 +105,8 @@ private:
   ZoneGraph graph;
   Explored result;
 
-  std::size_t open = 0; ///< goals that are not decided
+  bool hasErrors = false; ///< some transition is an error
+  std::size_t open = 0;   ///< goals that are not decided
   std::vector<std::vector<std::size_t>> goalsOfEvent;
   std::vector<std::size_t> stateGoals; ///< conditions on states
   std::vector<std::size_t> stepGoals;  ///< those that watch steps, too

@@ -1,5 +1,6 @@
 #include "verify/expressions.h"
 
+#include "fiacre/print.h"
 #include "verify/unsupported.h"
 
 #include <algorithm>
@@ -33,7 +34,8 @@ Value Expressions::value(const Expr& expr, const Scope& scope, const Type* expec
   case ExprKind::Bool: return {&kBool, {maker.number(expr.number)}};
   case ExprKind::Number: return {&kInt, {maker.number(expr.number)}};
   case ExprKind::Name: return name(expr.name, scope, expected);
-  case ExprKind::Construct: return call(expr, scope);
+  case ExprKind::Construct:
+    return isFunction(expr.name) ? call(expr, scope) : construct(expr, scope, expected);
   case ExprKind::Unary: return unary(expr, scope);
   case ExprKind::Binary:
     if (expr.op == Op::Enqueue || expr.op == Op::Append) return queueBinary(expr, scope, expected);
@@ -52,14 +54,14 @@ Value Expressions::name(const std::string& text, const Scope& scope, const Type*
   if (auto found = scope.find(text); found != scope.end()) return found->second;
   if (expected)
     if (auto number = types.constructor(*expected, text))
-      return {&types.resolve(*expected), {maker.number(*number)}};
+      return bare(types.resolve(*expected), *number);
   auto constant = std::ranges::find(program.constants, text, &fiacre::Constant::name);
   if (constant != program.constants.end()) {
     Value made = value(constant->value, {}, &types.resolve(constant->type));
     return {&types.resolve(constant->type), made.parts};
   }
   if (const Type* owner = types.unionWith(text))
-    return {owner, {maker.number(types.constructor(*owner, text).value())}};
+    return bare(*owner, types.constructor(*owner, text).value());
   unsupported("`" + text + "` is not known");
 }
 
@@ -76,6 +78,7 @@ Value Expressions::unary(const Expr& expr, const Scope& scope) {
 }
 
 bool Expressions::isBareConstructor(const Expr& expr, const Scope& scope) const {
+  if (expr.kind == ExprKind::Construct) return !isFunction(expr.name);
   return expr.kind == ExprKind::Name && !scope.contains(expr.name);
 }
 
@@ -126,18 +129,37 @@ Value Expressions::conditional(const Expr& expr, const Scope& scope, const Type*
                 value(expr.operands.at(2), scope, expected));
 }
 
-NodeId Expressions::indexNode(const Expr& expr, const Scope& scope, std::int64_t size) {
-  NodeId at = scalar(expr, scope);
-  auto bounds = valueBounds(system, at);
-  if (bounds.low < 0 || bounds.high >= size) unsupported("an index may lie outside of its array");
-  return at;
+NodeId Expressions::indexNode(const Expr& indexed, const Scope& scope, std::int64_t size) {
+  const NodeId at = scalar(indexed.operands.at(1), scope);
+  const auto bounds = valueBounds(system, at);
+  if (0 <= bounds.low && bounds.high < size) return at;
+  return maker.between(at, 0, size - 1,
+                       maker.fault("the index of `" + fiacre::printExpr(indexed) +
+                                   "` lies outside of 0.." + std::to_string(size - 1)));
+}
+
+Value Expressions::fitted(Value value, const Type& type, const std::string& what) {
+  std::vector<const Type*> scalarTypes;
+  types.flatten(type, scalarTypes);
+  if (value.parts.size() != scalarTypes.size()) unsupported(what + " gets a value of another type");
+  for (std::size_t i = 0; i < value.parts.size(); ++i) {
+    const auto range = types.bounds(*scalarTypes[i]);
+    const auto bounds = valueBounds(system, value.parts[i]);
+    if (range.low <= bounds.low && bounds.high <= range.high) continue;
+    value.parts[i] =
+        maker.between(value.parts[i], range.low, range.high,
+                      maker.fault(what + " gets a value outside of " + std::to_string(range.low) +
+                                  ".." + std::to_string(range.high)));
+  }
+  value.type = &types.resolve(type);
+  return value;
 }
 
 Value Expressions::index(const Expr& expr, const Scope& scope) {
   Value array = value(expr.operands.at(0), scope);
   if (array.type->kind != TypeKind::Array) unsupported("what is indexed is no array");
   const Type& element = types.resolve(array.type->element.at(0));
-  NodeId at = indexNode(expr.operands.at(1), scope, array.type->size);
+  NodeId at = indexNode(expr, scope, array.type->size);
   const auto size = static_cast<std::ptrdiff_t>(types.scalars(element));
   const auto slice = [&](std::int64_t i) {
     auto begin = array.parts.begin() + i * size;
@@ -148,6 +170,9 @@ Value Expressions::index(const Expr& expr, const Scope& scope) {
   Value chosen = slice(bounds.high);
   for (std::int64_t i = bounds.high - 1; i >= bounds.low; --i)
     chosen = choose(maker.equal(at, maker.number(i)), slice(i), chosen);
+  if (bounds.low == bounds.high && mayFail(at)) // no choice has looked at it
+    for (auto& part : chosen.parts)
+      part = maker.require(maker.equal(at, maker.number(bounds.high)), part, system.nodes[at].c);
   return chosen;
 }
 
@@ -180,7 +205,8 @@ Value Expressions::literal(const Expr& expr, const Scope& scope, const Type* exp
   const Type& type = types.resolve(*expected);
   Value made{&type, {}};
   const auto append = [&](const Expr& part, const Type& partType) {
-    Value more = value(part, scope, &types.resolve(partType));
+    const Value more = fitted(value(part, scope, &types.resolve(partType)), partType,
+                              "a part of `" + fiacre::printExpr(expr) + "`");
     made.parts.insert(made.parts.end(), more.parts.begin(), more.parts.end());
   };
   if (expr.kind == ExprKind::Array) {
@@ -208,15 +234,6 @@ Value Expressions::lowest(const Type& type) {
   return made;
 }
 
-NodeId Expressions::matches(const Expr& pattern, const Value& tested, const Scope& scope) {
-  bool wild = pattern.kind == ExprKind::Name && pattern.name == "any";
-  if (wild) return maker.number(1);
-  Value wanted = value(pattern, scope, tested.type);
-  if (wanted.parts.size() != 1 || tested.parts.size() != 1)
-    unsupported("a `case` over values of several parts");
-  return maker.equal(tested.parts[0], wanted.parts[0]);
-}
-
 const Type& Expressions::typeOf(const Expr& lvalue, const Scope& scope) {
   return *target(lvalue, scope).type;
 }
@@ -236,7 +253,7 @@ Expressions::Target Expressions::target(const Expr& lvalue, const Scope& scope) 
   }
   if (lvalue.kind != ExprKind::Index || whole.type->kind != TypeKind::Array)
     unsupported("this cannot be assigned to");
-  NodeId at = indexNode(lvalue.operands.at(1), scope, whole.type->size);
+  NodeId at = indexNode(lvalue, scope, whole.type->size);
   auto bounds = valueBounds(system, at);
   Target part{&types.resolve(whole.type->element.at(0)), whole.root, {}};
   const std::size_t size = types.scalars(*part.type);

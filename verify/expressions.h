@@ -36,10 +36,18 @@ public:
   /// The condition under which `tested` matches the pattern of a `case`.
   [[nodiscard]] NodeId matches(const fiacre::Expr& pattern, const Value& tested,
                                const Scope& scope);
+  /// What such a pattern gives to variables: `frame(x)` gives x the value of a frame.
+  struct Binding {
+    fiacre::Expr variable;
+    Value value;
+  };
+  [[nodiscard]] std::vector<Binding> bindings(const fiacre::Expr& pattern, const Value& tested,
+                                              const Scope& scope);
   /// The type of what can be assigned to. \throw CompileError
   [[nodiscard]] const fiacre::Type& typeOf(const fiacre::Expr& lvalue, const Scope& scope);
 
   [[nodiscard]] Nodes& nodes() { return maker; }
+  [[nodiscard]] bool mayFail(NodeId node) const { return verify::mayFail(system, node); }
   /// The values of a scalar type, from the lowest on. \throw CompileError where there are too many
   [[nodiscard]] Types::Bounds allValues(const fiacre::Type& type) const;
   /// An assignment of a number, which lives as long as this.
@@ -60,16 +68,26 @@ private:
   Value field(const fiacre::Expr& expr, const Scope& scope);
   Value literal(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
   Value call(const fiacre::Expr& expr, const Scope& scope);
+  // unions.cpp
+  Value construct(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
+  Value bare(const fiacre::Type& type, std::int64_t number);
+  Value payloadOf(const Value& tested, const std::string& constructor);
+  [[nodiscard]] bool isFunction(const std::string& name) const;
   // queues.cpp
   Value queueLiteral(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
   Value queueUnary(const fiacre::Expr& expr, const Scope& scope);
   Value queueBinary(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
   Value queue(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected = nullptr);
   Value run(Statements rest, Scope scope, const fiacre::Type& result);
+  /// The value where it is one of the type; a fault where a number lies outside.
+  Value fitted(Value value, const fiacre::Type& type, const std::string& what);
+  // functions.cpp
+  Value nothing(Value like, const std::string& why);
   Value choose(NodeId condition, const Value& then, const Value& otherwise);
   void assignInFunction(const fiacre::Statement& statement, Scope& scope);
   bool isBareConstructor(const fiacre::Expr& expr, const Scope& scope) const;
-  NodeId indexNode(const fiacre::Expr& expr, const Scope& scope, std::int64_t size);
+  /// An index, and that it lies within its array: a fault where it does not.
+  NodeId indexNode(const fiacre::Expr& indexed, const Scope& scope, std::int64_t size);
   /// Where in the root variable's parts an lvalue may stand, and when it stands there.
   struct Target {
     const fiacre::Type* type = nullptr;

@@ -1,3 +1,4 @@
+#include "fiacre/print.h"
 #include "verify/expressions.h"
 #include "verify/unsupported.h"
 
@@ -42,32 +43,44 @@ const Statement& Expressions::assignmentOf(const Expr& target, std::int64_t valu
 Value Expressions::call(const Expr& expr, const Scope& scope) {
   auto function = std::ranges::find(program.functions, expr.name, &fiacre::Function::name);
   if (function == program.functions.end())
-    unsupported("`" + expr.name +
-                "` is no function of the model; constructors with values are not verified yet");
+    unsupported("`" + expr.name + "` is no function of the model");
   if (function->parameters.size() != expr.operands.size())
     unsupported("`" + expr.name + "` is called with the wrong number of arguments");
   if (++depth > kDeepest) unsupported("`" + expr.name + "` calls itself too deeply");
   Scope inner;
+  std::vector<NodeId> arguments;
   for (std::size_t i = 0; i < expr.operands.size(); ++i) {
     const Type& type = types.resolve(function->parameters[i].type);
-    inner[function->parameters[i].name] = {&type, value(expr.operands[i], scope, &type).parts};
+    inner[function->parameters[i].name] =
+        fitted(value(expr.operands[i], scope, &type), type,
+               "`" + function->parameters[i].name + "` of `" + function->name + "`");
+    const auto& parts = inner[function->parameters[i].name].parts;
+    arguments.insert(arguments.end(), parts.begin(), parts.end());
   }
   for (const auto& variable : function->variables) {
     const Type& type = types.resolve(variable.type);
     inner[variable.name] =
-        variable.init ? Value{&type, value(*variable.init, inner, &type).parts} : lowest(type);
+        variable.init ? fitted(value(*variable.init, inner, &type), type, "`" + variable.name + "`")
+                      : lowest(type);
   }
   const Type& result = types.resolve(function->result);
   Value made = run({&function->body}, std::move(inner), result);
   --depth;
-  return {&result, made.parts};
+  made = fitted(std::move(made), result, "the result of `" + function->name + "`");
+  for (const auto& argument :
+       arguments) // what fails, fails whether the function looks at it or not
+    if (verify::mayFail(system, argument))
+      for (auto& part : made.parts)
+        part = maker.require(maker.equal(argument, argument), part, kNoFault);
+  return made;
 }
 
 void Expressions::assignInFunction(const Statement& statement, Scope& scope) {
   std::vector<std::pair<Target, Value>> all;
   for (std::size_t i = 0; i < statement.targets.size(); ++i) {
     Target place = target(statement.targets[i], scope);
-    all.emplace_back(place, value(statement.values.at(i), scope, place.type));
+    all.emplace_back(place, fitted(value(statement.values.at(i), scope, place.type), *place.type,
+                                   "`" + fiacre::printLvalue(statement.targets[i]) + "`"));
   }
   for (auto& [place, source] : all) {
     auto root =
@@ -79,6 +92,12 @@ void Expressions::assignInFunction(const Statement& statement, Scope& scope) {
       }
     }
   }
+}
+
+/// A value that cannot be had.
+Value Expressions::nothing(Value like, const std::string& why) {
+  for (auto& part : like.parts) part = maker.require(maker.number(0), part, maker.fault(why));
+  return like;
 }
 
 Value Expressions::run(Statements rest, Scope scope, const Type& result) {
@@ -108,9 +127,15 @@ Value Expressions::run(Statements rest, Scope scope, const Type& result) {
       for (std::size_t i = statement.children.size(); i-- > 0;) {
         auto branch = rest;
         branch.push_back(&statement.children[i]);
-        Value made = run(std::move(branch), scope, result);
+        Scope bound = scope;
+        for (auto& [variable, part] : bindings(statement.values.at(i + 1), tested, scope))
+          bound[variable.name] = {scope.at(variable.name).type, std::move(part.parts)};
+        Value made = run(std::move(branch), std::move(bound), result);
         NodeId condition = matches(statement.values.at(i + 1), tested, scope);
-        chosen = chosen ? choose(condition, made, *chosen) : made;
+        if (!chosen)
+          chosen = nothing(made, "no pattern of a `case` matches `" +
+                                     fiacre::printExpr(statement.values.at(0)) + "`");
+        chosen = choose(condition, made, *chosen);
       }
       if (!chosen) unsupported("a `case` without patterns", statement.origin);
       return *chosen;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/monitor.h"
 #include "verify/system.h"
 
 #include <string>
@@ -11,6 +12,8 @@ enum class GoalKind : std::uint8_t {
   Condition,   ///< `condition` holds of a state, or of a step from a state
   Deadlock,    ///< no transition is possible, and `condition` does not hold
   Stuck,       ///< time can never pass again
+  Error,       ///< something fails at run time
+  Run,         ///< a run that `monitor` accepts
   Unsupported, ///< for `reason`
 };
 
@@ -22,6 +25,7 @@ struct Goal {
   bool ofSteps = false;   ///< the condition watches what happens in a step
   bool initially = false; ///< Events: the initial state is one of those asked for
   std::string reason;
+  Monitor monitor;
 };
 
 } // namespace proskill::verify

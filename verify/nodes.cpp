@@ -14,6 +14,12 @@ std::int64_t clampWide(Wide value) {
   return static_cast<std::int64_t>(std::clamp<Wide>(value, -kHuge, kHuge));
 }
 
+/// Nothing where it is too large: that is an error when it happens.
+std::optional<std::int64_t> within(Wide value) {
+  if (value < -kHuge || value > kHuge) return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
 std::optional<std::int64_t> calculate(NodeOp op, std::int64_t a, std::int64_t b) {
   switch (op) {
   case NodeOp::And: return a != 0 && b != 0;
@@ -21,9 +27,9 @@ std::optional<std::int64_t> calculate(NodeOp op, std::int64_t a, std::int64_t b)
   case NodeOp::Equal: return a == b;
   case NodeOp::Less: return a < b;
   case NodeOp::LessEqual: return a <= b;
-  case NodeOp::Add: return clampWide(static_cast<Wide>(a) + b);
-  case NodeOp::Subtract: return clampWide(static_cast<Wide>(a) - b);
-  case NodeOp::Multiply: return clampWide(static_cast<Wide>(a) * b);
+  case NodeOp::Add: return within(static_cast<Wide>(a) + b);
+  case NodeOp::Subtract: return within(static_cast<Wide>(a) - b);
+  case NodeOp::Multiply: return within(static_cast<Wide>(a) * b);
   case NodeOp::Divide: return b == 0 ? std::nullopt : std::optional(a / b);
   case NodeOp::Modulo: return b == 0 ? std::nullopt : std::optional(a % b);
   default: return std::nullopt;
@@ -96,6 +102,31 @@ NodeId Nodes::conditional(NodeId a, NodeId b, NodeId c) {
   return make({.op = NodeOp::Conditional, .a = a, .b = b, .c = c});
 }
 
+NodeId Nodes::require(NodeId a, NodeId b, FaultId fault) {
+  if (constant(a).value_or(0) != 0) return b;
+  return make({.op = NodeOp::Require, .a = a, .b = b, .c = fault});
+}
+
+NodeId Nodes::between(NodeId value, std::int64_t low, std::int64_t high, FaultId fault) {
+  const auto inside = both(binary(NodeOp::LessEqual, number(low), value),
+                           binary(NodeOp::LessEqual, value, number(high)));
+  if (constant(inside).value_or(0) != 0) return value;
+  return make({.op = NodeOp::Require,
+               .a = inside,
+               .b = value,
+               .c = fault,
+               .number = 1,
+               .low = low,
+               .high = high});
+}
+
+FaultId Nodes::fault(const std::string& words) {
+  const auto found = std::ranges::find(system.faults, words);
+  if (found != system.faults.end()) return static_cast<FaultId>(found - system.faults.begin());
+  system.faults.push_back(words);
+  return static_cast<FaultId>(system.faults.size() - 1);
+}
+
 NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
   const Node node = system.nodes[id]; // a copy: nodes are added
   switch (node.op) {
@@ -106,8 +137,14 @@ NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
   case NodeOp::Received: return leaf(node).value_or(id);
   case NodeOp::Not:
   case NodeOp::Negate:
+  case NodeOp::Fails:
   case NodeOp::Entered:
   case NodeOp::Left: return unary(node.op, substitute(node.a, leaf));
+  case NodeOp::Require: {
+    const NodeId value = substitute(node.b, leaf);
+    return node.number != 0 ? between(value, node.low, node.high, node.c)
+                            : require(substitute(node.a, leaf), value, node.c);
+  }
   case NodeOp::Conditional:
     return conditional(substitute(node.a, leaf), substitute(node.b, leaf),
                        substitute(node.c, leaf));
@@ -165,6 +202,12 @@ ValueBounds valueBounds(const System& system, NodeId id) {
     auto [b, c] = std::pair{valueBounds(system, node.b), valueBounds(system, node.c)};
     return {std::min(b.low, c.low), std::max(b.high, c.high)};
   }
+  case NodeOp::Require: {
+    const auto value = valueBounds(system, node.b);
+    if (node.number == 0) return value;
+    return {std::clamp(value.low, node.low, node.high),
+            std::clamp(value.high, node.low, node.high)};
+  }
   default: return {0, 1};
   }
 }
@@ -183,6 +226,7 @@ template <class Visit> void eachNode(const System& system, NodeId id, Visit& vis
   case NodeOp::Happens: return;
   case NodeOp::Not:
   case NodeOp::Negate:
+  case NodeOp::Fails:
   case NodeOp::Entered:
   case NodeOp::Left: return eachNode(system, node.a, visit);
   case NodeOp::Conditional: eachNode(system, node.c, visit); [[fallthrough]];
@@ -193,14 +237,34 @@ template <class Visit> void eachNode(const System& system, NodeId id, Visit& vis
 } // namespace
 
 bool mayFail(const System& system, NodeId id) {
-  bool fails = false;
-  auto visit = [&](const Node& node) {
-    if (node.op != NodeOp::Divide && node.op != NodeOp::Modulo) return;
-    auto divisor = valueBounds(system, node.b);
-    fails = fails || (divisor.low <= 0 && 0 <= divisor.high);
-  };
-  eachNode(system, id, visit);
-  return fails;
+  const Node& node = system.nodes[id];
+  const auto inside = [&](auto... parts) { return (mayFail(system, parts) || ...); };
+  switch (node.op) {
+  case NodeOp::Require: return true;
+  case NodeOp::Number:
+  case NodeOp::Cell:
+  case NodeOp::Test:
+  case NodeOp::Received:
+  case NodeOp::Happens:
+  case NodeOp::Fails: return false;
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Entered:
+  case NodeOp::Left: return inside(node.a);
+  case NodeOp::Conditional: return inside(node.a, node.b, node.c);
+  case NodeOp::Divide:
+  case NodeOp::Modulo: {
+    const auto divisor = valueBounds(system, node.b);
+    return (divisor.low <= 0 && 0 <= divisor.high) || inside(node.a, node.b);
+  }
+  case NodeOp::Add:
+  case NodeOp::Subtract:
+  case NodeOp::Multiply: {
+    const auto bounds = valueBounds(system, id);
+    return bounds.low <= -kHuge || bounds.high >= kHuge || inside(node.a, node.b);
+  }
+  default: return inside(node.a, node.b);
+  }
 }
 
 void addReads(const System& system, NodeId id, Bits& cells) {

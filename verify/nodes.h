@@ -24,6 +24,14 @@ public:
   NodeId equal(NodeId a, NodeId b) { return binary(NodeOp::Equal, a, b); }
   NodeId happens(EventId event);
   NodeId received(std::uint32_t part) { return make({.op = NodeOp::Received, .a = part}); }
+  /// `value`, where `condition` holds; else the fault.
+  NodeId require(NodeId condition, NodeId value, FaultId fault);
+  /// `value`, where it lies within both ends.
+  NodeId between(NodeId value, std::int64_t low, std::int64_t high, FaultId fault);
+  /// Whether evaluating the node comes to a fault.
+  NodeId fails(NodeId node) { return unary(NodeOp::Fails, node); }
+  /// The fault that is described so.
+  FaultId fault(const std::string& words);
   /// The node with leaves replaced: `leaf` gives what stands for a Cell or a Received, or nothing.
   using Leaf = std::function<std::optional<NodeId>(const Node&)>;
   NodeId substitute(NodeId node, const Leaf& leaf);
@@ -45,7 +53,7 @@ struct ValueBounds {
   std::int64_t high = 0;
 };
 [[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
-/// Whether evaluation may fail: a division by zero.
+/// Whether evaluation may come to a fault.
 [[nodiscard]] bool mayFail(const System& system, NodeId node);
 /// Adds the cells that a node reads.
 void addReads(const System& system, NodeId node, Bits& cells);

@@ -1,8 +1,11 @@
 #include "verify/observe.h"
 
+#include "verify/buchi.h"
+#include "verify/pattern_monitors.h"
 #include "verify/unsupported.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace proskill::verify {
 
@@ -11,10 +14,6 @@ using fiacre::ObservableKind;
 using fiacre::PatternKind;
 
 namespace {
-
-Goal later(std::string what) {
-  return {.kind = GoalKind::Unsupported, .reason = std::move(what) + " come in a later version"};
-}
 
 bool watchesSteps(const Observable& observable) {
   switch (observable.kind) {
@@ -33,8 +32,24 @@ Observer::Observer(const Elaboration& of, Expressions& in, Events& known, System
 
 Goal Observer::goal(const fiacre::Property& property) {
   const auto& pattern = property.pattern;
-  if (pattern.after || pattern.before || pattern.within || pattern.forInterval || pattern.lasting)
-    return later("patterns with scopes and times");
+  if (pattern.kind == PatternKind::Ltl)
+    return {.kind = GoalKind::Run,
+            .monitor = negated(pattern.ltl, expressions.nodes(),
+                               [this](const Observable& atom) { return node(atom); })};
+  const bool plain = !pattern.after && !pattern.before && !pattern.until && !pattern.within &&
+                     !pattern.forInterval && !pattern.forDuration && !pattern.lasting;
+  if (plain)
+    if (auto known = goalOfStates(pattern)) return *known;
+  auto monitor = monitorOf(pattern, expressions.nodes(),
+                           [this](const Observable& atom) { return node(atom); });
+  if (!monitor)
+    return {.kind = GoalKind::Unsupported,
+            .reason = "the pattern has no meaning with this scope and these times"};
+  return {.kind = GoalKind::Run, .monitor = std::move(*monitor)};
+}
+
+/// A question of which one state or step is the answer.
+std::optional<Goal> Observer::goalOfStates(const fiacre::Pattern& pattern) {
   switch (pattern.kind) {
   case PatternKind::Absent: return reach(pattern.operands.at(0));
   case PatternKind::Always:
@@ -45,10 +60,9 @@ Goal Observer::goal(const fiacre::Property& property) {
       goal.condition = expressions.nodes().binary(NodeOp::Or, goal.condition, node(allowed));
     return goal;
   }
-  case PatternKind::Progress: return {.kind = GoalKind::Stuck};
-  case PatternKind::Present: return later("properties of all runs, such as `present`,");
-  case PatternKind::Ltl: return later("properties in LTL");
-  default: return later("properties of this pattern");
+  case PatternKind::Progress: return Goal{.kind = GoalKind::Stuck};
+  case PatternKind::NoError: return Goal{.kind = GoalKind::Error};
+  default: return std::nullopt;
   }
 }
 

@@ -15,6 +15,7 @@ public:
   [[nodiscard]] Goal goal(const fiacre::Property& property);
 
 private:
+  std::optional<Goal> goalOfStates(const fiacre::Pattern& pattern);
   Goal reach(const fiacre::Observable& observable);
   bool simple(const fiacre::Observable& observable, Goal& goal);
   NodeId node(const fiacre::Observable& observable);

@@ -31,6 +31,7 @@ bool isPlain(const Statement& statement) {
   case StatementKind::Loop: return true;
   case StatementKind::If:
   case StatementKind::Case:
+  case StatementKind::While:
   case StatementKind::Sequence: return std::ranges::all_of(statement.children, isPlain);
   default: return false;
   }
@@ -69,7 +70,8 @@ private:
   void codeIf(const Statement& statement, Draft& draft, const Rest& rest);
   void codeCase(const Statement& statement, Draft& draft, const Rest& rest);
   void codeChoice(NodeId condition, Draft& draft, const Rest& then, const Rest& otherwise);
-  void require(NodeId condition, Draft& draft);
+  void require(NodeId condition, Draft& draft, fiacre::OriginId origin);
+  void codeWhile(const Statement& statement, Draft& draft);
   void assign(const Statement& statement, Draft& draft);
   void end(const Statement& statement, Draft& draft);
   void synchronise(const Statement& statement, Draft& draft);
@@ -77,6 +79,7 @@ private:
   void splitIf(const Statement& statement, const Draft& draft, const Rest& rest);
   void splitCase(const Statement& statement, const Draft& draft, const Rest& rest);
   void select(const Statement& statement, const Draft& draft, const Rest& rest);
+  void bind(const fiacre::Expr& pattern, const Value& tested, Draft& draft);
   void any(const Statement& statement, const Draft& draft, const Rest& rest);
   void foreach (const Statement& statement, Rest & rest);
   void send(const Statement& statement, Draft& draft);
@@ -112,6 +115,12 @@ void Writer::write(Draft draft, Rest rest) {
     const Statement& statement = *rest.back();
     rest.pop_back();
     bool choice = statement.kind == StatementKind::If || statement.kind == StatementKind::Case;
+    if (statement.kind == StatementKind::While) {
+      if (!isPlain(statement) || endsPath(statement))
+        unsupported("a `while` with more in it than data", statement.origin);
+      codeAll(draft, {&statement});
+      continue;
+    }
     if (choice) {
       bool plain = isPlain(statement);
       if (plain && endsPath(statement))
@@ -150,7 +159,7 @@ bool Writer::step(const Statement& statement, Draft& draft, Rest& rest) {
   case StatementKind::Assign: assign(statement, draft); return true;
   case StatementKind::On: {
     NodeId condition = scalar(statement.values.at(0));
-    require(condition, draft);
+    require(condition, draft, statement.origin);
     return nodes().constant(condition) != 0;
   }
   case StatementKind::Wait:
@@ -176,8 +185,11 @@ bool Writer::step(const Statement& statement, Draft& draft, Rest& rest) {
   }
 }
 
-void Writer::require(NodeId condition, Draft& draft) {
+void Writer::require(NodeId condition, Draft& draft, fiacre::OriginId origin) {
   if (!draft.assigned) {
+    if (expressions.mayFail(condition))
+      draft.path.risks.push_back(
+          {nodes().both(draft.path.guard, nodes().fails(condition)), condition, origin});
     draft.path.guard = nodes().both(draft.path.guard, condition);
     return;
   }
@@ -242,7 +254,8 @@ void Writer::receive(const Statement& statement, Draft& draft) {
   }
   draft.path.receives = true;
   addAssignments(draft, first);
-  for (const auto& condition : statement.values) require(scalar(condition), draft);
+  for (const auto& condition : statement.values)
+    require(scalar(condition), draft, statement.origin);
 }
 
 /// A path for each value.
@@ -260,7 +273,8 @@ void Writer::any(const Statement& statement, const Draft& draft, const Rest& res
     all = std::move(longer);
   }
   for (auto& each : all) {
-    for (const auto& condition : statement.values) require(scalar(condition), each);
+    for (const auto& condition : statement.values)
+      require(scalar(condition), each, statement.origin);
     write(std::move(each), rest);
   }
 }
@@ -311,6 +325,9 @@ void Writer::codeAll(Draft& draft, Rest rest) {
       auto inner = endsPath(statement) ? std::exchange(rest, {}) : Rest{};
       statement.kind == StatementKind::If ? codeIf(statement, draft, inner)
                                           : codeCase(statement, draft, inner);
+    } else if (statement.kind == StatementKind::While) {
+      noteOrigin(statement, draft);
+      codeWhile(statement, draft);
     } else {
       step(statement, draft, rest);
     }
@@ -333,6 +350,17 @@ void Writer::codeChoice(NodeId condition, Draft& draft, const Rest& then, const 
   draft.assigned = true;
 }
 
+void Writer::codeWhile(const Statement& statement, Draft& draft) {
+  if (endsPath(statement)) unsupported("`to` or `loop` within a `while`", statement.origin);
+  const auto again = static_cast<std::uint32_t>(draft.path.code.size());
+  const NodeId condition = scalar(statement.values.at(0));
+  emit(draft, InstructionKind::JumpUnless).node = condition;
+  draft.branched = draft.assigned = true;
+  codeAll(draft, {&statement.children.at(0)});
+  emit(draft, InstructionKind::Jump).last = again;
+  draft.path.code[again].last = static_cast<std::uint32_t>(draft.path.code.size());
+}
+
 void Writer::codeIf(const Statement& statement, Draft& draft, const Rest& rest) {
   NodeId condition = scalar(statement.values.at(0));
   Rest otherwise = statement.children.size() > 1 ? with(rest, statement.children[1]) : rest;
@@ -350,6 +378,7 @@ void Writer::codeCase(const Statement& statement, Draft& draft, const Rest& rest
     NodeId condition = expressions.matches(statement.values.at(i + 1), tested, *context.scope);
     const auto branch = draft.path.code.size();
     emit(draft, InstructionKind::JumpUnless).node = condition;
+    bind(statement.values[i + 1], tested, draft);
     codeAll(draft, with(rest, statement.children[i]));
     if (!std::exchange(draft.ended, false)) {
       allEnded = false;
@@ -366,12 +395,22 @@ void Writer::codeCase(const Statement& statement, Draft& draft, const Rest& rest
   draft.assigned = true;
 }
 
+/// Gives the variables of a pattern their values.
+void Writer::bind(const fiacre::Expr& pattern, const Value& tested, Draft& draft) {
+  const auto all = expressions.bindings(pattern, tested, *context.scope);
+  if (all.empty()) return;
+  const auto first = static_cast<std::uint32_t>(draft.path.assignments.size());
+  for (const auto& [variable, value] : all)
+    expressions.assign(variable, value, *context.scope, draft.path.assignments);
+  addAssignments(draft, first);
+}
+
 void Writer::splitIf(const Statement& statement, const Draft& draft, const Rest& rest) {
   NodeId condition = scalar(statement.values.at(0));
   const auto take = [&](NodeId guard, const Rest& next) {
     if (nodes().constant(guard) == 0) return;
     Draft taken = draft;
-    require(guard, taken);
+    require(guard, taken, statement.origin);
     write(std::move(taken), next);
   };
   take(condition, with(rest, statement.children.at(0)));
@@ -385,7 +424,8 @@ void Writer::splitCase(const Statement& statement, const Draft& draft, const Res
   for (std::size_t i = 0; i < statement.children.size(); ++i) {
     NodeId condition = expressions.matches(statement.values.at(i + 1), tested, *context.scope);
     Draft taken = draft;
-    require(nodes().both(others, condition), taken);
+    require(nodes().both(others, condition), taken, statement.origin);
+    bind(statement.values[i + 1], tested, taken);
     write(std::move(taken), with(rest, statement.children[i]));
     others = nodes().both(others, nodes().negation(condition));
   }

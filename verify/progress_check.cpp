@@ -88,6 +88,9 @@ bool ProgressCheck::split(const Dbm& zone, std::size_t clock, Moment& moment) {
 }
 
 bool ProgressCheck::letsTimePass(const Moment& moment) {
+  bool fails = false; // the run ends here; that is another question
+  eachIn(moment.enabled, [&](TransitionId id) { fails = fails || system.transitions[id].fails; });
+  if (fails) return true;
   if (graph.timing.at(moment.signature).urgent) return false;
   const auto& all = thresholds(moment.signature);
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -104,6 +107,15 @@ bool ProgressCheck::canFire(const Moment& moment, TransitionId transition) {
       static_cast<std::size_t>(std::ranges::lower_bound(clocks, of.clock) - clocks.begin());
   const auto& reached = thresholds(moment.signature)[at].lower;
   return moment.levels[at] > 0 && reached[moment.levels[at] - 1U] <= limit;
+}
+
+/// Whether something that has priority can fire.
+bool ProgressCheck::isBlocked(const Moment& moment, TransitionId transition) {
+  const auto canGo = [&](TransitionId id) {
+    return contains(moment.enabled, id) && canFire(moment, id);
+  };
+  const auto& of = system.transitions[transition];
+  return std::ranges::any_of(of.blockers, canGo) || std::ranges::any_of(of.laterBlockers, canGo);
 }
 
 bool ProgressCheck::fireFrom(const Moment& moment, TransitionId transition, Moment& next) {
@@ -175,7 +187,8 @@ bool ProgressCheck::isGood(const Moment& first) {
     bool good = false;
     eachIn(moment.enabled, [&](TransitionId transition) {
       if (good || system.transitions[transition].urgent != urgentSteps) return;
-      if (!canFire(moment, transition) || !fireFrom(moment, transition, next)) return;
+      if (!canFire(moment, transition) || isBlocked(moment, transition)) return;
+      if (!fireFrom(moment, transition, next)) return;
       const StateId id = number(next);
       if (letsTimePass(next)) verdicts[id] = Verdict::Good;
       good = verdicts[id] == Verdict::Good;

@@ -52,6 +52,7 @@ private:
   bool isGood(const Moment& moment);
   [[nodiscard]] bool letsTimePass(const Moment& moment);
   [[nodiscard]] bool canFire(const Moment& moment, TransitionId transition);
+  [[nodiscard]] bool isBlocked(const Moment& moment, TransitionId transition);
   [[nodiscard]] bool fireFrom(const Moment& moment, TransitionId transition, Moment& next);
   StateId number(Moment& moment);
   void load(StateId id, Moment& moment);

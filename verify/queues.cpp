@@ -1,3 +1,4 @@
+#include "fiacre/print.h"
 #include "verify/expressions.h"
 #include "verify/unsupported.h"
 
@@ -38,8 +39,7 @@ Value Expressions::queueLiteral(const Expr& expr, const Scope& scope, const Type
   return made;
 }
 
-/// An empty queue makes `first` divide by zero, and `dequeue` a length below zero: errors of the
-/// model, when they happen.
+/// `first` and `dequeue` of an empty queue are faults.
 Value Expressions::queueUnary(const Expr& expr, const Scope& scope) {
   const Value all = queue(expr.operands.at(0), scope);
   const NodeId length = all.parts.at(0);
@@ -49,28 +49,35 @@ Value Expressions::queueUnary(const Expr& expr, const Scope& scope) {
   const Type& element = types.resolve(all.type->element.at(0));
   const auto size = static_cast<std::ptrdiff_t>(types.scalars(element));
   const auto first = all.parts.begin() + 1;
+  const auto fault =
+      maker.fault("`" + fiacre::printExpr(expr) + "` of an empty queue"); // where it is one
   if (expr.op == Op::First) {
     Value made{&element, {first, first + size}};
-    const NodeId sound = maker.conditional(none, maker.number(0), maker.number(1));
-    for (auto& part : made.parts) part = maker.binary(NodeOp::Divide, part, sound);
+    for (auto& part : made.parts) part = maker.require(maker.negation(none), part, fault);
     return made;
   }
-  Value made{all.type, {maker.binary(NodeOp::Subtract, length, maker.number(1))}};
+  Value made{all.type,
+             {maker.between(maker.binary(NodeOp::Subtract, length, maker.number(1)), 0,
+                            all.type->size - 1, fault)}};
   made.parts.insert(made.parts.end(), first + size, all.parts.end());
   const Value vacant = lowest(element);
   made.parts.insert(made.parts.end(), vacant.parts.begin(), vacant.parts.end());
   return made;
 }
 
-/// `enqueue` adds at the end, `append` in front. A full queue gets a length beyond its type.
+/// `enqueue` adds at the end, `append` in front. A full queue is a fault.
 Value Expressions::queueBinary(const Expr& expr, const Scope& scope, const Type* expected) {
   const Value all = queue(expr.operands.at(0), scope, expected);
   const Type& element = types.resolve(all.type->element.at(0));
-  const Value added = value(expr.operands.at(1), scope, &element);
+  const std::string text = "`" + fiacre::printExpr(expr) + "`";
+  const Value added =
+      fitted(value(expr.operands.at(1), scope, &element), element, "an element in " + text);
   const std::size_t size = types.scalars(element);
   if (added.parts.size() != size) unsupported("an element of another type goes into a queue");
   const NodeId length = all.parts.at(0);
-  Value made{all.type, {maker.binary(NodeOp::Add, length, maker.number(1))}};
+  Value made{all.type,
+             {maker.between(maker.binary(NodeOp::Add, length, maker.number(1)), 0, all.type->size,
+                            maker.fault(text + " of a full queue"))}};
   if (expr.op == Op::Append) {
     made.parts.insert(made.parts.end(), added.parts.begin(), added.parts.end());
     made.parts.insert(made.parts.end(), all.parts.begin() + 1,

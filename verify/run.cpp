@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <tuple>
 
 namespace proskill::verify {
 
@@ -17,6 +18,11 @@ void explain(const Cell& cell, std::int64_t value, StepLog& log) {
                 ", outside of " + std::to_string(cell.low) + ".." + std::to_string(cell.high);
 }
 
+Outcome failed(const System& system, FaultId fault, StepLog& log) {
+  log.failure = system.faults[fault];
+  return Outcome::Failed;
+}
+
 /// Several assignments at once: all values first.
 Outcome assignAll(const System& system, std::span<const Assignment> assignments, Word* state,
                   StepLog& log) {
@@ -24,16 +30,15 @@ Outcome assignAll(const System& system, std::span<const Assignment> assignments,
   std::array<std::int64_t, kFew> few{};
   std::vector<std::int64_t> many(assignments.size() > kFew ? assignments.size() : 0);
   std::int64_t* values = many.empty() ? few.data() : many.data();
-  bool failed = false;
   for (std::size_t i = 0; i < assignments.size(); ++i) {
-    values[i] = evaluate(system, assignments[i].value, state, failed);
+    FaultId fault = kNoFault;
+    values[i] = evaluate(system, assignments[i].value, state, fault);
+    if (fault != kNoFault) return failed(system, fault, log);
     if (assignments[i].checked && !fits(system.cells[assignments[i].target], values[i])) {
       explain(system.cells[assignments[i].target], values[i], log);
       return Outcome::Failed;
     }
   }
-  if (failed) log.failure = "a division by zero";
-  if (failed) return Outcome::Failed;
   for (std::size_t i = 0; i < assignments.size(); ++i)
     writeCell(system, assignments[i].target, values[i], state);
   return Outcome::Done;
@@ -41,7 +46,9 @@ Outcome assignAll(const System& system, std::span<const Assignment> assignments,
 
 Outcome firePath(const System& system, const Path& path, Word* state, StepLog& log) {
   std::size_t at = 0;
-  bool failed = false;
+  FaultId fault = kNoFault;
+  int turns = 0;
+  constexpr int kMostTurns = 100'000;
   while (true) {
     const Instruction& instruction = path.code[at++];
     switch (instruction.kind) {
@@ -59,12 +66,24 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
       }
       break;
     case InstructionKind::On:
-      if (evaluate(system, instruction.node, state, failed) == 0) return Outcome::GaveUp;
+      if (evaluate(system, instruction.node, state, fault) == 0 && fault == kNoFault)
+        return Outcome::GaveUp;
+      if (fault != kNoFault) return failed(system, fault, log);
       break;
     case InstructionKind::JumpUnless:
-      if (evaluate(system, instruction.node, state, failed) == 0) at = instruction.last;
+      if (evaluate(system, instruction.node, state, fault) == 0) at = instruction.last;
+      if (fault != kNoFault) return failed(system, fault, log);
       break;
-    case InstructionKind::Jump: at = instruction.last; break;
+    case InstructionKind::Jump:
+      if (instruction.last < at && ++turns > kMostTurns) {
+        log.failure = "a loop that does not end";
+        return Outcome::Failed;
+      }
+      at = instruction.last;
+      break;
+    case InstructionKind::Fail:
+      std::ignore = evaluate(system, instruction.node, state, fault);
+      return failed(system, fault, log);
     case InstructionKind::Tag:
       if (instruction.event != kNone) log.events.push_back(instruction.event);
       break;
@@ -73,10 +92,8 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
       writeCell(system, system.instances[path.instance].location, instruction.last, state);
       if (instruction.event != kNone) log.events.push_back(instruction.event);
       log.leaves.push_back(instruction.leaf);
-      return failed ? Outcome::Failed : Outcome::Done;
-    case InstructionKind::Loop:
-      log.leaves.push_back(instruction.leaf);
-      return failed ? Outcome::Failed : Outcome::Done;
+      return Outcome::Done;
+    case InstructionKind::Loop: log.leaves.push_back(instruction.leaf); return Outcome::Done;
     }
   }
 }

@@ -9,7 +9,7 @@ namespace proskill::verify {
 enum class Outcome : std::uint8_t {
   Done,
   GaveUp, ///< an `on` was false: the transition is not enabled
-  Failed, ///< a value left its range, or a division was by zero: an error of the model
+  Failed, ///< a value left its range or cannot be had: an error of the model
 };
 
 /// What happened in a step. Kept between steps, so that nothing is allocated.

@@ -153,6 +153,7 @@ void SafeSteps::findCandidates(const std::vector<Goal>& goals, const Bits& dropp
     if (!transition.urgent || dropped.contains(i) || transition.writes.meets(visibleCells))
       continue;
     bool seen = transition.event != kNone && visibleEvents.contains(transition.event);
+    for (auto part : transition.parts) seen = seen || system.paths[part].mayFail;
     for (auto part : transition.parts)
       for (const auto& instruction : system.paths[part].code)
         seen = seen || (instruction.event != kNone && visibleEvents.contains(instruction.event));

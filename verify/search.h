@@ -5,10 +5,21 @@
 
 namespace proskill::verify {
 
+/// A move of a monitor along the steps: with a step, or at a date between two.
+struct Mark {
+  std::size_t after = 0; ///< how many steps were taken, that of the move included
+  bool atStep = false;
+  std::uint32_t location = 0; ///< of the monitor, before
+  std::uint32_t edge = 0;
+};
+
 /// A way to what a goal asks for, and where the clocks stand at its end where that matters.
 struct Evidence {
   Steps steps;
   std::vector<ClockRange> clocks;
+  const Monitor* monitor = nullptr; ///< that accepts the run, by these moves
+  std::vector<Mark> marks;
+  std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
 };
 
 struct SearchResult {

@@ -23,8 +23,16 @@ bool Simulator::mayWait(const Concrete& now, std::int64_t date) const {
 }
 
 bool Simulator::isRipe(const Concrete& now, TransitionId id, std::int64_t date) const {
+  const auto canGo = [&](TransitionId other) { return isOldEnough(now, other, date); };
+  const auto& of = system.transitions[id];
+  return canGo(id) && std::ranges::none_of(of.blockers, canGo) &&
+         std::ranges::none_of(of.laterBlockers, canGo);
+}
+
+/// Whether it is enabled for as long as it needs to be.
+bool Simulator::isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const {
   auto enabled = now.since.find(id);
-  if (enabled == now.since.end() || isBlocked(now, id)) return false;
+  if (enabled == now.since.end()) return false;
   const auto& interval = system.transitions[id].interval;
   const std::int64_t age = date - enabled->second;
   return age > interval.lower * scale || (age == interval.lower * scale && !interval.lowerOpen);
@@ -36,20 +44,31 @@ std::optional<Opportunity> Simulator::opportunity(const Concrete& now, Transitio
   const auto& interval = system.transitions[id].interval;
   Opportunity found{now.since.at(id) + interval.lower * scale, interval.lowerOpen, {}, false};
   if (found.earliest < date) found = {date, false, {}, false};
+  const auto limit = [&](std::int64_t latest, bool open) {
+    if (found.latest && (*found.latest < latest || (*found.latest == latest && !open))) return;
+    found.latest = latest;
+    found.beforeLatest = open;
+  };
   for (const auto& [other, since] : now.since) {
     const auto& bound = system.transitions[other].interval;
-    if (!bound.upper) continue;
-    const std::int64_t latest = since + *bound.upper * scale;
-    if (found.latest && (*found.latest < latest || (*found.latest == latest && !bound.upperOpen)))
-      continue;
-    found.latest = latest;
-    found.beforeLatest = bound.upperOpen;
+    if (bound.upper) limit(since + *bound.upper * scale, bound.upperOpen);
   }
+  for (auto blocker : system.transitions[id].laterBlockers)
+    if (auto since = now.since.find(blocker); since != now.since.end()) {
+      const auto& bound = system.transitions[blocker].interval;
+      limit(since->second + bound.lower * scale, !bound.lowerOpen);
+    }
   const bool strict = found.afterEarliest || found.beforeLatest;
   if (found.latest &&
       (*found.latest < found.earliest || (strict && *found.latest == found.earliest)))
     return std::nullopt;
   return found;
+}
+
+bool Simulator::fails(const Concrete& now, TransitionId id, StepLog& log) const {
+  auto state = now.state;
+  log.clear();
+  return fire(system, id, state.data(), log) == Outcome::Failed;
 }
 
 std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, std::int64_t date,

@@ -38,6 +38,8 @@ public:
   /// before. \pre it is enabled
   [[nodiscard]] std::optional<Opportunity> opportunity(const Concrete& now, TransitionId id,
                                                        std::int64_t date) const;
+  /// Whether the step is an error of the model; what went wrong is in `log`.
+  [[nodiscard]] bool fails(const Concrete& now, TransitionId id, StepLog& log) const;
   /// The step itself; what it passes is in `log`. Nothing where it fails.
   [[nodiscard]] std::optional<Concrete> take(const Concrete& now, TransitionId id,
                                              std::int64_t date, StepLog& log) const;
@@ -47,6 +49,7 @@ public:
 
 private:
   [[nodiscard]] std::vector<TransitionId> enabledIn(const std::vector<Word>& state) const;
+  [[nodiscard]] bool isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool isBlocked(const Concrete& now, TransitionId id) const;
   [[nodiscard]] bool disturbs(TransitionId fired, TransitionId other) const;
   [[nodiscard]] bool mayWaitALittle(const Concrete& now, std::int64_t date) const;

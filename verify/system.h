@@ -21,8 +21,14 @@ using TransitionId = std::uint32_t;
 using InstanceId = std::uint32_t;
 using ClockId = std::uint32_t;
 using EventId = std::uint32_t;
+using FaultId = std::uint32_t; ///< in System::faults
 
 inline constexpr std::uint32_t kNone = UINT32_MAX;
+
+/// Faults that every system has.
+inline constexpr FaultId kNoFault = 0;
+inline constexpr FaultId kDivisionByZero = 1;
+inline constexpr FaultId kOverflow = 2;
 
 /// A scalar variable, or the state that an instance is in.
 struct Cell {
@@ -56,6 +62,8 @@ enum class NodeOp : std::uint8_t {
   Entered,
   Left,     // a becomes true, false by the step
   Received, // the a-th part of what a port brings; put in when parts are brought together
+  Require,  // b where a; else the fault c. `number` tells that `low` and `high` limit b then
+  Fails,    // whether evaluating a comes to a fault
 };
 
 /// An expression over cells. Nodes are shared: equal expressions are the same node.
@@ -67,6 +75,8 @@ struct Node {
   std::int64_t number = 0;
   Word mask = 0;
   Word value = 0;
+  std::int64_t low = 0; ///< Require
+  std::int64_t high = 0;
 };
 
 struct Assignment {
@@ -98,6 +108,7 @@ enum class InstructionKind : std::uint8_t {
   Jump,       // to instruction `last`
   Tag,        // event
   Origin,     // first is the origin
+  Fail,       // a fault of the model: what evaluating node comes to
   To,         // ends: assignments[first] is that of the location, event of entering, leaf
   Loop,       // ends: leaf
 };
@@ -111,6 +122,13 @@ struct Instruction {
   std::uint32_t lastStore = 0;
   EventId event = kNone;
   std::uint32_t leaf = 0; ///< J of frac's name `process_K_tJ`
+};
+
+/// A condition on the way into a path that may come to a fault.
+struct Risk {
+  NodeId node = 0; ///< it is looked at, and comes to a fault
+  NodeId value = 0;
+  fiacre::OriginId origin = 0;
 };
 
 /// One way through the statement of a `from`: an atomic step of one instance.
@@ -128,10 +146,12 @@ struct Path {
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
   std::vector<BitStore> stores;
-  Bits guardReads;      ///< cells of the guard, the location among them
-  Bits reads;           ///< cells that the code may read
-  Bits writes;          ///< cells that the code may write, the location among them
-  bool mayFail = false; ///< an assignment may leave its range, or a division may be by zero
+  Bits guardReads;         ///< cells of the guard, the location among them
+  Bits reads;              ///< cells that the code may read
+  Bits writes;             ///< cells that the code may write, the location among them
+  bool mayFail = false;    ///< an assignment may leave its range, or a value may come to a fault
+  std::vector<Risk> risks; ///< of the guard
+  bool fails = false;      ///< it is an error of the model that this is enabled
   fiacre::OriginId origin = 0;
   std::uint32_t group = 0;  ///< of an `unless`: a path of a later group goes before this one
   std::uint32_t select = 0; ///< of that `unless`, within the process; 0: none
@@ -149,10 +169,14 @@ struct Transition {
   std::vector<BitTest> tests; ///< the guard, made when cells are placed: all of these
   std::vector<NodeId> rest;   ///< and all of those
   bool tentative = false;
+  bool fails = false; ///< it is an error of the model that this is enabled
   bool apart = false; ///< a part reads what another writes: each sees the state before the step
   Bits consumed;      ///< instances that do not end in `loop`
   std::vector<TransitionId> blockers; ///< none of which may be enabled: they have priority
-  Bits guardReads;                    ///< what being enabled depends on
+  /// None of which may have reached its lower bound: likewise, with clocks.
+  std::vector<TransitionId> laterBlockers;
+  bool blocksLater = false; ///< it is one of the laterBlockers of another
+  Bits guardReads;          ///< what being enabled depends on
   Bits reads;
   Bits writes;
 };
@@ -182,6 +206,8 @@ struct WatchedCell {
 struct System {
   std::vector<Cell> cells;
   std::vector<Node> nodes;
+  /// What can go wrong, in words.
+  std::vector<std::string> faults{"", "a division by zero", "a number beyond 2^62"};
   std::vector<Instance> instances;
   std::vector<std::string> ports;
   bool hasPriorities = false; ///< some transition has blockers

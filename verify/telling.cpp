@@ -13,7 +13,8 @@ std::string nameOf(const System& system, TransitionId transition, const StepLog&
   for (std::size_t i = parts.size(); i-- > 0;) {
     const auto& instance = system.instances[system.paths[parts[i]].instance];
     if (!name.empty()) name += "_";
-    name += instance.name + "_t" + std::to_string(log.leaves.at(i));
+    name +=
+        instance.name + (i < log.leaves.size() ? "_t" + std::to_string(log.leaves[i]) : "_error");
   }
   return name;
 }

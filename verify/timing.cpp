@@ -12,6 +12,10 @@ Bound upperBound(const fiacre::Interval& interval) {
   return interval.upper ? bound(*interval.upper, interval.upperOpen) : kInfinite;
 }
 
+Bound notYet(const fiacre::Interval& interval) {
+  return bound(interval.lower, !interval.lowerOpen);
+}
+
 bool resets(const System& system, TransitionId transition, ClockId id) {
   const Clock& clock = system.clocks[id];
   const Bits& consumed = system.transitions[transition].consumed;
@@ -46,6 +50,7 @@ void describeClocks(const System& system, Forgetting forgetting, Signature& sign
     invariant = std::min(invariant, upperBound(interval));
     const auto from = static_cast<std::int32_t>(interval.lower);
     if (from > 0 || interval.lowerOpen) signature.lower[at] = std::max(signature.lower[at], from);
+    if (transition.blocksLater) signature.upper[at] = std::max(signature.upper[at], from);
     if (interval.upper)
       signature.upper[at] =
           std::max(signature.upper[at], static_cast<std::int32_t>(*interval.upper));
@@ -102,9 +107,40 @@ ZoneId Timing::initial(SignatureId id) {
 
 bool Timing::isFirable(ZoneId zone, SignatureId id, TransitionId transition) const {
   const auto& of = system.transitions[transition];
+  if (!of.laterBlockers.empty()) {
+    Dbm allowed = store.zone(zone);
+    return allow(allowed, id, transition);
+  }
   if (of.clock == kNone) return true;
   const auto at = indexOf(signatures[id], of.clock);
   return plus(store.at(zone, at, 0), lowerBound(of.interval)) >= kZero;
+}
+
+bool Timing::allow(Dbm& zone, SignatureId id, TransitionId transition) const {
+  const Signature& signature = signatures[id];
+  const auto& fired = system.transitions[transition];
+  if (fired.clock != kNone) {
+    const auto at = indexOf(signature, fired.clock);
+    if (!zone.constrain(0, at, lowerBound(fired.interval))) return false;
+    if (!zone.constrain(at, 0, upperBound(fired.interval))) return false;
+  }
+  return std::ranges::all_of(fired.laterBlockers, [&](TransitionId blocker) {
+    if (!std::ranges::binary_search(signature.enabled, blocker)) return true;
+    const auto& first = system.transitions[blocker];
+    return zone.constrain(indexOf(signature, first.clock), 0, notYet(first.interval));
+  });
+}
+
+std::vector<std::uint32_t> Timing::kept(SignatureId beforeId, TransitionId transition,
+                                        SignatureId afterId) const {
+  const Signature& before = signatures[beforeId];
+  std::vector<std::uint32_t> from;
+  for (auto clock : signatures[afterId].clocks) {
+    bool goesOn =
+        std::ranges::binary_search(before.clocks, clock) && !resets(system, transition, clock);
+    from.push_back(goesOn ? indexOf(before, clock) : 0);
+  }
+  return from;
 }
 
 ZoneId Timing::after(ZoneId zone, SignatureId before, TransitionId transition, SignatureId next) {
@@ -112,24 +148,11 @@ ZoneId Timing::after(ZoneId zone, SignatureId before, TransitionId transition, S
                   [&] { return calculate(zone, before, transition, next); });
 }
 
-ZoneId Timing::calculate(ZoneId id, SignatureId beforeId, TransitionId transition,
-                         SignatureId afterId) {
-  const Signature& before = signatures[beforeId];
-  const Signature& after = signatures[afterId];
+ZoneId Timing::calculate(ZoneId id, SignatureId before, TransitionId transition,
+                         SignatureId after) {
   Dbm zone = store.zone(id);
-  const auto& fired = system.transitions[transition];
-  if (fired.clock != kNone) {
-    const auto at = indexOf(before, fired.clock);
-    if (!zone.constrain(0, at, lowerBound(fired.interval))) return kNone;
-    if (!zone.constrain(at, 0, upperBound(fired.interval))) return kNone;
-  }
-  std::vector<std::uint32_t> from;
-  for (auto clock : after.clocks) {
-    bool goesOn =
-        std::ranges::binary_search(before.clocks, clock) && !resets(system, transition, clock);
-    from.push_back(goesOn ? indexOf(before, clock) : 0);
-  }
-  return settle(zone.over(from), after);
+  if (!allow(zone, before, transition)) return kNone;
+  return settle(zone.over(kept(before, transition, after)), signatures[after]);
 }
 
 } // namespace proskill::verify

@@ -45,6 +45,12 @@ public:
   /// Whether the transition can fire from some point of the zone. \pre it is enabled in the
   /// discrete state
   [[nodiscard]] bool isFirable(ZoneId zone, SignatureId signature, TransitionId transition) const;
+  /// Limits a zone to where the transition can fire: its own bounds, and nothing that has priority
+  /// being ready. False where nothing is left.
+  [[nodiscard]] bool allow(Dbm& zone, SignatureId signature, TransitionId transition) const;
+  /// For Dbm::over: which clocks of `before` go on as clocks of `after`.
+  [[nodiscard]] std::vector<std::uint32_t> kept(SignatureId before, TransitionId transition,
+                                                SignatureId after) const;
   [[nodiscard]] const ZoneStore& zones() const { return store; }
   [[nodiscard]] std::uint64_t bytes() const { return store.bytes() + memo.bytes(); }
 
@@ -67,5 +73,7 @@ private:
 /// The bounds of a transition's clock when it fires: `lower` limits 0 - x, `upper` limits x - 0.
 [[nodiscard]] Bound lowerBound(const fiacre::Interval& interval);
 [[nodiscard]] Bound upperBound(const fiacre::Interval& interval);
+/// The upper bound of a clock as long as its transition cannot fire yet.
+[[nodiscard]] Bound notYet(const fiacre::Interval& interval);
 
 } // namespace proskill::verify

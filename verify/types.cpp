@@ -45,11 +45,10 @@ void Types::flatten(const Type& named, std::vector<const Type*>& all) const {
     return;
   }
   case TypeKind::Union:
+    all.push_back(&type);
     for (const auto& member : type.members)
-      if (!member.type.empty())
-        unsupported("the constructor `" + member.name +
-                    "` has a value; such unions are not verified yet");
-    break;
+      if (!member.type.empty()) flatten(member.type[0], all);
+    return;
   default: break;
   }
   all.push_back(&type);
@@ -61,6 +60,16 @@ std::optional<std::int64_t> Types::constructor(const Type& named, std::string_vi
   for (std::size_t i = 0; i < type.members.size(); ++i)
     if (type.members[i].name == name) return static_cast<std::int64_t>(i);
   return std::nullopt;
+}
+
+std::pair<std::size_t, const Type*> Types::payload(const Type& named, std::int64_t number) const {
+  const Type& type = resolve(named);
+  std::size_t offset = 1;
+  for (std::int64_t i = 0; i < number; ++i)
+    if (const auto& member = type.members[static_cast<std::size_t>(i)]; !member.type.empty())
+      offset += scalars(member.type[0]);
+  const auto& member = type.members.at(static_cast<std::size_t>(number));
+  return {offset, member.type.empty() ? nullptr : &resolve(member.type[0])};
 }
 
 const Type* Types::unionWith(std::string_view name) const {

@@ -3,11 +3,14 @@
 #include "verify/compile.h"
 #include "verify/dead_variables.h"
 #include "verify/live_variables.h"
+#include "verify/monitor_search.h"
 #include "verify/open_variables.h"
 #include "verify/place.h"
 #include "verify/safe_steps.h"
 #include "verify/search.h"
 #include "verify/witness.h"
+
+#include <algorithm>
 
 namespace proskill::verify {
 
@@ -23,6 +26,60 @@ Answer answerOf(const Goal& goal, const std::optional<Evidence>& evidence,
   }
   if (!exploration.complete) return {Truth::Unknown, std::nullopt, exploration.stopped};
   return {Truth::True, std::nullopt, {}};
+}
+
+/// What a monitor looks at, as goals are known to the reductions.
+std::vector<Goal> watchedBy(const Monitor& monitor) {
+  std::vector<Goal> all;
+  const auto add = [&](NodeId condition) {
+    all.push_back({.kind = GoalKind::Condition, .condition = condition, .ofSteps = true});
+  };
+  for (const auto& location : monitor.locations) {
+    add(location.stay);
+    for (const auto& edge : location.edges) add(edge.condition);
+  }
+  // A process that is left out must not go round and round: that would be a run of its own.
+  if (monitor.looksForCycles()) all.push_back({.kind = GoalKind::Deadlock});
+  return all;
+}
+
+struct Watching {
+  Answer answer;
+  Exploration statistics;
+  std::optional<Unsupported> failure;
+};
+
+/// Answers a question about runs, by an exploration of its own.
+Watching watch(const System& compiled, const System& whole, const Goal& goal,
+               const fiacre::Provenance& provenance, const Options& options, bool errorsAreAsked,
+               LimitWatch& limits) {
+  const auto seen = watchedBy(goal.monitor);
+  const auto takes = [&](Reduction reduction) {
+    return options.reductions.contains(reduction) && !compiled.hasPriorities;
+  };
+  const bool slices = takes(Reduction::DeadVariables) && goal.monitor.ofPoints;
+  const Relevance relevance = slices ? findRelevant(compiled, seen) : everything(compiled);
+  const System system = placed(compiled, relevance.cells);
+  const LiveVariables live(system, seen, relevance.dropped);
+  auto found = watchFor(system, goal.monitor, takes(Reduction::LiveVariables) ? &live : nullptr,
+                        relevance.dropped, errorsAreAsked, limits);
+  if (!found.failure.empty())
+    return {{}, found.statistics, Unsupported{found.failure, found.failureOrigin}};
+  if (found.evidence) found.statistics.complete = true;
+  const Reductions used{.dropped = relevance.dropped};
+  const Witness witness(whole, used, provenance);
+  return {answerOf(goal, found.evidence, found.statistics, witness), found.statistics, {}};
+}
+
+void add(Exploration& to, const Exploration& more) {
+  to.classes += more.classes;
+  to.markings += more.markings;
+  to.domains += more.domains;
+  to.transitions += more.transitions;
+  to.bytes = std::max(to.bytes, more.bytes);
+  to.seconds = more.seconds;
+  to.complete = to.complete && more.complete;
+  if (to.stopped.empty()) to.stopped = more.stopped;
 }
 
 } // namespace
@@ -56,15 +113,31 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
                               .dropped = relevance.dropped};
   const auto forgetting =
       takes(Reduction::Extrapolation) ? Forgetting::LowerUpper : Forgetting::Least;
-  auto found = search(system, compiled->goals, reductions, forgetting, limits);
+  const bool errorsAreAsked = std::ranges::any_of(
+      compiled->goals, [](const Goal& goal) { return goal.kind == GoalKind::Error; });
+  const bool onlyRuns =
+      !compiled->goals.empty() && std::ranges::all_of(compiled->goals, [](const Goal& goal) {
+        return goal.kind == GoalKind::Run;
+      });
+  SearchResult found{.statistics = {.complete = true}};
+  if (!onlyRuns) found = search(system, compiled->goals, reductions, forgetting, limits);
   if (found.failure) return std::unexpected(*found.failure);
-  const System whole = placed(std::move(compiled->system));
+  const System whole = placed(compiled->system);
   const Witness witness(whole, reductions, provenance);
   Result result;
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    result.answers.push_back(
-        answerOf(compiled->goals[i], found.goals[i], found.statistics, witness));
   result.exploration = found.statistics;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const Goal& goal = compiled->goals[i];
+    if (goal.kind != GoalKind::Run) {
+      result.answers.push_back(answerOf(goal, found.goals[i], found.statistics, witness));
+      continue;
+    }
+    auto watched =
+        watch(compiled->system, whole, goal, provenance, options, errorsAreAsked, limits);
+    if (watched.failure) return std::unexpected(*watched.failure);
+    result.answers.push_back(std::move(watched.answer));
+    add(result.exploration, watched.statistics);
+  }
   return result;
 }
 

@@ -43,6 +43,7 @@ struct Step {
   std::optional<Date> latest;            ///< nothing: unbounded
   std::int64_t date = 0; ///< in the concrete run that was replayed, in units of 1/Trace::scale
   std::vector<Change> changes;
+  std::string failure; ///< why the step fails: the run ends with it; empty where it does not
 };
 
 /// A run from the initial state. It was replayed step by step, with the dates that it gives, before
@@ -51,6 +52,10 @@ struct Trace {
   std::int64_t scale = 1;      ///< `Step::date` is in units of 1/scale of the model's unit
   std::vector<Change> initial; ///< every watched variable's first value, in `after`
   std::vector<Step> steps;
+  /// Until when nothing else has to happen for the run to show what it is a witness of, in units of
+  /// 1/scale; 0 where the steps do.
+  std::int64_t end = 0;
+  std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
 };
 
 struct Answer {

@@ -24,7 +24,7 @@ std::string Witness::check(const Goal& goal, const Evidence& evidence,
                            std::optional<Dating>& dating) const {
   dating = dated(system, all, evidence);
   if (!dating) return "the steps have no dates";
-  return replay(system, goal, evidence.steps, *dating);
+  return replay(system, goal, evidence, *dating);
 }
 
 std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evidence) const {
@@ -33,15 +33,19 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
   std::string wrong = check(goal, evidence, dating);
   if (!wrong.empty()) return std::unexpected(wrong);
 
-  Trace made{.scale = dating->scale};
+  Trace made{.scale = dating->scale,
+             .end = goal.kind == GoalKind::Run ? dating->end : 0,
+             .loop = evidence.loop};
   std::vector<Word> state = initialState(system);
   made.initial = valuesIn(system, state);
   StepLog log;
   for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
     const std::vector<Word> before = state;
     log.clear();
-    if (fire(system, evidence.steps[i], state.data(), log) != Outcome::Done)
-      return std::unexpected("a step fails");
+    const Outcome outcome = fire(system, evidence.steps[i], state.data(), log);
+    const bool fails = outcome == Outcome::Failed && goal.kind == GoalKind::Error;
+    if (outcome != Outcome::Done && !fails) return std::unexpected("a step fails");
+    if (fails) state = before;
     const Window& window = dating->steps[i];
     made.steps.push_back({.origins = tellingLast(provenance, log),
                           .transitions = {nameOf(system, evidence.steps[i], log)},
@@ -49,17 +53,20 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
                           .earliest = window.earliest,
                           .latest = window.latest,
                           .date = window.date,
-                          .changes = changesBetween(system, before, state)});
+                          .changes = changesBetween(system, before, state),
+                          .failure = fails ? log.failure : ""});
   }
   return made;
 }
 
 /// The evidence on the whole system, with as few steps of the environment as will do.
 Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
-  Evidence whole{completed(goal, evidence.steps), evidence.clocks};
+  Evidence whole = evidence;
+  whole.steps = completed(goal, evidence.steps, whole);
   if (!open) return whole;
   std::optional<Dating> dating;
-  Evidence better{completed(goal, lazily(evidence.steps)), evidence.clocks};
+  Evidence better{.clocks = evidence.clocks};
+  better.steps = completed(goal, lazily(evidence.steps), better);
   if (!check(goal, better, dating).empty()) return whole;
   constexpr std::size_t kLong = 400;
   for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
@@ -102,7 +109,7 @@ Steps Witness::lazily(const Steps& steps) const {
 }
 
 /// The steps with those of the dropped processes put in where they have to happen: at once.
-Steps Witness::completed(const Goal& goal, const Steps& steps) const {
+Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidence) const {
   if (dropped.empty()) return steps;
   Steps made;
   std::vector<Word> state = initialState(system);
@@ -120,10 +127,19 @@ Steps Witness::completed(const Goal& goal, const Steps& steps) const {
       });
     }
   };
+  // A monitor moves in a state when all that has to happen at once has happened.
+  std::vector<std::size_t> ownPlaces{0};
+  if (evidence.monitor) settle(false);
+  std::vector<std::size_t> places{made.size()};
   for (auto step : steps) {
     settle(false);
     if (!take(step)) return steps;
+    ownPlaces.push_back(made.size());
+    if (evidence.monitor) settle(false);
+    places.push_back(made.size());
   }
+  for (auto& mark : evidence.marks) mark.after = (mark.atStep ? ownPlaces : places)[mark.after];
+  if (evidence.loop) evidence.loop = places[*evidence.loop];
   if (goal.kind == GoalKind::Deadlock) settle(true);
   return made;
 }

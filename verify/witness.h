@@ -21,7 +21,7 @@ private:
                                   std::optional<Dating>& dating) const;
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Steps lazily(const Steps& steps) const;
-  [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps) const;
+  [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps, Evidence& evidence) const;
 
   const System& system;
   Enabling enabling; ///< of what the search looked at

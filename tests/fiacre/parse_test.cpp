@@ -178,6 +178,23 @@ prove far
   CHECK(parsed.program.properties[1].pattern.within->upperOpen);
 }
 
+TEST_CASE("every scope of a pattern is read as it is printed") {
+  for (const std::string pattern :
+       {"(main/1/state s) leadsto first (main/1/state t) within [1,2]",
+        "absent main/1/state s between main/1/state t and main/2/state t",
+        "present main/1/state s after main/1/state t until main/2/state t",
+        "absent main/1/state s after ((main/1/state t) or (main/2/state t)) until main/2/state s",
+        "absent main/1/state s before main/1/state t for duration 3",
+        "present main/1/state s lasting 4", "ltl ((main/1/state s) until (main/1/state t))"}) {
+    const auto parsed = fiacre::parse("main\nproperty p is " + pattern + "\nassert p");
+    CHECK(problemsOf("main\nproperty p is " + pattern + "\nassert p") == "");
+    REQUIRE(parsed.program.properties.size() == 1);
+    CHECK(fiacre::printPattern(parsed.program.properties[0].pattern, "main") == pattern);
+  }
+  const auto brief = fiacre::parse("main\nproperty p is ltl (main/1/state s) U (main/1/state t)");
+  CHECK(brief.program.properties[0].pattern.ltl.kind == fiacre::LtlKind::Until);
+}
+
 TEST_CASE("a mistake is told at its place, and the rest is read") {
   CHECK(problemsOf("process P is states s from s wait [0,0] to s") ==
         "`to`: `;` is missing before `to`\n");

@@ -69,7 +69,9 @@ TEST_CASE("a model by hand is verified, with a trace at its lines") {
   REQUIRE(read.diagnostics.empty());
   const auto report = ide::verifyModel(read.model, {}, {});
   REQUIRE(report.has_value());
-  REQUIRE(report->rows.size() == 1);
+  REQUIRE(report->rows.size() == 2);
+  CHECK(report->rows[1].check->name == "no_runtime_error");
+  CHECK(report->rows[1].verdict == ide::Verdict::Holds);
   CHECK(report->rows[0].verdict == ide::Verdict::Violated);
   REQUIRE(report->rows[0].trace.has_value());
   const auto& steps = report->rows[0].trace->steps;
@@ -80,4 +82,20 @@ TEST_CASE("a model by hand is verified, with a trace at its lines") {
   CHECK(text.substr(steps[2].location->range.begin, steps[2].location->range.length()) == "to b");
   CHECK(steps[2].earliest.seconds == syntax::Rational{3, 1});
   CHECK(steps[2].latest->seconds == syntax::Rational{6, 1});
+}
+
+TEST_CASE("an error at run time is a verdict, and its trace ends where it happens") {
+  const std::string text = "process P is\nstates a\nvar x: 0..1 := 0\n"
+                           "from a wait [1,2]; x := x + 1; to a\n"
+                           "component m is par * in P end\nm\n";
+  const auto read = ide::readFiacre("m.fcr", text);
+  const auto report = ide::verifyModel(read.model, {}, {});
+  REQUIRE(report.has_value());
+  REQUIRE(report->rows.size() == 1);
+  CHECK(report->rows[0].verdict == ide::Verdict::Violated);
+  const auto& steps = report->rows[0].trace->steps;
+  REQUIRE(steps.size() == 2);
+  CHECK(steps[1].words == "x := x + 1: `P_1.x` would get the value 2, outside of 0..1");
+  CHECK(text.substr(steps[1].location->range.begin, steps[1].location->range.length()) ==
+        "x := x + 1");
 }

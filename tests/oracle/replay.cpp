@@ -76,6 +76,12 @@ private:
         std::int64_t lower = firing.interval.lower * trace.scale;
         std::int64_t age = state.ages.at(firing.clock);
         bool ripe = age > lower || (age == lower && !firing.interval.lowerOpen);
+        ripe = ripe && std::ranges::none_of(model.firings(state.store), [&](const Firing& other) {
+                 const std::int64_t its = state.ages.at(other.clock);
+                 const std::int64_t from = other.interval.lower * trace.scale;
+                 return model.goesBefore(other, firing) &&
+                        (its > from || (its == from && !other.interval.lowerOpen));
+               });
         if (!ripe || !looksLike(step, state.store, firing)) continue;
         showing = showing || seen(pattern, {&state.store, &firing}) ||
                   seen(pattern, {&firing.after, nullptr});

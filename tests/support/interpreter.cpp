@@ -85,7 +85,6 @@ void Interpreter::countInstances(const fiacre::Component& component) {
 
 void Interpreter::elaborate(const fiacre::Component& component, std::vector<std::uint32_t> path,
                             Scope scope, PortMap ports) {
-  if (!component.priorities.empty()) throw ModelError("priorities are not known here");
   declare(component.variables, scope);
   auto addPort = [&](const fiacre::Port& port) {
     if (ports.contains(port.name)) return;
@@ -94,6 +93,9 @@ void Interpreter::elaborate(const fiacre::Component& component, std::vector<std:
   };
   std::ranges::for_each(component.interfacePorts, addPort);
   std::ranges::for_each(component.ports, addPort);
+  for (const auto& priority : component.priorities)
+    for (const auto& high : priority.higher)
+      for (const auto& low : priority.lower) priorities.insert({ports.at(high), ports.at(low)});
   componentScopes[path] = scope;
   for (std::uint32_t i = 0; i < component.instances.size(); ++i) {
     const auto& instance = component.instances[i];
@@ -217,12 +219,19 @@ void Interpreter::synchronise(std::size_t port, const std::vector<std::vector<Pa
     if (!parts.empty()) result.push_back(combine(parts, store));
 }
 
+bool Interpreter::goesBefore(const Firing& high, const Firing& low) const {
+  if (high.port && low.port) return priorities.contains({*high.port, *low.port});
+  return high.rank && low.rank && high.participants == low.participants &&
+         high.rank->first == low.rank->first && high.rank->second > low.rank->second;
+}
+
 Firing Interpreter::combine(std::span<const Path* const> parts, const Store& store) const {
   Firing firing;
   firing.clock = clockOf(parts);
   firing.interval = parts.front()->wait.value_or(Interval{});
   firing.port = parts.front()->port;
   if (firing.port) firing.interval = slots[*firing.port].port->interval.value_or(Interval{});
+  if (!firing.port) firing.rank = parts.front()->rank;
   firing.after = store;
   std::set<std::size_t> written;
   for (const Path* part : parts) {
@@ -247,7 +256,9 @@ ClockId Interpreter::clockOf(std::span<const Path* const> parts) const {
     who.push_back(part->instance);
     key.insert(key.end(), {part->instance, static_cast<std::uint64_t>(part->store[part->instance]),
                            *part->target, part->loops ? 1U : 0U, part->port ? *part->port + 1 : 0,
-                           part->wait ? code(*part->wait) + 1 : 0, part->branches.size()});
+                           part->wait ? code(*part->wait) + 1 : 0, part->choices.size(),
+                           part->branches.size()});
+    for (auto choice : part->choices) key.push_back(static_cast<std::uint64_t>(choice));
     for (const auto* branch : part->branches)
       key.push_back(reinterpret_cast<std::uint64_t>(branch));
   }

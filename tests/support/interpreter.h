@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -49,8 +50,8 @@ struct Instance {
 };
 
 /// What makes a timed transition the same one in two states: who takes part, the branches of
-/// `select` on its path, its port or its wait, and where it ends. Tests inside a path do not: an
-/// `if` whose branches meet again is one transition.
+/// `select` and the values of `any` on its path, its port or its wait, and where it ends. Tests
+/// inside a path do not: an `if` whose branches meet again is one transition.
 using ClockId = std::size_t;
 
 /// One atomic step.
@@ -62,6 +63,8 @@ struct Firing {
   std::optional<std::size_t> port;
   std::vector<std::pair<std::size_t, std::string>> tags; ///< by instance
   std::vector<fiacre::OriginId> origins;                 ///< of the statements passed
+  /// Of a `select` with `unless`, in which part of it.
+  std::optional<std::pair<const fiacre::Statement*, std::size_t>> rank;
   Store after;
 };
 
@@ -75,6 +78,8 @@ public:
   [[nodiscard]] const Store& initial() const { return first; }
   /// Every step that the discrete state allows when time is left aside. \throw ModelError
   [[nodiscard]] std::vector<Firing> firings(const Store& store) const;
+  /// Whether the one goes before the other where both can be taken.
+  [[nodiscard]] bool goesBefore(const Firing& high, const Firing& low) const;
   [[nodiscard]] const std::vector<Instance>& instances() const { return elaborated; }
   [[nodiscard]] const std::vector<PortSlot>& ports() const { return slots; }
   /// The instances that take part in a transition of this clock.
@@ -120,6 +125,7 @@ private:
   std::vector<Instance> elaborated;
   std::map<std::vector<std::uint32_t>, Scope> componentScopes;
   std::vector<PortSlot> slots;
+  std::set<std::pair<std::size_t, std::size_t>> priorities; ///< ports: the first goes first
   Store first;
 
   // Clocks are numbered as they are met.

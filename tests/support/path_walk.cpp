@@ -120,10 +120,14 @@ void PathWalk::branch(const Statement& statement, const Path& path, const Tasks&
 }
 
 void PathWalk::select(const Statement& statement, const Path& path, const Tasks& tasks) {
-  if (!statement.priorityGroups.empty()) throw ModelError("`unless` is not known here");
-  for (const auto& child : statement.children) {
+  const auto& groups = statement.priorityGroups;
+  for (std::size_t i = 0; i < statement.children.size(); ++i) {
+    const auto& child = statement.children[i];
     Path taken = path;
     taken.branches.push_back(&child);
+    if (!groups.empty())
+      taken.rank = {&statement,
+                    std::ranges::count_if(groups, [i](auto first) { return first <= i; })};
     Tasks rest = tasks;
     rest.push_back({&child, std::nullopt});
     walk(std::move(taken), std::move(rest));
@@ -143,6 +147,8 @@ void PathWalk::any(const Statement& statement, const Path& path, const Tasks& ta
   for (auto value = low; value <= high; ++value) {
     taken.store[place.offset] = value;
     taken.message = path.message;
+    taken.choices = path.choices;
+    if (statement.kind == StatementKind::Any) taken.choices.push_back(value);
     if (statement.kind == StatementKind::Receive) taken.message.push_back(value);
     any(statement, taken, tasks, target + 1);
   }

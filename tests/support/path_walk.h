@@ -9,6 +9,9 @@ struct Path {
   Store store;
   std::size_t instance = 0;
   std::vector<const fiacre::Statement*> branches; ///< of each `select` that was passed
+  /// Of the `select` with `unless`: which, and of which part of it.
+  std::optional<std::pair<const fiacre::Statement*, std::size_t>> rank;
+  std::vector<std::int64_t> choices; ///< of each `any`: a value is a transition, as in a net
   std::optional<fiacre::Interval> wait;
   std::optional<std::size_t> port;
   Store message; ///< what was sent or received, in order

@@ -3,6 +3,7 @@
 #include "tests/fiacre/build.h"
 #include "tests/support/random_source.h"
 
+#include <algorithm>
 #include <set>
 
 namespace proskill::test {
@@ -40,14 +41,18 @@ const std::vector<std::string> kColours{"Red", "Green", "Blue"};
 /// Builds one program, from the shared variables inwards.
 class Builder {
 public:
-  explicit Builder(std::uint64_t seed)
-      : random(seed), haste(random.chance(50) ? 10 : 40), caution(random.chance(50) ? 20 : 50) {}
+  explicit Builder(std::uint64_t seed, bool withData = false)
+      : random(seed),
+        rich(withData),
+        haste(random.chance(50) ? 10 : 40),
+        caution(random.chance(50) ? 20 : 50) {}
 
   Program build() {
     declareTypes();
     declareShared();
     std::size_t ports = random.below(3);
     for (std::size_t i = 0; i < ports; ++i) addPort("p" + std::to_string(i));
+    if (rich && ports == 2) component.priorities = {{{"p0"}, {"p1"}}};
     std::size_t count = 2 + random.below(3);
     for (std::size_t i = 0; i < count; ++i) addProcess(i);
     program.components.push_back(component);
@@ -79,7 +84,8 @@ private:
     addShared("level", range(0, 2), number(random.between(0, 2)), Sort::Number);
     if (random.chance(60))
       addShared("paint", named("colour"), name(random.pick(kColours)), Sort::Colour);
-    if (random.chance(60)) return;
+    if (rich) declareData();
+    if (rich || random.chance(60)) return;
     Expr robots{.kind = ExprKind::Array};
     for (int i = 0; i < 2; ++i)
       robots.operands.push_back(
@@ -90,6 +96,77 @@ private:
     for (const char* index : {"left", "right"}) {
       scalars.push_back({part(index, "busy"), Sort::Bool});
       scalars.push_back({part(index, "mood"), Sort::Colour});
+    }
+  }
+
+  /// Variables that are handled with care: nothing fails.
+  void declareData() {
+    program.types.push_back({"letter_type", letterType(), {}});
+    program.types.push_back({"line_type", queue(2, range(0, 2)), {}});
+    program.types.push_back({"cells_type", array(3, range(0, 2)), {}});
+    component.variables.push_back({"letter", named("letter_type"), name("nothing"), {}});
+    component.variables.push_back({"line", named("line_type"), Expr{.kind = ExprKind::Queue}, {}});
+    component.variables.push_back(
+        {"cells",
+         named("cells_type"),
+         Expr{.kind = ExprKind::Array, .operands = {number(0), number(1), number(2)}},
+         {}});
+  }
+
+  static Type letterType() {
+    Type type = unionOf({"nothing", "some", "other"});
+    type.members[1].type = {range(0, 2)};
+    type.members[2].type = {boolean()};
+    return type;
+  }
+
+  /// A test of the data.
+  Expr dataTest() {
+    const Expr line = name("line");
+    switch (random.below(5)) {
+    case 0: return unary(Op::Empty, line);
+    case 1: return unary(Op::Full, line);
+    case 2:
+      return binary(Op::And, negation(unary(Op::Empty, line)),
+                    binary(Op::Equal, unary(Op::First, line), name("level")));
+    case 3: return binary(Op::Equal, name("letter"), call("some", {number(random.between(0, 2))}));
+    default:
+      return binary(Op::Equal, index(name("cells"), name("level")), number(random.between(0, 2)));
+    }
+  }
+
+  /// A change of the data that cannot fail.
+  Statement dataChange() {
+    const Expr line = name("line");
+    const Expr level = name("level");
+    switch (random.below(6)) {
+    case 0:
+      return ifThen(
+          negation(unary(Op::Full, line)),
+          assign(line, binary(random.chance(50) ? Op::Enqueue : Op::Append, line, level)));
+    case 1:
+      return ifThen(negation(unary(Op::Empty, line)),
+                    Statement{.kind = StatementKind::Assign,
+                              .targets = {level, line},
+                              .values = {unary(Op::First, line), unary(Op::Dequeue, line)}});
+    case 2:
+      return {.kind = StatementKind::Case,
+              .values = {name("letter"), name("nothing"), call("some", {level}),
+                         call("other", {truth(true)}), name("any")},
+              .children = {assign(name("letter"), call("some", {level})),
+                           assign(name("letter"), call("other", {name("flag")})),
+                           assign(name("flag"), truth(false)),
+                           assign(name("letter"), name("nothing"))}};
+    case 3: return assign(index(name("cells"), level), index(name("cells"), number(0)));
+    case 4:
+      return {.kind = StatementKind::While,
+              .values = {binary(Op::Less, level, number(2))},
+              .children = {sequence({assign(index(name("cells"), level), number(0)),
+                                     assign(level, binary(Op::Add, level, number(1)))})}};
+    default:
+      return {.kind = StatementKind::Any,
+              .targets = {level},
+              .values = {binary(Op::LessEqual, level, number(1))}};
     }
   }
 
@@ -130,6 +207,7 @@ private:
   }
 
   Expr test(const std::vector<Scalar>& among) {
+    if (rich && random.chance(35)) return dataTest();
     const Scalar& scalar = random.pick(among);
     Expr result = scalar.lvalue;
     if (scalar.sort == Sort::Colour) {
@@ -179,7 +257,15 @@ private:
     From result;
     result.state = process.states[state].name;
     result.statement = count == 1 ? branches[0] : select(std::move(branches));
+    if (rich && count > 1 && result.statement.children.size() > 1 && isSilent(result.statement) &&
+        random.chance(50))
+      result.statement.priorityGroups = {1 + random.below(count - 1)};
     return result;
+  }
+
+  static bool isSilent(const Statement& statement) {
+    return statement.kind != StatementKind::Send &&
+           std::ranges::all_of(statement.children, isSilent);
   }
 
   Statement path(const Process& process, std::size_t index) {
@@ -193,6 +279,7 @@ private:
     }
     if (random.chance(20)) steps.push_back(someTag(index));
     if (random.chance(50)) steps.push_back(change(onPort, index));
+    if (rich && !onPort && random.chance(60)) steps.push_back(dataChange());
     if (random.chance(25))
       steps.push_back(choice(random.chance(50) ? someTag(index) : change(onPort, index)));
     if (random.chance(15)) steps.push_back(choice(end(process)));
@@ -253,6 +340,7 @@ private:
   Observable value() { return {.kind = ObservableKind::Value, .value = test(scalars)}; }
 
   RandomSource random;
+  bool rich;        ///< with data
   unsigned haste;   ///< per cent of intervals that are [0,0]
   unsigned caution; ///< per cent of paths with a guard
   Program program;
@@ -265,5 +353,7 @@ private:
 } // namespace
 
 Program randomModel(std::uint64_t seed) { return Builder(seed).build(); }
+
+Program randomModelWithData(std::uint64_t seed) { return Builder(seed, true).build(); }
 
 } // namespace proskill::test

@@ -62,7 +62,9 @@ Region nextRegion(Region region, const std::map<ClockId, Interval>& clocks) {
 
 } // namespace
 
-RegionGraph::RegionGraph(const Interpreter& of, std::size_t limit) : model(of) {
+RegionGraph::RegionGraph(const Interpreter& of, std::size_t limit,
+                         std::optional<std::int64_t> watched)
+    : model(of), watch(watched) {
   std::size_t start = addDiscrete(model.initial());
   Region fresh;
   for (const auto& [clock, _] : states[start].clocks) fresh.push_back({clock, 0, 0, false});
@@ -82,6 +84,7 @@ std::size_t RegionGraph::addDiscrete(const Store& store) {
     else if (!isAlways(firing.interval))
       state.clocks[firing.clock] = firing.interval;
   }
+  if (watch) state.clocks[kWatch] = {.lower = *watch};
   states.push_back(std::move(state));
   return entry->second;
 }
@@ -98,11 +101,25 @@ void RegionGraph::expand(std::size_t index) {
     Firing firing = states[all[index].discrete].firings[i];
     auto age = std::ranges::find(all[index].region, firing.clock, &Age::clock);
     if (age != all[index].region.end() && !reachedLower(*age, firing.interval)) continue;
+    const auto& others = states[all[index].discrete].firings;
+    const bool blocked = std::ranges::any_of(others, [&](const Firing& other) {
+      if (!model.goesBefore(other, firing)) return false;
+      auto its = std::ranges::find(all[index].region, other.clock, &Age::clock);
+      return its == all[index].region.end() || reachedLower(*its, other.interval);
+    });
+    if (blocked) continue;
     std::size_t discrete = addDiscrete(firing.after);
     std::size_t target = addNode(discrete, after(all[index], firing, states[discrete]));
     all[index].edges.push_back({i, target});
   }
   letTimePass(index);
+  if (!watch) return;
+  Region again = all[index].region;
+  for (auto& age : again)
+    if (age.clock == kWatch) age = {kWatch, 0, 0, false};
+  spread(again);
+  const std::size_t restarted = addNode(all[index].discrete, std::move(again));
+  all[index].restarted = restarted;
 }
 
 // A clock goes on where its transition was possible before, is possible after, and nothing that
@@ -112,6 +129,10 @@ Region RegionGraph::after(const Node& node, const Firing& firing,
   Region region;
   for (const auto& [clock, _] : target.clocks) {
     auto old = std::ranges::find(node.region, clock, &Age::clock);
+    if (clock == kWatch) {
+      region.push_back(*old);
+      continue;
+    }
     bool moved = std::ranges::any_of(model.participants(clock), [&](std::size_t instance) {
       return std::ranges::find(firing.movers, instance) != firing.movers.end();
     });

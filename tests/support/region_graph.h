@@ -24,6 +24,9 @@ struct Age {
   friend auto operator<=>(const Age&, const Age&) = default;
 };
 
+/// A clock of the judge's own, see RegionGraph.
+inline constexpr ClockId kWatch = SIZE_MAX;
+
 using Region = std::vector<Age>; ///< by clock, those with bounds that matter alone
 
 /// A discrete state with all that follows from it.
@@ -45,6 +48,7 @@ struct Node {
   std::vector<Edge> edges;
   std::optional<std::size_t> later; ///< the next region, where time may reach it
   bool timePasses = false;          ///< by however little
+  std::size_t restarted = 0;        ///< the same with the watch at 0, where there is one
 };
 
 /// The graph of regions of a model: every discrete state, and every way in which its clocks can
@@ -52,7 +56,9 @@ struct Node {
 class RegionGraph {
 public:
   /// Explores until the end or until there are `limit` nodes. \throw ModelError
-  RegionGraph(const Interpreter& model, std::size_t limit);
+  /// \param watch has the graph a clock that no step touches and that may start anew at any moment,
+  /// told apart up to this many units
+  RegionGraph(const Interpreter& model, std::size_t limit, std::optional<std::int64_t> watch = {});
 
   [[nodiscard]] bool complete() const { return finished; }
   [[nodiscard]] const std::vector<Node>& nodes() const { return all; }
@@ -68,6 +74,7 @@ private:
                              const DiscreteState& target) const;
 
   const Interpreter& model;
+  std::optional<std::int64_t> watch;
   std::vector<DiscreteState> states;
   std::map<Store, std::size_t> stateIndex;
   std::vector<Node> all;

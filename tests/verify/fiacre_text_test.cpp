@@ -1,64 +1,18 @@
 #include "fiacre/check.h"
 #include "fiacre/parse.h"
+#include "tests/support/text_model.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>
 
 using namespace proskill;
 
+using test::Text;
+
 namespace {
 
-/// A model by its text, without properties; they are asked one by one.
-class Text {
-public:
-  explicit Text(std::string of) : text(std::move(of)) {}
-
-  /// The answer to `absent OBSERVABLE`, the same whatever is reduced. \pre it is decided
-  [[nodiscard]] bool reaches(const std::string& observable) const {
-    return isFalse("absent " + observable);
-  }
-  [[nodiscard]] bool isFalse(const std::string& pattern) const {
-    const auto all = answer(pattern, {});
-    verify::Options plain;
-    plain.reductions.clear();
-    CHECK(answer(pattern, plain) == all);
-    return all;
-  }
-  /// Why the model cannot be explored to its end.
-  [[nodiscard]] std::string failure() const {
-    const auto parsed = read("deadlockfree");
-    const auto result = verify::verify(parsed.program, parsed.provenance, {{0}});
-    return result ? "" : result.error().message;
-  }
-
-private:
-  [[nodiscard]] fiacre::Parsed read(const std::string& pattern) const {
-    const auto whole = text + "\nmain\nproperty p is " + pattern + "\nassert p";
-    auto parsed = fiacre::parse(whole);
-    INFO(whole);
-    for (const auto& problem : parsed.problems) FAIL(problem.message);
-    for (const auto& problem : fiacre::check(parsed.program))
-      FAIL(problem.place << ": " << problem.message);
-    return parsed;
-  }
-  [[nodiscard]] bool answer(const std::string& pattern, const verify::Options& options) const {
-    const auto parsed = read(pattern);
-    const auto result = verify::verify(parsed.program, parsed.provenance, {{0}}, options);
-    if (!result) FAIL(result.error().message);
-    REQUIRE(result->answers[0].truth != verify::Truth::Unknown);
-    const bool isFalse = result->answers[0].truth == verify::Truth::False;
-    CHECK(result->answers[0].trace.has_value() == isFalse);
-    return isFalse;
-  }
-
-  std::string text;
-};
-
 /// One process, alone.
-Text process(const std::string& body) {
-  return Text("type short is queue 2 of 0..3\nprocess P is\n" + body +
-              "\ncomponent main is par * in P end");
-}
+Text process(const std::string& body) { return test::processText(body); }
 
 } // namespace
 
@@ -78,15 +32,6 @@ TEST_CASE("queues are first in, first out; `append` puts in front") {
   CHECK(model.reaches("(main/1/state b) and (main/1/value (x = 3 and y = 2))"));
   CHECK(model.reaches("main/1/value q = {|2|}"));
   CHECK_FALSE(model.reaches("main/1/value full q"));
-}
-
-TEST_CASE("an error of queues ends the exploration, and is told") {
-  CHECK(process("states a var q: short := {|1, 2|} from a q := enqueue(q, 3); to a").failure() ==
-        "`length of P_1.q` would get the value 3, outside of 0..2");
-  CHECK(process("states a var q: short := {||} from a q := dequeue q; to a").failure() ==
-        "`length of P_1.q` would get the value -1, outside of 0..2");
-  CHECK(process("states a var q: short := {||}, x: 0..3 from a x := first q; to a").failure() ==
-        "a division by zero");
 }
 
 TEST_CASE("loops in functions and in processes") {
@@ -190,9 +135,19 @@ TEST_CASE("the parts behind `unless` go first") {
   CHECK(guarded.reaches("main/1/state b"));
 }
 
-TEST_CASE("a priority of what has to wait is refused, not guessed") {
-  CHECK(process("states a, b, c from a select wait [1,2]; to b unless wait [1,2]; to c end")
-            .failure() == "what has priority must have the interval [0,0] or [0,...[");
+TEST_CASE("what has priority and has to wait goes first from its time on") {
+  const auto model = [](const std::string& low, const std::string& high) {
+    return process("states a, b, c from a select wait " + low + "; to b unless wait " + high +
+                   "; to c end");
+  };
+  CHECK(model("[1,2]", "[1,2]").reaches("main/1/state c"));
+  CHECK_FALSE(model("[1,2]", "[1,2]").reaches("main/1/state b"));
+  CHECK(model("[0,2]", "[1,2]").reaches("main/1/state b")); // before the other is ready
+  CHECK_FALSE(model("[1,2]", "]0,3]").reaches("main/1/state b"));
+  CHECK(model("[1,2]", "]1,3]").reaches("main/1/state b")); // at 1 itself
+  const auto late = model("[0,...[", "[2,3]");
+  CHECK(late.isTrue("absent enter (main/1/state b) within [2,...["));
+  CHECK(late.isFalse("absent enter (main/1/state b) within ]1,2["));
 }
 
 TEST_CASE("a process alone is a model") {
@@ -214,6 +169,59 @@ TEST_CASE("a path is atomic, `on` sees what it has assigned, and `loop` keeps th
                    "select wait [1,1]; on n = 0; n := 1; " +
                    again + " [] wait [2,2]; to b end");
   };
-  CHECK(clocks("loop").reaches("main/1/state b"));
-  CHECK(clocks("to a").reaches("main/1/state b"));
+  CHECK(clocks("loop").isTrue("present main/1/state b within [2,2]"));
+  CHECK(clocks("to a").isTrue("present main/1/state b within [3,3]"));
+}
+
+TEST_CASE("what is urgent happens before time passes; what is not may be put off for ever") {
+  const auto model = [](const std::string& when) {
+    return process("states a, b from a wait " + when + "; to b");
+  };
+  CHECK(model("[0,0]").isTrue("absent main/1/state a within ]0,...["));
+  CHECK(model("[0,...[").isFalse("absent main/1/state a within ]0,...["));
+}
+
+TEST_CASE("a port's interval counts from when all who share it are ready") {
+  const Text model("process P [p: sync] is states a, b from a p; to b\n"
+                   "process Q [p: sync] is states a, b, c from a wait [2,3]; to b from b p; to c\n"
+                   "component main is port p: sync in [1,4] par * in P[p] || Q[p] end");
+  CHECK(model.isTrue("present main/event p within [3,7]"));
+  CHECK(model.isFalse("present main/event p within [3,7["));
+  CHECK(model.isFalse("present main/event p within ]3,7]"));
+  CHECK(model.isTrue("(enter (main/2/state b)) leadsto (main/event p) within [1,4]"));
+}
+
+TEST_CASE("a `while` runs within its step; what it reads it has written") {
+  const auto model = process("states a, b var x: nat := 9, n: nat := 0 "
+                             "from a while x > 1 do x := x / 2; n := n + 1 end; to b");
+  CHECK(model.reaches("(main/1/state b) and (main/1/value (x = 1 and n = 3))"));
+  CHECK_FALSE(model.reaches("main/1/value n = 2"));
+}
+
+TEST_CASE("the constructors of a union carry values, and `case` gives them to variables") {
+  const Text model(
+      "type frame is union nothing | data of 0..3 | pair of record l: 0..3, r: bool end end\n"
+      "process S [p: out frame] is states a, b, c var f: frame := nothing "
+      "from a f := data(2); p ! f; to b from b p ! pair({l = 3, r = true}); to c\n"
+      "process R [p: in frame] is states a, b, c var f: frame := nothing, x: 0..3 := 0, "
+      "y: record l: 0..3, r: bool end := {l = 0, r = false} "
+      "from a p ? f; to b "
+      "from b case f of nothing -> to c | data(x) -> to a | pair(y) -> to c end\n"
+      "component main is port p: frame par * in S[p] || R[p] end");
+  CHECK(model.reaches("main/2/value x = 2"));
+  CHECK_FALSE(model.reaches("main/2/value x = 3"));
+  CHECK(model.reaches("(main/2/state c) and (main/2/value (y.l = 3 and y.r))"));
+  CHECK(model.reaches("main/2/value f = data(2)"));
+  CHECK_FALSE(model.reaches("main/2/value f = data(3)"));
+}
+
+TEST_CASE("a pattern may ask for one value of a constructor, and stand in a function") {
+  const Text model(
+      "type frame is union nothing | data of 0..3 end\n"
+      "function size (f: frame) : nat is var n: 0..3 := 0 begin "
+      "case f of data(0) -> return 9 | data(n) -> return n | nothing -> return 7 end end\n"
+      "process P is states a, b var f: frame := nothing, x, y, z: nat := 0 "
+      "from a x := size(f); y := size(data(0)); z := size(data(3)); to b\n"
+      "component main is par * in P end");
+  CHECK(model.reaches("main/1/value (x = 7 and y = 9 and z = 3)"));
 }

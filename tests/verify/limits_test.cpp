@@ -90,8 +90,11 @@ TEST_CASE("What the engine does not run is said, with its place") {
   CHECK(result.error().origin == 5);
 }
 
-TEST_CASE("Patterns that come later are answered with unknown, and the reason") {
-  auto answer = counters(1, 1).answer(plain(fiacre::PatternKind::Mortal));
+TEST_CASE("Patterns without a meaning are answered with unknown, and the reason") {
+  auto asked = absentState(1, "a");
+  asked.pattern.kind = fiacre::PatternKind::Mortal;
+  asked.pattern.within = fiacre::Interval{.lower = 0, .upper = 1};
+  auto answer = counters(1, 1).answer(asked);
   CHECK(answer.truth == Truth::Unknown);
-  CHECK_THAT(answer.reason, Catch::Contains("later version"));
+  CHECK_THAT(answer.reason, Catch::Contains("has no meaning"));
 }
