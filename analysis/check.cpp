@@ -1,4 +1,5 @@
 #include "analysis/checks.h"
+#include "analysis/stop.h"
 
 namespace proskill::analysis {
 
@@ -16,7 +17,10 @@ Analysis analyse(const Program& program) {
   Findings findings(program.diagnostics);
   std::vector<Occurrence> occurrences;
   Context context{program, symbols, findings, occurrences};
-  for (auto check : kChecks) check(context);
+  for (auto check : kChecks) {
+    stopIfAsked();
+    check(context);
+  }
   return {Index(std::move(symbols), std::move(occurrences)), std::move(findings).inOrder()};
 }
 

@@ -17,6 +17,13 @@ std::size_t mistakesIn(std::string_view word) {
   return word.size() < 2 ? 0 : std::max<std::size_t>(1, word.size() / 3);
 }
 
+/// All letters of the shorter word are in the longer one, in their order.
+bool isWithin(std::string_view shorter, std::string_view longer) {
+  for (char c : longer)
+    if (!shorter.empty() && lower(shorter.front()) == lower(c)) shorter.remove_prefix(1);
+  return shorter.empty();
+}
+
 } // namespace
 
 std::optional<std::size_t> editDistance(std::string_view a, std::string_view b, std::size_t limit) {
@@ -50,9 +57,13 @@ void Suggestion::offer(std::string_view word) {
   if (full || word.empty() || word == misspelt) return;
   const auto distance = editDistance(misspelt, word, limit);
   if (!distance) return;
+  const bool other = !isWithin(misspelt, word) && !isWithin(word, misspelt);
+  const bool isNearer = found.empty() || *distance < nearest;
+  if (!isNearer && (other || !replaced)) return;
   found = word;
-  full = *distance == 0;
-  limit = full ? 0 : *distance - 1;
+  replaced = other;
+  nearest = limit = *distance;
+  full = nearest == 0;
 }
 
 } // namespace proskill::analysis

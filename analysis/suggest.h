@@ -12,7 +12,9 @@ namespace proskill::analysis {
 [[nodiscard]] std::optional<std::size_t> editDistance(std::string_view a, std::string_view b,
                                                       std::size_t limit);
 
-/// Keeps the best of the words that it is offered, the first of equals.
+/// Keeps the best of the words that it is offered: the one with the fewest mistakes; of equals one
+/// that only has letters too few or too many, as `Off` for `Of`, before one with others, as `On`;
+/// then the first.
 class Suggestion {
 public:
   explicit Suggestion(std::string_view misspelt);
@@ -24,8 +26,10 @@ public:
 private:
   std::string_view misspelt;
   std::string_view found;
-  std::size_t limit; ///< a word must be this near to be better than `found`
-  bool full = false; ///< nothing can be nearer
+  std::size_t limit;       ///< a word must be this near to be looked at
+  std::size_t nearest = 0; ///< how far `found` is
+  bool replaced = true;    ///< `found` has other letters, not just more or fewer
+  bool full = false;       ///< nothing can be nearer
 };
 
 } // namespace proskill::analysis

@@ -1,5 +1,6 @@
 """How fast the language server answers: a client types at random places of a large file, and asks. Beside it, on a file of
-the same size, another server, clangd where it is installed. Usage: lsp.py PROSKILL PRINT_PROGRAM [--lines N] [--edits N]
+the same size, another server, clangd where it is installed. Beside the time that a user waits stands the processor time of
+the server's process, which says the same on a machine that does other things, too. Usage: lsp.py PROSKILL PRINT_PROGRAM [--lines N] [--edits N]
 [--flat N] [--other COMMAND]"""
 
 import argparse
@@ -31,25 +32,47 @@ def quantile(values, part):
     return sorted(values)[min(len(values) - 1, int(part * len(values)))]
 
 
-def row(what, seconds, goal=''):
-    figures = '  '.join(f'{quantile(seconds, part) * 1000:9.2f}' for part in (0.5, 0.95, 0.99))
-    print(f'  {what:44} {figures}  {len(seconds):6}  {goal}', flush=True)
+def row(what, samples, goal=''):
+    """Of pairs: seconds that passed, and seconds of the server's processor time."""
+    parts = [(0, 0.5), (0, 0.95), (0, 0.99), (1, 0.5), (1, 0.95)]
+    figures = '  '.join(f'{quantile([sample[of] for sample in samples], part) * 1000:9.2f}' for of, part in parts)
+    print(f'  {what:44} {figures}  {len(samples):6}  {goal}', flush=True)
 
 
 def heading(title):
-    print(f'\n{title}\n  {"":44} {"p50 ms":>9}  {"p95 ms":>9}  {"p99 ms":>9}  {"of":>6}')
+    names = '  '.join(f'{name:>9}' for name in ('p50 ms', 'p95 ms', 'p99 ms', 'CPU p50', 'CPU p95'))
+    print(f'\n{title}\n  {"":44} {names}  {"of":>6}  goal of p95')
+
+
+class Stopwatch:
+    """From its making on. The processor time is that of all threads of a process."""
+
+    def __init__(self, process=None):
+        self.clock = (~process.pid << 3) | 2 if process else None  # as clock_getcpuclockid(3) makes it
+        self.begin, self.cpu = time.perf_counter(), self.used()
+
+    def used(self):
+        return time.clock_gettime(self.clock) if self.clock else 0.0
+
+    def until(self, when):
+        """When something came; it is asked right then."""
+        return when - self.begin, self.used() - self.cpu
 
 
 class Bench:
     def __init__(self, command, uri, source, language, words):
         self.command, self.language, self.words = command, language, words
         self.random = random.Random(1)
-        begin = time.perf_counter()
+        watch = Stopwatch()
         self.client = Client(command, stderr=subprocess.DEVNULL)
+        watch.clock = self.watch().clock
         self.offered = self.client.initialize()['capabilities']
         self.text = Text(uri, source)
         self.client.open(uri, source, language=language)
-        self.first = self.diagnostics(1) - begin
+        self.first = watch.until(self.diagnostics(1))
+
+    def watch(self):
+        return Stopwatch(self.client.process)
 
     def diagnostics(self, version):
         """When those of the version came. A server that gives no versions is taken at its last word."""
@@ -63,16 +86,16 @@ class Bench:
         """Letter by letter; gives the times until the diagnostics of each."""
         times = []
         for letter in letters:
-            begin = time.perf_counter()
+            watch = self.watch()
             self.text.edit(self.client, at, at, letter)
-            times.append(self.diagnostics(self.text.version) - begin)
+            times.append(watch.until(self.diagnostics(self.text.version)))
             at += 1
         return times
 
     def undo(self, at, length):
-        begin = time.perf_counter()
+        watch = self.watch()
         self.text.edit(self.client, at, at + length, '')
-        return self.diagnostics(self.text.version) - begin
+        return watch.until(self.diagnostics(self.text.version))
 
     def edits(self, count):
         """Half of them break the program, half mend it; and some only change a comment, so that all is computed."""
@@ -90,9 +113,9 @@ class Bench:
         times = []
         for _ in range(count):
             at = self.text.text.index('\n', self.random.randrange(len(self.text.text) - 2000))
-            begin = time.perf_counter()
+            watch = self.watch()
             self.text.edit(self.client, at, at, mark + 'x')
-            times.append(self.diagnostics(self.text.version) - begin)
+            times.append(watch.until(self.diagnostics(self.text.version)))
         return times
 
     def params(self, method, offset):
@@ -114,11 +137,11 @@ class Bench:
             if before:
                 before()
             params = self.params(method, offset)
-            begin = time.perf_counter()
+            watch = self.watch()
             answer, when = self.client.timed_answer(self.client.ask('textDocument/' + method, params))
             if 'error' in answer and answer['error']['code'] == -32601:
                 return None
-            times.append(when - begin)
+            times.append(watch.until(when))
         return times
 
     def tokens(self, count):
@@ -130,10 +153,10 @@ class Bench:
         for _ in range(count):
             at = self.place()
             self.text.edit(self.client, at, at, 'x')
-            begin = time.perf_counter()
+            watch = self.watch()
             answer, when = self.client.timed_answer(self.client.ask(
                 'textDocument/semanticTokens/full/delta', {**document, 'previousResultId': answer['result'].get('resultId', '')}))
-            times.append(when - begin)
+            times.append(watch.until(when))
             self.undo(at, 1)
         return times
 
@@ -141,11 +164,11 @@ class Bench:
         params = {'textDocument': {'uri': self.text.uri}, 'options': {'tabSize': 2, 'insertSpaces': True}}
         times = []
         for _ in range(count):
-            begin = time.perf_counter()
+            watch = self.watch()
             answer, when = self.client.timed_answer(self.client.ask('textDocument/formatting', params))
             if 'error' in answer:
                 return None
-            times.append(when - begin)
+            times.append(watch.until(when))
         return times
 
     def cancellation(self, count):
@@ -154,9 +177,9 @@ class Bench:
         for _ in range(count):
             self.text.edit(self.client, 0, 0, '\n')
             asked = self.client.ask('textDocument/references', self.params('references', self.place()))
-            begin = time.perf_counter()
+            watch = self.watch()
             self.client.notify('$/cancelRequest', {'id': asked})
-            times.append(self.client.timed_answer(asked)[1] - begin)
+            times.append(watch.until(self.client.timed_answer(asked)[1]))
         return times
 
     def optional(self, what, times, goal=''):
@@ -198,11 +221,12 @@ def small_file(program, folder):
     """Seconds from the start of the process to the first diagnostics."""
     times = []
     for _ in range(20):
-        begin = time.perf_counter()
+        watch = Stopwatch()
         client = Client([program, 'lsp', '--debounce', '0'])
+        watch.clock = Stopwatch(client.process).clock
         client.initialize()
         client.open(f'file://{folder}/small.proskill', '(defsv lamp :states (On Off) :init Off)\n')
-        times.append(client.timed_note('textDocument/publishDiagnostics')[1] - begin)
+        times.append(watch.until(client.timed_note('textDocument/publishDiagnostics')[1]))
         client.end()
     row('start to first diagnostics, small file', times, '60')
 
@@ -211,18 +235,18 @@ def many_files(program, folder, source):
     """500 files opened at once, and their memory."""
     lines = source.splitlines()
     size = max(20, len(lines) // 500)
-    begin = time.perf_counter()
+    watch = Stopwatch()
     client = Client([program, 'lsp', '--debounce', '0'])
+    watch.clock = Stopwatch(client.process).clock
     client.initialize()
     uris = {f'file://{folder}/many/{i}.proskill' for i in range(500)}
     piece = '\n'.join(lines[:lines.index('', size)]) + '\n'
     for uri in uris:
         client.open(uri, piece)
-    last = begin
     while uris:
         params, last = client.timed_note('textDocument/publishDiagnostics')
         uris.discard(params['uri'])
-    row(f'500 files of {piece.count(chr(10))} lines, opened cold', [last - begin], '1000')
+    row(f'500 files of {piece.count(chr(10))} lines, opened cold', [watch.until(last)], '1000')
     print('  memory: %.0f MB, at its most %.0f MB (goal 80)' % memory(client))
     client.end()
 

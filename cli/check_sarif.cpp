@@ -1,6 +1,6 @@
 #include "cli/check_report.h"
-#include "cli/explain.h"
 #include "cli/source_place.h"
+#include "ide/explanation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -87,9 +87,9 @@ Json rulesJson() {
   Json rules = Json::array();
   for (const syntax::CodeInfo& code : syntax::allCodes())
     rules.push_back({{"id", code.id},
-                     {"shortDescription", {{"text", titleOf(code)}}},
-                     {"fullDescription", {{"text", paragraphOf(code)}}},
-                     {"help", {{"text", paragraphOf(code)}}},
+                     {"shortDescription", {{"text", ide::titleOf(code)}}},
+                     {"fullDescription", {{"text", ide::paragraphOf(code)}}},
+                     {"help", {{"text", ide::paragraphOf(code)}}},
                      {"defaultConfiguration", {{"level", level(code.severity)}}}});
   return rules;
 }

@@ -4,6 +4,7 @@
 #include "cli/paint.h"
 #include "cli/render.h"
 #include "cli/text_width.h"
+#include "ide/explanation.h"
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,9 @@
 namespace proskill::cli {
 
 namespace {
+
+using ide::paragraphOf;
+using ide::titleOf;
 
 struct Arguments {
   std::string code;
@@ -119,22 +123,6 @@ int run(const Arguments& arguments) {
 }
 
 } // namespace
-
-std::string titleOf(const syntax::CodeInfo& code) {
-  std::string title;
-  for (std::size_t i = 0; i < code.message.size(); ++i) {
-    const bool hole = code.message.substr(i, 2) == "{}";
-    title += hole ? std::string("…") : std::string(1, code.message[i]);
-    if (hole) ++i;
-  }
-  return title;
-}
-
-std::string paragraphOf(const syntax::CodeInfo& code) {
-  std::string text(code.explanation);
-  std::ranges::replace(text, '\n', ' ');
-  return text;
-}
 
 void addExplain(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();

@@ -1,25 +1,30 @@
 #include "ide/diagnostics.h"
 
-#include <algorithm>
+#include <set>
+#include <string_view>
+#include <tuple>
 
 namespace proskill::ide {
 
 namespace {
 
-bool saysTheSame(const syntax::Diagnostic& a, const syntax::Diagnostic& b) {
-  return a.code == b.code && a.location.range == b.location.range && a.message == b.message;
+/// What a reader sees of a diagnostic: the programs that a file belongs to say much twice.
+using Saying = std::tuple<syntax::Offset, syntax::Offset, syntax::Code, std::string_view>;
+
+Saying sayingOf(const syntax::Diagnostic& diagnostic) {
+  const auto& range = diagnostic.location.range;
+  return {range.begin, range.end, diagnostic.code, diagnostic.message};
 }
 
 } // namespace
 
 std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem::path& file) {
   std::vector<Finding> result;
+  std::set<Saying> said;
   for (const auto& view : snapshot.views(file))
-    for (const auto& diagnostic : view.owner->findings()) {
-      if (diagnostic.location.file != view.file) continue;
-      auto known = [&](const Finding& other) { return saysTheSame(*other.diagnostic, diagnostic); };
-      if (std::ranges::none_of(result, known)) result.push_back({view.owner, &diagnostic});
-    }
+    for (const auto& diagnostic : view.owner->findings())
+      if (diagnostic.location.file == view.file && said.insert(sayingOf(diagnostic)).second)
+        result.push_back({view.owner, &diagnostic});
   return result;
 }
 

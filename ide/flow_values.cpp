@@ -12,7 +12,7 @@ using analysis::SymbolKind;
 namespace flow = analysis::flow;
 
 /// Of all texts of a program; the flow of what is smaller is there in some milliseconds.
-constexpr std::size_t kQuick = 40'000;
+constexpr std::size_t kQuick = 100'000;
 
 std::size_t sizeOf(const analysis::Program& program) {
   std::size_t size = 0;

@@ -33,6 +33,25 @@ Json Converter::location(analysis::Location location) const {
   return {{"uri", uri(location.file)}, {"range", range(location)}};
 }
 
+void Converter::write(JsonWriter& json, analysis::FileId file, syntax::Range range) const {
+  const auto& document = program.files[file].document;
+  auto point = [&](const char* name, syntax::Offset at) {
+    const auto position = toEditor(document.text(), document.lines(), at, encoding);
+    json.key(name).open('{').member("line", position.line);
+    json.member("character", position.character).close('}');
+  };
+  json.open('{');
+  point("start", range.begin);
+  point("end", range.end);
+  json.close('}');
+}
+
+void Converter::write(JsonWriter& json, analysis::Location location) const {
+  write(json.open('{').member("uri", uri(location.file)).key("range"), location.file,
+        location.range);
+  json.close('}');
+}
+
 std::string Converter::uri(analysis::FileId file) const {
   const auto& path = program.files[file].path;
   auto open = texts.find(path);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/snapshot.h"
+#include "lsp/json_writer.h"
 #include "lsp/registry.h"
 
 #include <expected>
@@ -24,6 +25,8 @@ public:
     return range(location.file, location.range);
   }
   [[nodiscard]] Json location(analysis::Location location) const;
+  void write(JsonWriter& json, analysis::FileId file, syntax::Range range) const;
+  void write(JsonWriter& json, analysis::Location location) const;
   /// As the client spells it, where it holds the text.
   [[nodiscard]] std::string uri(analysis::FileId file) const;
 

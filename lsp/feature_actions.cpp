@@ -2,6 +2,7 @@
 #include "lsp/convert.h"
 #include "lsp/diagnostics.h"
 #include "lsp/edits.h"
+#include "lsp/explain.h"
 
 #include <algorithm>
 
@@ -59,9 +60,13 @@ Json actionJson(const ide::Action& action, const Request& request) {
   if (action.mends) {
     const Converter convert(action.owner->program, request.snapshot.open(),
                             request.client.encoding);
-    json["diagnostics"] =
-        Json::array({diagnosticJson({action.owner, action.mends}, convert, request.client)});
+    const auto diagnostic = diagnosticJson({action.owner, action.mends}, convert, request.client);
+    json["diagnostics"] = Json::array({Json::parse(dump(diagnostic))}); // compared by `resolve`
   }
+  if (!action.explains.empty())
+    json["command"] = {{"title", action.title},
+                       {"command", kExplainCommand},
+                       {"arguments", Json::array({action.explains})}};
   return json;
 }
 
@@ -75,11 +80,12 @@ Answer codeAction(const Request& request) {
   for (const auto& action : ide::actions(request.snapshot, path, *selection)) {
     if (!isAskedFor(nameOf(action.kind), request.params)) continue;
     auto json = actionJson(action, request);
-    if (request.client.resolvesActions)
+    const bool edits = action.explains.empty();
+    if (edits && request.client.resolvesActions)
       json["data"] = {{"textDocument", request.params["textDocument"]},
                       {"version", versionOf(request, path)},
                       {"range", request.params["range"]}};
-    else
+    else if (edits)
       json["edit"] = workspaceEdit(action, request);
     result.push_back(std::move(json));
   }
@@ -88,6 +94,7 @@ Answer codeAction(const Request& request) {
 
 /// Computes the actions again and takes the one that was chosen; its text must be the same still.
 Answer resolve(const Request& request) {
+  if (request.params.contains("command")) return request.params; // some clients ask of all
   auto data = request.params.find("data");
   if (data == request.params.end() || !data->is_object() || !request.params.contains("title"))
     return std::unexpected(RpcError{ErrorCode::InvalidParams, "`data` or `title` is missing"});

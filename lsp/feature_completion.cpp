@@ -34,39 +34,44 @@ int kindOf(CompletionKind kind) {
   return 1;
 }
 
-/// All that an item of one answer has in common.
+/// All that the items of one answer have in common.
 struct Shared {
-  Json insert;
-  Json replace;
+  std::string insert; ///< ranges, written
+  std::string replace;
   std::string uri;
   const ClientFeatures& client;
 };
 
-Json textEdit(const ide::Completion& item, const Shared& shared) {
-  const bool asSnippet = shared.client.snippets && !item.snippet.empty();
-  const auto& text = asSnippet ? item.snippet : item.insert;
-  if (shared.client.insertReplace)
-    return {{"newText", text}, {"insert", shared.insert}, {"replace", shared.replace}};
-  return {{"newText", text}, {"range", shared.insert}};
+bool isSnippet(const ide::Completion& item, const Shared& shared) {
+  return shared.client.snippets && !item.snippet.empty();
 }
 
-Json dataOf(const ide::Completion& item, const std::string& uri) {
-  Json data{{"uri", uri}};
-  if (item.symbol) data["symbol"] = toJson(*item.symbol);
-  if (item.word) data["word"] = item.word - ide::vocabulary().data();
-  return data;
+void writeEdit(JsonWriter& json, const ide::Completion& item, const Shared& shared) {
+  json.key("textEdit").open('{');
+  json.member("newText", isSnippet(item, shared) ? item.snippet : item.insert);
+  if (shared.client.insertReplace)
+    json.key("insert").written(shared.insert).key("replace").written(shared.replace);
+  else
+    json.key("range").written(shared.insert);
+  json.close('}');
+}
+
+void writeData(JsonWriter& json, const ide::Completion& item, const std::string& uri) {
+  json.key("data").open('{').member("uri", uri);
+  if (item.symbol) json.member("symbol", toJson(*item.symbol));
+  if (item.word) json.member("word", item.word - ide::vocabulary().data());
+  json.close('}');
 }
 
 Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shared) {
-  Json json{{"label", item.label},
-            {"kind", kindOf(item.kind)},
-            {"filterText", item.filter},
-            {"sortText", fmt::format("{:04}", place)},
-            {"textEdit", textEdit(item, shared)}};
-  if (!item.detail.empty()) json["detail"] = item.detail;
-  if (shared.client.snippets && !item.snippet.empty()) json["insertTextFormat"] = 2;
-  if (item.symbol || item.word) json["data"] = dataOf(item, shared.uri);
-  return json;
+  JsonWriter json;
+  json.open('{').member("label", item.label).member("kind", kindOf(item.kind));
+  json.member("filterText", item.filter).member("sortText", fmt::format("{:04}", place));
+  writeEdit(json, item, shared);
+  if (!item.detail.empty()) json.member("detail", item.detail);
+  if (isSnippet(item, shared)) json.member("insertTextFormat", 2);
+  if (item.symbol || item.word) writeData(json, item, shared.uri);
+  return written(json.close('}').str());
 }
 
 /// The character that was typed where that was what asked.
@@ -86,8 +91,12 @@ Answer completion(const Request& request) {
                          ? ide::FiacreText(at->view.text()).complete(at->at, trigger)
                          : ide::complete(request.snapshot, at->view, at->at, trigger);
   const Converter convert(at->view, request);
-  const Shared shared{convert.range(at->view.file, found.insert),
-                      convert.range(at->view.file, found.replace), convert.uri(at->view.file),
+  auto rangeText = [&](syntax::Range range) {
+    JsonWriter json;
+    convert.write(json, at->view.file, range);
+    return json.take();
+  };
+  const Shared shared{rangeText(found.insert), rangeText(found.replace), convert.uri(at->view.file),
                       request.client};
   Json items = Json::array();
   for (const auto& item : found.items) items.push_back(itemJson(item, items.size(), shared));

@@ -36,27 +36,28 @@ bool isUnnecessary(Code code) {
   return std::ranges::find(kCodes, code) != kCodes.end();
 }
 
-Json relatedJson(const syntax::Diagnostic& diagnostic, const Converter& convert) {
-  Json related = Json::array();
-  for (const auto& entry : diagnostic.related)
-    related.push_back({{"location", convert.location(entry.location)}, {"message", entry.message}});
-  return related;
+void writeRelated(JsonWriter& json, const syntax::Diagnostic& diagnostic,
+                  const Converter& convert) {
+  json.key("relatedInformation").open('[');
+  for (const auto& entry : diagnostic.related) {
+    convert.write(json.open('{').key("location"), entry.location);
+    json.member("message", entry.message).close('}');
+  }
+  json.close(']');
 }
 
-Json fixesJson(const syntax::Diagnostic& diagnostic, const Converter& convert) {
-  Json fixes = Json::array();
-  for (const auto& fix : diagnostic.fixes)
-    fixes.push_back({{"title", fix.title},
-                     {"uri", convert.uri(fix.location.file)},
-                     {"range", convert.range(fix.location)},
-                     {"newText", fix.text}});
-  return fixes;
+void writeFixes(JsonWriter& json, const syntax::Diagnostic& diagnostic, const Converter& convert) {
+  json.key("data").open('{').key("fixes").open('[');
+  for (const auto& fix : diagnostic.fixes) {
+    json.open('{').member("title", fix.title).member("uri", convert.uri(fix.location.file));
+    convert.write(json.key("range"), fix.location.file, fix.location.range);
+    json.member("newText", fix.text).close('}');
+  }
+  json.close(']').close('}');
 }
 
 /// Names what the items say: the same items, the same name, in every session.
-std::string resultIdOf(const Json& items) {
-  return fingerprint(items.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+std::string resultIdOf(const Json& items) { return fingerprint(dump(items)); }
 
 /// `unchanged` where the client has just this already.
 Json report(Json items, const Json& previous) {
@@ -136,17 +137,17 @@ Answer workspaceDiagnostics(const Request& request) {
 Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
                     const ClientFeatures& client) {
   const auto& diagnostic = *finding.diagnostic;
-  const auto& id = syntax::info(diagnostic.code).id;
-  Json json{{"range", convert.range(diagnostic.location)},
-            {"severity", severityOf(diagnostic.severity)},
-            {"code", id},
-            {"source", "proskill"},
-            {"message", diagnostic.message}};
-  if (client.diagnosticTags && isUnnecessary(diagnostic.code)) json["tags"] = Json::array({1});
+  JsonWriter json;
+  convert.write(json.open('{').key("range"), diagnostic.location.file, diagnostic.location.range);
+  json.member("severity", severityOf(diagnostic.severity));
+  json.member("code", syntax::info(diagnostic.code).id).member("source", "proskill");
+  json.member("message", diagnostic.message);
+  if (client.diagnosticTags && isUnnecessary(diagnostic.code))
+    json.key("tags").open('[').value(1).close(']');
   if (client.relatedInformation && !diagnostic.related.empty())
-    json["relatedInformation"] = relatedJson(diagnostic, convert);
-  if (!diagnostic.fixes.empty()) json["data"] = {{"fixes", fixesJson(diagnostic, convert)}};
-  return json;
+    writeRelated(json, diagnostic, convert);
+  if (!diagnostic.fixes.empty()) writeFixes(json, diagnostic, convert);
+  return written(json.close('}').str());
 }
 
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,

@@ -9,31 +9,33 @@ namespace {
 
 using ide::LensKind;
 
-Json command(std::string_view title, std::string_view name, Json arguments) {
-  return {{"title", title}, {"command", name}, {"arguments", std::move(arguments)}};
+/// The commands are the client's; their argument is that of the request that they lead to.
+void writeCommand(JsonWriter& json, const ide::Lens& lens, const analysis::Symbol& symbol,
+                  std::string_view uri) {
+  auto begin = [&](const char* name) {
+    json.key("command").open('{').member("title", lens.title).member("command", name);
+    json.key("arguments").open('[').open('{');
+    json.key("textDocument").open('{').member("uri", uri).close('}');
+  };
+  if (lens.kind == LensKind::Automaton) {
+    begin("proskill.showAutomaton");
+    json.member("kind", symbol.kind == analysis::SymbolKind::Skill ? "skill" : "sv");
+    json.member("name", symbol.name);
+  } else if (lens.property.empty()) {
+    begin("proskill.verify");
+    json.key("names").open('[').value(symbol.name).close(']');
+  } else {
+    begin("proskill.openTrace");
+    json.member("name", lens.property);
+  }
+  json.close('}').close(']').close('}');
 }
 
-/// The commands are the client's; their argument is that of the request that they lead to.
-Json commandOf(const ide::Lens& lens, const analysis::Symbol& symbol, const std::string& uri) {
-  Json subject{{"textDocument", {{"uri", uri}}}};
-  switch (lens.kind) {
-  case LensKind::References: return nullptr;
-  case LensKind::Automaton:
-    subject["kind"] = symbol.kind == analysis::SymbolKind::Skill ? "skill" : "sv";
-    subject["name"] = symbol.name;
-    return command(lens.title, "proskill.showAutomaton", Json::array({subject}));
-  case LensKind::Verify:
-    subject["names"] = Json::array({symbol.name});
-    return command(lens.title, "proskill.verify", Json::array({subject}));
-  case LensKind::Verdicts:
-    if (lens.property.empty()) {
-      subject["names"] = Json::array({symbol.name});
-      return command(lens.title, "proskill.verify", Json::array({subject}));
-    }
-    subject["name"] = lens.property;
-    return command(lens.title, "proskill.openTrace", Json::array({subject}));
-  }
-  return nullptr;
+/// Counting references is left to `resolve`.
+void writeData(JsonWriter& json, const ide::View& view, analysis::SymbolId symbol,
+               std::string_view uri) {
+  json.key("data").open('{').member("uri", uri);
+  json.member("symbol", toJson(ide::keyOf(view.index().symbols(), symbol))).close('}');
 }
 
 Answer codeLens(const Request& request) {
@@ -41,17 +43,21 @@ Answer codeLens(const Request& request) {
   if (!view) return std::unexpected(view.error());
   const Converter convert(*view, request);
   const auto uri = convert.uri(view->file);
-  const auto& symbols = view->index().symbols();
   Json result = Json::array();
   for (const auto& lens : ide::lenses(*view, *request.verdicts)) {
-    Json json{{"range", convert.range(view->file, lens.at)}};
-    if (auto what = commandOf(lens, symbols[lens.symbol], uri); !what.is_null())
-      json["command"] = std::move(what);
+    JsonWriter json;
+    convert.write(json.open('{').key("range"), view->file, lens.at);
+    if (lens.kind == LensKind::References)
+      writeData(json, *view, lens.symbol, uri);
     else
-      json["data"] = {{"uri", uri}, {"symbol", toJson(ide::keyOf(symbols, lens.symbol))}};
-    result.push_back(std::move(json));
+      writeCommand(json, lens, view->index().symbols()[lens.symbol], uri);
+    result.push_back(written(json.close('}').str()));
   }
   return result;
+}
+
+Json command(std::string_view title, std::string_view name, Json arguments) {
+  return {{"title", title}, {"command", name}, {"arguments", std::move(arguments)}};
 }
 
 Json referencesCommand(const ide::View& view, analysis::SymbolId id, const Request& request) {

@@ -12,9 +12,10 @@ Answer foldingRange(const Request& request) {
   if (!view) return std::unexpected(view.error());
   Json result = Json::array();
   for (const auto& fold : ide::folds(view->document())) {
-    Json json{{"startLine", fold.firstLine}, {"endLine", fold.lastLine}};
-    if (fold.kind == ide::FoldKind::Comment) json["kind"] = "comment";
-    result.push_back(std::move(json));
+    JsonWriter json;
+    json.open('{').member("startLine", fold.firstLine).member("endLine", fold.lastLine);
+    if (fold.kind == ide::FoldKind::Comment) json.member("kind", "comment");
+    result.push_back(written(json.close('}').str()));
   }
   return result;
 }

@@ -10,18 +10,18 @@ int kindOf(const ide::OutlineEntry& entry) {
   return entry.isFile ? kFileSymbol : symbolKind(entry.kind);
 }
 
-Json treeJson(const ide::OutlineEntry& entry, const Converter& convert, analysis::FileId file) {
-  Json json{{"name", entry.name},
-            {"kind", kindOf(entry)},
-            {"range", convert.range(file, entry.range)},
-            {"selectionRange", convert.range(file, entry.selection)}};
-  if (!entry.detail.empty()) json["detail"] = entry.detail;
+void writeTree(JsonWriter& json, const ide::OutlineEntry& entry, const Converter& convert,
+               analysis::FileId file) {
+  json.open('{').member("name", entry.name).member("kind", kindOf(entry));
+  convert.write(json.key("range"), file, entry.range);
+  convert.write(json.key("selectionRange"), file, entry.selection);
+  if (!entry.detail.empty()) json.member("detail", entry.detail);
   if (!entry.children.empty()) {
-    Json children = Json::array();
-    for (const auto& child : entry.children) children.push_back(treeJson(child, convert, file));
-    json["children"] = std::move(children);
+    json.key("children").open('[');
+    for (const auto& child : entry.children) writeTree(json, child, convert, file);
+    json.close(']');
   }
-  return json;
+  json.close('}');
 }
 
 /// For clients that know no trees: `SymbolInformation`.
@@ -40,11 +40,15 @@ Answer documentSymbol(const Request& request) {
   if (!view) return std::unexpected(view.error());
   const Converter convert(*view, request);
   Json result = Json::array();
-  for (const auto& entry : ide::outline(*view))
-    if (request.client.hierarchicalSymbols)
-      result.push_back(treeJson(entry, convert, view->file));
-    else
+  for (const auto& entry : ide::outline(*view)) {
+    if (!request.client.hierarchicalSymbols) {
       addFlat(result, entry, {}, convert, view->file);
+      continue;
+    }
+    JsonWriter json;
+    writeTree(json, entry, convert, view->file);
+    result.push_back(written(json.str()));
+  }
   return result;
 }
 

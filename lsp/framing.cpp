@@ -113,8 +113,8 @@ Frame FrameReader::resynchronise(std::string message) {
   return FramingError{std::move(message)};
 }
 
-std::string frame(std::string_view body) {
-  return fmt::format("Content-Length: {}\r\n\r\n{}", body.size(), body);
-}
+std::string header(std::size_t length) { return fmt::format("Content-Length: {}\r\n\r\n", length); }
+
+std::string frame(std::string_view body) { return header(body.size()).append(body); }
 
 } // namespace proskill::lsp

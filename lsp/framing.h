@@ -40,6 +40,8 @@ private:
   std::size_t toSkip = 0;                ///< of a body that is too long
 };
 
+/// What stands before a body of so many bytes.
+[[nodiscard]] std::string header(std::size_t length);
 /// A message as it goes out.
 [[nodiscard]] std::string frame(std::string_view body);
 

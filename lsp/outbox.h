@@ -13,12 +13,20 @@ public:
   explicit Outbox(Connection& connection) : connection(connection) {}
 
   void send(std::string_view body) {
+    if (body.size() > kCopied) return sendLarge(body);
     auto message = frame(body);
     std::lock_guard lock(mutex);
     connection.write(message);
   }
 
 private:
+  static constexpr std::size_t kCopied = 65536; ///< bytes that are put behind their header
+
+  void sendLarge(std::string_view body) {
+    std::lock_guard lock(mutex);
+    if (connection.write(header(body.size()))) connection.write(body);
+  }
+
   std::mutex mutex;
   Connection& connection;
 };

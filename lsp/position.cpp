@@ -19,6 +19,7 @@ std::size_t lengthOfLead(unsigned char lead) {
   return 1;
 }
 
+bool isAscii(char c) { return (static_cast<unsigned char>(c) & 0x80) == 0; }
 bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 Character characterAt(std::string_view text, Encoding encoding) {
@@ -37,6 +38,7 @@ EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, s
   auto [line, column] = lines.position(at);
   if (encoding == Encoding::Utf8) return {line, column};
   auto before = text.substr(at - column, column);
+  if (std::ranges::all_of(before, isAscii)) return {line, column};
   EditorPosition position{line, 0};
   while (!before.empty()) {
     auto character = characterAt(before, encoding);

@@ -1,5 +1,7 @@
 #include "lsp/publisher.h"
 
+#include "analysis/stop.h"
+
 #include "lsp/diagnostics.h"
 
 #include <algorithm>
@@ -30,7 +32,9 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
   for (const auto& [path, text] : snapshot->open())
     scheduler.post(Priority::Background,
                    [this, snapshot, path = path, asked = revision.load(), wanted = running] {
-                     if (!wanted.isCancelled()) publish(*snapshot, path, asked);
+                     if (wanted.isCancelled()) return;
+                     const analysis::StopWhen stop([&] { return wanted.isCancelled(); });
+                     publish(*snapshot, path, asked);
                    });
 }
 
@@ -67,6 +71,7 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
                 {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}});
     told[path] = std::move(now);
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
+  } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
   } catch (const std::exception& error) {
     onFailure(kMethod, {{"uri", text.uri}}, error.what());
   }

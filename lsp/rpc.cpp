@@ -1,12 +1,16 @@
 #include "lsp/rpc.h"
 
+#include "lsp/json_writer.h"
+
 namespace proskill::lsp {
 
 namespace {
 
-/// Text that came from a program may be no UTF-8; it is shown with replacement characters then.
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+JsonWriter envelope(const Json& content) {
+  JsonWriter text;
+  text.reserve(sizeOf(content) + 100);
+  text.open('{').member("jsonrpc", "2.0");
+  return text;
 }
 
 bool isIdentifier(const Json& id) { return id.is_number_integer() || id.is_string(); }
@@ -56,21 +60,22 @@ std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
 }
 
 std::string request(const Json& id, std::string_view method, const Json& params) {
-  return dump({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
+  auto text = envelope(params).member("id", id).member("method", method).member("params", params);
+  return text.close('}').take();
 }
 
 std::string notification(std::string_view method, const Json& params) {
-  return dump({{"jsonrpc", "2.0"}, {"method", method}, {"params", params}});
+  return envelope(params).member("method", method).member("params", params).close('}').take();
 }
 
 std::string reply(const Json& id, const Json& result) {
-  return dump({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
+  return envelope(result).member("id", id).member("result", result).close('}').take();
 }
 
 std::string replyError(const Json& id, const RpcError& error) {
   Json json{{"code", static_cast<int>(error.code)}, {"message", error.message}};
   if (!error.data.is_null()) json["data"] = error.data;
-  return dump({{"jsonrpc", "2.0"}, {"id", id}, {"error", std::move(json)}});
+  return envelope(json).member("id", id).member("error", json).close('}').take();
 }
 
 const Json& memberAt(const Json& json, std::initializer_list<const char*> path) {

@@ -1,6 +1,9 @@
 #include "lsp/server.h"
 
+#include "analysis/stop.h"
+
 #include "lsp/convert.h"
+#include "lsp/explain.h"
 #include "lsp/uri.h"
 
 #include <thread>
@@ -53,6 +56,22 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
   verification.addMethods(registry);
   registry.add("proskill/status",
                [this](const Request& request) -> Answer { return status(request.snapshot); });
+  registry.capabilities["executeCommandProvider"] = {{"commands", Json::array({kExplainCommand})}};
+  registry.add("workspace/executeCommand",
+               [this](const Request& request) { return execute(request.params); });
+}
+
+/// What was asked for is shown at once, however often: it is the user who asks.
+Answer Server::execute(const Json& params) {
+  const auto& command = memberAt(params, {"command"});
+  if (command != kExplainCommand)
+    return std::unexpected(RpcError{ErrorCode::InvalidParams, "there is no such command"});
+  const auto& arguments = memberAt(params, {"arguments"});
+  auto answer = explain(arguments.is_array() && !arguments.empty() ? arguments[0] : Json());
+  if (!answer) return answer;
+  peer.notify("window/showMessage",
+              {{"type", static_cast<int>(Announcer::Kind::Info)}, {"message", (*answer)["plain"]}});
+  return Json();
 }
 
 int Server::run() {
@@ -258,8 +277,11 @@ void Server::answer(const Message& message, const Method& method, const Request&
     failed(message.method, message.params, what);
     result = std::unexpected(RpcError{ErrorCode::InternalError, std::string(what)});
   };
+  const analysis::StopWhen stop([&] { return request.cancellation.isCancelled(); });
   try {
     result = method.handler(request);
+  } catch (const analysis::Stopped&) {
+    result = std::unexpected(RpcError{ErrorCode::RequestCancelled, "cancelled"});
   } catch (const std::exception& error) {
     bug(error.what());
   } catch (...) {

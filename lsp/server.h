@@ -56,6 +56,7 @@ private:
   void handleText(const Message& message);
   void refuseStale(const Message& message);
   void dispatch(Received& received, const Method& method);
+  [[nodiscard]] Answer execute(const Json& params);
   void answer(const Message& message, const Method& method, const Request& request);
   void reply(const Message& message, Answer result, Progress& progress);
   void changed();

@@ -1,6 +1,7 @@
 #include "analysis/flow/flow.h"
 
 #include "analysis/flow/checks.h"
+#include "analysis/stop.h"
 
 namespace proskill::analysis::flow {
 
@@ -21,7 +22,10 @@ std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& i
 std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index) {
   Findings findings({});
   Report report{flow.system.program(), flow.solver, index, findings};
-  for (auto check : kChecks) check(report);
+  for (auto check : kChecks) {
+    stopIfAsked();
+    check(report);
+  }
   return std::move(findings).inOrder();
 }
 

@@ -1,5 +1,7 @@
 #include "analysis/flow/locks.h"
 
+#include "analysis/stop.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -162,6 +164,7 @@ std::vector<IdSet> exclusiveSkills(const System& system) {
     if (system[id].analysed) collect(system, id, usages);
   std::vector<IdSet> exclusive(system.size());
   for (const auto& [variable, usage] : usages) {
+    stopIfAsked();
     IdSet holders = Lock(system, usage).holders();
     forEach(holders, [&](std::size_t id) { exclusive[id].insertAll(holders); });
   }

@@ -1,5 +1,7 @@
 #include "analysis/flow/solver.h"
 
+#include "analysis/stop.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -195,6 +197,7 @@ void Solver::run(ProcessId process) {
   while (!todo.empty()) {
     NodeId node = *todo.begin();
     todo.erase(todo.begin());
+    analysis::stopIfAsked();
     step(process, node);
   }
 }

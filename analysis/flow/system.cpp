@@ -2,6 +2,7 @@
 
 #include "analysis/flow/compile.h"
 #include "analysis/flow/locks.h"
+#include "analysis/stop.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -67,6 +68,7 @@ void System::addThreads(const SkillGraph& graph, ProcessKind kind, std::size_t d
 
 void System::addProcesses() {
   for (std::size_t i = 0; i < source.skills.all.size(); ++i) {
+    stopIfAsked();
     skillProcess.push_back(static_cast<ProcessId>(processes.size()));
     addThreads(graphs.emplace_back(buildGraph(*source.skills.all[i].node)), ProcessKind::Skill, i);
   }
@@ -224,7 +226,10 @@ IdSet System::readsOf(ProcessId id) const {
 }
 
 void System::compile() {
-  for (Process& process : processes) compileActions(*this, process);
+  for (Process& process : processes) {
+    stopIfAsked();
+    compileActions(*this, process);
+  }
   std::unordered_map<const syntax::Statement*, std::pair<ProcessId, NodeId>> leaves;
   for (ProcessId id = 0; id < eventProcess; ++id)
     for (NodeId node = 0; node < processes[id].graph->nodes.size(); ++node)

@@ -68,8 +68,9 @@ Actions actions(const Snapshot& snapshot, const std::filesystem::path& file,
                 syntax::Range selection) {
   const ActionContext context{snapshot, file, snapshot.view(file), selection};
   Actions result;
-  for (auto add : {addDiagnosticFixes, addIgnore, addFixAll, addFailureBranch, addWrapInIf,
-                   addExtractSkill, addInlineSkill, addMonitor, addTransitions, addSortFields})
+  for (auto add :
+       {addDiagnosticFixes, addIgnore, addFixAll, addFailureBranch, addWrapInIf, addExtractSkill,
+        addInlineSkill, addMonitor, addTransitions, addSortFields, addExplain})
     add(context, result);
   return result;
 }

@@ -33,6 +33,7 @@ struct Action {
   std::vector<FileEdit> edits;                  ///< of texts as they are, none over another
   const syntax::Diagnostic* mends = nullptr;    ///< lives in the owner
   bool preferred = false;                       ///< the only way to mend it
+  std::string_view explains{}; ///< a code: nothing is edited, its explanation is shown
 };
 
 struct ActionContext {
@@ -53,6 +54,7 @@ using Actions = std::vector<Action>;
 
 void addDiagnosticFixes(const ActionContext& context, Actions& actions);
 void addIgnore(const ActionContext& context, Actions& actions);
+void addExplain(const ActionContext& context, Actions& actions);
 void addFixAll(const ActionContext& context, Actions& actions);
 void addFailureBranch(const ActionContext& context, Actions& actions);
 void addWrapInIf(const ActionContext& context, Actions& actions);

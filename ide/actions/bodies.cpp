@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 
 namespace proskill::ide {
 
@@ -28,7 +30,26 @@ std::string unusedName(const ActionContext& context, const std::string& wish) {
   return name;
 }
 
-bool mentionsParameter(std::string_view text) { return text.contains('$'); }
+bool isNameLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+/// The inputs of a skill that a text mentions, in their order; nothing where it mentions others,
+/// or has a `$` that begins no name.
+std::optional<std::vector<syntax::Input>> inputsIn(std::string_view text,
+                                                   const syntax::Skill& skill) {
+  std::set<std::string_view> mentioned;
+  for (auto at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1)) {
+    auto end = at + 1;
+    while (end < text.size() && isNameLetter(text[end])) ++end;
+    mentioned.insert(text.substr(at, end - at));
+  }
+  std::vector<syntax::Input> inputs;
+  for (const auto& input : skill.inputs)
+    if (mentioned.erase(input.name.text) > 0) inputs.push_back(input);
+  return mentioned.empty() ? std::optional(std::move(inputs)) : std::nullopt;
+}
 
 /// Whether a skill is no more than its body: no time, no conditions, no outcomes of its own.
 bool isPlain(const syntax::Skill& skill) {
@@ -84,7 +105,8 @@ void addWrapInIf(const ActionContext& context, Actions& actions) {
              {{{range.begin, range.begin}, "(if true\n"}, {{range.end, range.end}, "\n)"}});
 }
 
-/// Statements that end their skill, jump, or need its inputs cannot move to another one.
+/// Statements that end their skill or jump cannot move to another one; inputs that they need are
+/// handed on by name.
 void addExtractSkill(const ActionContext& context, Actions& actions) {
   auto selected = selectedStatements(context);
   if (selected.statements.empty() || context.selection.empty()) return;
@@ -94,14 +116,24 @@ void addExtractSkill(const ActionContext& context, Actions& actions) {
                breaksOut(selected.statements);
   auto words = context.textOf(selected.range());
   // A comment behind the last statement would swallow the call's parenthesis.
-  if (bound || mentionsParameter(words) || !selected.skill->name) return;
+  auto inputs = inputsIn(words, *selected.skill);
+  if (bound || !inputs || !selected.skill->name) return;
   auto name = unusedName(context, fmt::format("part_of_{}", selected.skill->name.text));
-  auto definition = fmt::format("(defskill {}\n  :body\n({}))\n\n", name, words);
+  std::string declared;
+  std::string handedOn;
+  for (const auto& input : *inputs) {
+    declared +=
+        fmt::format("{}{} {}", declared.empty() ? "" : " ", input.name.text, input.type.text);
+    handedOn += fmt::format(" {} {}", analysis::withoutDollar(input.name).text, input.name.text);
+  }
+  if (!declared.empty()) declared = fmt::format("\n:input ({})", declared);
+  auto definition = fmt::format("(defskill {}{}\n  :body\n({}))\n\n", name, declared, words);
   auto before =
       selected.form->comment.empty() ? selected.form->range.begin : selected.form->comment.begin;
-  addLaidOut(context, actions, fmt::format("Extract into the skill `{}`", name),
-             ActionKind::RefactorExtract,
-             {{{before, before}, definition}, {selected.range(), fmt::format("({})", name)}});
+  addLaidOut(
+      context, actions, fmt::format("Extract into the skill `{}`", name),
+      ActionKind::RefactorExtract,
+      {{{before, before}, definition}, {selected.range(), fmt::format("({}{})", name, handedOn)}});
 }
 
 void addInlineSkill(const ActionContext& context, Actions& actions) {

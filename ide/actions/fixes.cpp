@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace proskill::ide {
 
@@ -91,6 +92,19 @@ void addIgnore(const ActionContext& context, Actions& actions) {
          {{diagnostic.location.file,
            {{line.begin, line.begin}, fmt::format("{}; proskill-ignore: {}\n", indent, id)}}},
          &diagnostic});
+  }
+}
+
+/// Once for each code, behind all that mends it.
+void addExplain(const ActionContext& context, Actions& actions) {
+  std::set<syntax::Code> explained;
+  for (const auto& finding : findingsAt(context)) {
+    if (!explained.insert(finding.diagnostic->code).second) continue;
+    auto id = syntax::info(finding.diagnostic->code).id;
+    actions.push_back({.title = fmt::format("Explain {}", id),
+                       .owner = finding.owner,
+                       .mends = finding.diagnostic,
+                       .explains = id});
   }
 }
 

@@ -99,8 +99,20 @@ TEST_CASE("statements become a skill, where they mean the same there") {
                          "(defskill m\n  :success done\n  :body\n    ((part_of_m)\n"
                          "     (success done)))\n");
   CHECK(after(body("(f)\n     [[(success done)]]"), "Extract") == "refused");
+  CHECK(after("(defskill m\n  :body\n    ([[(printf \"$x\")]]))\n", "Extract") == "refused");
   CHECK(after(body("(while true [[break]])"), "Extract") == "refused");
   CHECK(after(body("[[(while true (f) break)]]"), "Extract") != "refused");
+}
+
+TEST_CASE("a skill that statements become has the inputs that they need") {
+  const std::string callee = "(defskill go\n  :input ($x float $y float)\n  :action (go $x $y)\n"
+                             "  :success ok)\n\n";
+  const std::string head = "(defskill m\n  :input ($a float $b float $c nat)\n  :body\n    (";
+  CHECK(
+      after(callee + head + "[[(go x $b y $a)]]\n     (go x 1.0 y 2.0)))\n", "Extract") ==
+      callee +
+          "(defskill part_of_m\n  :input ($a float $b float)\n  :body\n    ((go x $b y $a)))\n\n" +
+          head + "(part_of_m a $a b $b)\n     (go x 1.0 y 2.0)))\n");
 }
 
 TEST_CASE("a plain skill is inlined, another is not") {

@@ -24,7 +24,7 @@ TEST_CASE("code actions of the kinds that are asked for") {
   session.initialize();
   session.open(kMain, kText);
   auto fixes = actions(session, {{"diagnostics", Json::array()}, {"only", {"quickfix"}}});
-  REQUIRE(fixes.size() == 1);
+  REQUIRE(fixes.size() == 2);
   CHECK(fixes[0]["kind"] == "quickfix");
   CHECK(fixes[0]["isPreferred"] == true);
   CHECK(fixes[0]["diagnostics"][0]["code"] == "PS0203");
@@ -46,7 +46,28 @@ TEST_CASE("the edit of a code action, whatever stands before it in other charact
       fix.contains("edit") ? fix["edit"] : session.result("codeAction/resolve", fix)["edit"];
   Json edits =
       edit.contains("changes") ? edit["changes"][kMain] : edit["documentChanges"][0]["edits"];
-  CHECK(edits == Json::array({{{"range", test::rangeOf(1, 35, 37)}, {"newText", "On"}}}));
+  CHECK(edits == Json::array({{{"range", test::rangeOf(1, 35, 37)}, {"newText", "Off"}}}));
+}
+
+TEST_CASE("the code of a diagnostic is explained, by the client or by the server") {
+  Session session;
+  session.initialize();
+  session.open(kMain, kText);
+  auto explain = actions(session, {{"diagnostics", Json::array()}, {"only", {"quickfix"}}})[1];
+  CHECK(explain["title"] == "Explain PS0203");
+  CHECK(!explain.contains("edit"));
+  CHECK(session.result("codeAction/resolve", explain) == explain);
+  const auto command = explain["command"];
+  CHECK(command["command"] == "proskill.explain");
+  CHECK(session.result("workspace/executeCommand", command) == nullptr);
+  const std::string said = session.notified("window/showMessage")["message"];
+  auto told = session.result("proskill/explain", {{"code", command["arguments"][0]}});
+  CHECK(said == told["plain"]);
+  CHECK(told["title"] == "`…` is no value of `…`");
+  CHECK(told["markdown"].get<std::string>().contains("```proskill\n"));
+  CHECK(session.ask("proskill/explain", {{"code", "PS9999"}})["error"]["code"] == -32803);
+  CHECK(session.ask("proskill/explain", Json::object())["error"]["code"] == -32602);
+  CHECK(session.ask("workspace/executeCommand", {{"command", "x"}})["error"]["code"] == -32602);
 }
 
 TEST_CASE("an action is resolved in the text that it was offered for, and in no other") {

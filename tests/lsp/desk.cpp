@@ -1,5 +1,6 @@
 #include "tests/lsp/desk.h"
 
+#include "lsp/json_writer.h"
 #include "tests/lsp/byte_places.h"
 #include "tests/support/memory_files.h"
 
@@ -141,7 +142,7 @@ Json Desk::raw(const std::string& method, const Json& params) const {
   const lsp::Request request{
       .params = params, .snapshot = *snapshot, .client = client, .cancellation = {}};
   auto answer = registry.methods.find(method)->second.handler(request);
-  if (answer) return std::move(*answer);
+  if (answer) return Json::parse(lsp::dump(*answer));
   if (answer.error().code == lsp::ErrorCode::InternalError)
     throw std::runtime_error("internal error: " + answer.error().message);
   return {{"error", answer.error().message}};

@@ -1,3 +1,4 @@
+#include "lsp/json_writer.h"
 #include "lsp/registry.h"
 #include "tests/support/memory_files.h"
 
@@ -27,7 +28,7 @@ Json ask(const ClientFeatures& client, const std::string& method, Json params) {
       .params = params, .snapshot = snapshot, .client = client, .cancellation = {}};
   auto answer = registry.methods.at(method).handler(request);
   REQUIRE(answer);
-  return *answer;
+  return Json::parse(lsp::dump(*answer));
 }
 
 Json at(unsigned line, unsigned character) {

@@ -26,6 +26,15 @@ end, {
   complete = function(begin) return require('proskill.verify').names(begin, true) end,
 })
 
+command('ProskillExplain', function(given)
+  require('proskill.explain').show(given.args)
+end, { nargs = '?', desc = 'Explain a code, or what is told at the cursor' })
+
+-- The code action of this name.
+vim.lsp.commands['proskill.explain'] = function(chosen)
+  require('proskill.explain').show(chosen.arguments[1])
+end
+
 command('ProskillTraceClose', function() require('proskill.trace').close() end,
   { desc = 'Put the trace away' })
 command('ProskillStop', function() require('proskill.verify').stop() end,

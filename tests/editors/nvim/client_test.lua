@@ -102,6 +102,26 @@ return {
     child:wait('return #vim.diagnostic.get(0, { severity = vim.diagnostic.severity.ERROR }) == 0')
   end },
 
+  { 'a code is explained, at the cursor, by its name, and by the code action', function(child)
+    drone(child)
+    child:at('(|takeoff height 3.0')
+    child:keys('cwtakeof<Esc>')
+    child:wait(has_diagnostic('unknown skill `takeof`'))
+    local shown = [[
+      for _, window in ipairs(vim.api.nvim_list_wins()) do
+        if vim.api.nvim_win_get_config(window).relative ~= '' then
+          return table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(window), 0, -1, true), ' ')
+        end
+      end
+    ]]
+    for _, way in ipairs({ "vim.cmd('ProskillExplain')", "vim.cmd('ProskillExplain PS0101')",
+                           "vim.lsp.commands['proskill.explain']({ arguments = { 'PS0203' } }, {})" }) do
+      local code = way:match('PS%d+') or 'PS0201'
+      child:lua(way)
+      child:wait('local text = (function() ' .. shown .. ' end)() return text and text:find(...) ~= nil', code)
+    end
+  end },
+
   { 'all places that use a thing are listed', function(child)
     drone(child)
     child:at('(defskill |landing')

@@ -84,7 +84,8 @@ class Client:
                 if length is None:
                     break
                 body = source.read(length)
-                self.take(json.loads(body), time.perf_counter())
+                when = time.perf_counter()
+                self.take(json.loads(body), when)
         except (OSError, ValueError):
             pass
         with self.lock:

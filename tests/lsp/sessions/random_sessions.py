@@ -72,10 +72,11 @@ class Session:
         said = self.errors.read()
         assert code == 0 and not said, (code, said)
 
-    def open(self, name, content):
+    def open(self, name, content, version=1):
         text = Text('file://' + os.path.join(self.path, name), content)
+        text.version = version
         self.texts[name] = text
-        self.client.open(text.uri, content)
+        self.client.open(text.uri, content, version)
 
     def pick(self):
         return self.random.choice(list(self.texts.values()))
@@ -109,7 +110,7 @@ class Session:
     def reopen(self):
         name, text = self.random.choice(list(self.texts.items()))
         self.client.close(text.uri)
-        self.open(name, text.text)
+        self.open(name, text.text, text.version + 1)  # what was told of an earlier one is not taken for news
 
     def watch(self):
         self.write('lamp.proskill', '(defsv lamp :states (On Off) :init %s)\n' % self.random.choice(['On', 'Off', 'Of']))
