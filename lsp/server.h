@@ -98,7 +98,7 @@ private:
   Phase phase = Phase::Fresh;
   std::atomic<Trace> trace = Trace::Off;
   std::vector<Path> folders;
-  std::map<Path, std::string> mistakes; ///< in files of settings, as the client was told
+  std::map<Path, SettingsMistake> mistakes; ///< in files of settings, as the client was told
   std::optional<int> parent;            ///< process whose end is ours
   std::optional<Time> parentDue;        ///< when to look for it
   Time started = std::chrono::steady_clock::now();
