@@ -99,8 +99,8 @@ private:
   std::atomic<Trace> trace = Trace::Off;
   std::vector<Path> folders;
   std::map<Path, SettingsMistake> mistakes; ///< in files of settings, as the client was told
-  std::optional<int> parent;            ///< process whose end is ours
-  std::optional<Time> parentDue;        ///< when to look for it
+  std::optional<int> parent;                ///< process whose end is ours
+  std::optional<Time> parentDue;            ///< when to look for it
   Time started = std::chrono::steady_clock::now();
   std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
   Verification verification;

@@ -169,8 +169,7 @@ std::map<fs::path, SettingsMistake> Workspace::mistakes() const {
   std::set<fs::path> looked;
   for (const auto& [path, text] : texts)
     if (looked.insert(path.parent_path()).second)
-      if (auto found = settingsFor(*disk, path); found.mistake)
-        result[found.file] = *found.mistake;
+      if (auto found = settingsFor(*disk, path); found.mistake) result[found.file] = *found.mistake;
   return result;
 }
 

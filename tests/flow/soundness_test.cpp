@@ -1,3 +1,4 @@
+#include "syntax/diagnostic.h"
 #include "tests/flow/judgement.h"
 #include "tests/support/random_program.h"
 

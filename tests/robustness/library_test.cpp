@@ -42,7 +42,8 @@ TEST_CASE("every prefix of every example is a program with diagnostics in it") {
     for (std::size_t length = 0; length <= text.size(); ++length) {
       analysis::Program program = test::programOfText(text.substr(0, length));
       for (const auto& found : program.diagnostics) REQUIRE(found.location.range.end <= length);
-      if (length % 17 == 0) survives(text.substr(0, length)); // the checks too, but not at each byte
+      if (length % 17 == 0)
+        survives(text.substr(0, length)); // the checks too, but not at each byte
       if (length % 61 == 0) flows(text.substr(0, length));
     }
   }
