@@ -2,9 +2,11 @@
 
 #include "bench/measure.h"
 #include "bench/programs.h"
+#include "tests/support/memory_files.h"
 #include "tests/support/run.h"
 #include "tests/support/texts.h"
 
+#include "analysis/flow/inspect.h"
 #include "codegen/model.h"
 #include "tests/where.h"
 
@@ -67,6 +69,52 @@ void measureStages(std::size_t lines) {
   table.add({"one letter typed", duration(edit), "parse " + duration(parse), edit / parse});
 }
 
+/// Whatever can be said about values, flow and time; and again after an edit within one skill.
+void measureFlow(std::size_t lines) {
+  std::string text = programOfLines(lines);
+  analysis::Program program = test::programOfText(text);
+  analysis::Analysis analysis = analysis::analyse(program);
+  syntax::Document document = syntax::Document::parse(text);
+  auto middle = static_cast<syntax::Offset>(text.find("(printf", text.size() / 2));
+  double names =
+      medianSeconds([&] { keep(analysis::analyse(test::programOfText(text)).diagnostics.size()); });
+  double solve = medianSeconds([&] { keep(analysis::flow::Flow(program).system.size()); });
+  double flow =
+      medianSeconds([&] { keep(analysis::flow::checkFlow(program, analysis.index).size()); });
+  double edit = medianSeconds([&] {
+    analysis::Program edited = analysis::load(test::MemoryFiles(), "test.proskill",
+                                              document.edit({middle, middle}, "(^ 1) "));
+    analysis::Analysis again = analysis::analyse(edited);
+    keep(analysis::flow::inspect(edited, again).size());
+  });
+  Table table(fmt::format("The flow of a program of {} lines", lineCount(text)));
+  const std::string baseline = "parse and names " + duration(names);
+  table.add({"values at all points", duration(solve), baseline, solve / names});
+  table.add({"and all checks", duration(flow), baseline, flow / names});
+  table.add({"all again after an edit within a skill", duration(edit), baseline, edit / names});
+}
+
+/// Skills that call each other in one long chain, each with an outcome that its caller looks at.
+void measureChain(std::size_t skills) {
+  std::string text;
+  for (std::size_t i = 0; i < skills; ++i)
+    text += i + 1 == skills
+                ? fmt::format("(defskill s{} :success done :failure lost :body ((^ 1)))\n", i)
+                : fmt::format("(defskill s{0} :success done :failure lost\n  :body ((s{1})\n"
+                              "    (if (= s{1}.status failure) (failure lost))\n"
+                              "    (success done)))\n",
+                              i, i + 1);
+  analysis::Program program = test::programOfText(text);
+  analysis::Analysis analysis = analysis::analyse(program);
+  double names = medianSeconds(
+      [&] { keep(analysis::analyse(test::programOfText(text)).diagnostics.size()); }, 1);
+  double flow =
+      medianSeconds([&] { keep(analysis::flow::checkFlow(program, analysis.index).size()); }, 1);
+  Table table(fmt::format("The flow of a chain of {} skills", skills));
+  table.add({"values and all checks", duration(flow), "parse and names " + duration(names),
+             flow / names});
+}
+
 void measureCommand(std::size_t lines) {
   test::TemporaryDirectory directory;
   std::string text = programOfLines(lines);
@@ -91,4 +139,6 @@ void measureCommand(std::size_t lines) {
 int main() {
   measureCommand(10'000); // first: a child of a large process is slow to start
   for (std::size_t lines : {1'000, 10'000, 100'000}) measureStages(lines);
+  for (std::size_t lines : {1'000, 10'000, 100'000}) measureFlow(lines);
+  for (std::size_t skills : {1'000, 10'000, 100'000}) measureChain(skills);
 }

@@ -35,6 +35,13 @@ struct Arguments {
   bool style = false;
 };
 
+/// `FILE:3:14: there is no setting ...`
+std::string placed(const fs::path& file, const lsp::SettingsMistake& mistake) {
+  const auto [line, column] = syntax::LineIndex(mistake.text).position(mistake.at.begin);
+  return file.generic_string() + ":" + std::to_string(line + 1) + ":" + std::to_string(column + 1) +
+         ": " + mistake.words;
+}
+
 /// The programs of the files given. One that another one includes is seen in that one's context.
 class Loader {
 public:
@@ -96,9 +103,8 @@ private:
 
   analysis::flow::Settings settings(const fs::path& root) {
     auto [result, file, mistake] = lsp::settingsFor(disk, root);
-    if (!mistake.empty())
-      std::cerr << "error: `" << file.generic_string() << "`: " << mistake << '\n';
-    mistaken |= !mistake.empty();
+    if (mistake) std::cerr << "error: " << placed(file, *mistake) << '\n';
+    mistaken |= mistake.has_value();
     result.style |= arguments.style;
     return result;
   }

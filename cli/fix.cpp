@@ -21,8 +21,13 @@ struct Edited {
   std::vector<Edit> edits;
 };
 
+/// What a finding of the flow comes from is mostly for a person to decide; these edits change only
+/// how the program reads.
+constexpr std::string_view kWithoutAsking[] = {"PS0702", "PS0901", "PS1005", "PS1103", "PS1201"};
+
 bool isForPerson(const syntax::Diagnostic& diagnostic) {
-  return syntax::info(diagnostic.code).id.starts_with("PS05");
+  const std::string_view id = syntax::info(diagnostic.code).id;
+  return id >= "PS0500" && std::ranges::find(kWithoutAsking, id) == std::end(kWithoutAsking);
 }
 
 bool touch(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }

@@ -99,9 +99,9 @@ private:
   Phase phase = Phase::Fresh;
   std::atomic<Trace> trace = Trace::Off;
   std::vector<Path> folders;
-  std::map<Path, std::string> mistakes; ///< in files of settings, as the client was told
-  std::optional<int> parent;            ///< process whose end is ours
-  std::optional<Time> parentDue;        ///< when to look for it
+  std::map<Path, SettingsMistake> mistakes; ///< in files of settings, as the client was told
+  std::optional<int> parent;                ///< process whose end is ours
+  std::optional<Time> parentDue;            ///< when to look for it
   Time started = std::chrono::steady_clock::now();
   std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
   Verification verification;

@@ -1,5 +1,6 @@
 #include "lsp/server.h"
 
+#include "lsp/position.h"
 #include "lsp/program_settings.h"
 #include "lsp/uri.h"
 
@@ -16,6 +17,15 @@ namespace proskill::lsp {
 namespace {
 
 constexpr std::chrono::seconds kBetweenLooks{5};
+
+Json rangeOf(const SettingsMistake& mistake, Encoding encoding) {
+  const syntax::LineIndex lines(mistake.text);
+  auto position = [&](syntax::Offset at) {
+    const auto [line, character] = toEditor(mistake.text, lines, at, encoding);
+    return Json{{"line", line}, {"character", character}};
+  };
+  return {{"start", position(mistake.at.begin)}, {"end", position(mistake.at.end)}};
+}
 
 std::optional<std::filesystem::path> pathIn(const Json& json) {
   const Json& uri = memberAt(json, {"uri"});
@@ -169,11 +179,10 @@ void Server::handleWatchedFiles(const Json& params) {
     peer.ask("workspace/diagnostic/refresh", nullptr);
 }
 
-/// A mistaken file of settings is told like a mistake in a program, at the file's beginning.
+/// A mistaken file of settings is told like a mistake in a program.
 void Server::showMistakes() {
   auto now = workspace.mistakes();
   if (now == mistakes) return;
-  const Json start{{"line", 0}, {"character", 0}};
   for (const auto& [file, mistake] : mistakes)
     if (!now.contains(file))
       peer.notify("textDocument/publishDiagnostics",
@@ -181,10 +190,10 @@ void Server::showMistakes() {
   for (const auto& [file, mistake] : now)
     peer.notify("textDocument/publishDiagnostics",
                 {{"uri", toUri(file)},
-                 {"diagnostics", Json::array({{{"range", {{"start", start}, {"end", start}}},
+                 {"diagnostics", Json::array({{{"range", rangeOf(mistake, client.encoding)},
                                                {"severity", 1},
                                                {"source", "proskill"},
-                                               {"message", mistake}}})}});
+                                               {"message", mistake.words}}})}});
   mistakes = std::move(now);
 }
 

@@ -164,13 +164,12 @@ void Workspace::forget(const std::vector<fs::path>& folders, const std::vector<f
   startAfresh();
 }
 
-std::map<fs::path, std::string> Workspace::mistakes() const {
-  std::map<fs::path, std::string> result;
+std::map<fs::path, SettingsMistake> Workspace::mistakes() const {
+  std::map<fs::path, SettingsMistake> result;
   std::set<fs::path> looked;
   for (const auto& [path, text] : texts)
     if (looked.insert(path.parent_path()).second)
-      if (auto found = settingsFor(*disk, path); !found.mistake.empty())
-        result[found.file] = found.mistake;
+      if (auto found = settingsFor(*disk, path); found.mistake) result[found.file] = *found.mistake;
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "ide/snapshot.h"
 #include "lsp/client.h"
+#include "lsp/program_settings.h"
 
 #include <expected>
 #include <functional>
@@ -47,7 +48,7 @@ public:
               const std::vector<std::filesystem::path>& staying);
 
   /// What is wrong with files of settings that apply to open texts, in words for the user.
-  [[nodiscard]] std::map<std::filesystem::path, std::string> mistakes() const;
+  [[nodiscard]] std::map<std::filesystem::path, SettingsMistake> mistakes() const;
 
   /// Files on disk that changed or are known now; those that are open are not read.
   void readFiles(const std::vector<std::filesystem::path>& paths);

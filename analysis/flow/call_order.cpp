@@ -40,4 +40,17 @@ void CallOrder::closeOver(std::vector<IdSet>& sets) const {
   }
 }
 
+/// In one pass: what is missing in a recursive program is only known less well.
+std::vector<IdSet> CallOrder::inherited(const std::vector<IdSet>& sets, std::size_t most) const {
+  std::vector<IdSet> all(sets.size());
+  for (ProcessId id : order)
+    for (ProcessId next : started[id]) {
+      if (next == id) continue;
+      all[id].insertAll(sets[next]);
+      all[id].insertAll(all[next]);
+      all[id].keepFirst(most);
+    }
+  return all;
+}
+
 } // namespace proskill::analysis::flow

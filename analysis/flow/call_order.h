@@ -18,6 +18,9 @@ public:
   [[nodiscard]] std::size_t rank(ProcessId id) const { return ranks[id]; }
   /// Adds to the set of each process those of all that it starts, directly or not.
   void closeOver(std::vector<IdSet>& sets) const;
+  /// For each process, of the sets of all that it starts, the first `most` members.
+  [[nodiscard]] std::vector<IdSet> inherited(const std::vector<IdSet>& sets,
+                                             std::size_t most) const;
 
 private:
   void visit(ProcessId root, std::vector<bool>& seen);

@@ -3,7 +3,7 @@
 
 #include <map>
 
-/// Parallel branches whose own statements set the same state variable.
+/// Parallel branches that set the same state variable, themselves or by what they call.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -43,12 +43,28 @@ private:
     for (NodeId node = 0; node < process.actions.size(); ++node) {
       if (!report.solver.reachable(id, node)) continue;
       for (ProcessId branch : process.actions[node].branches) collect(branch, writes);
-      for (const Assignment& each : process.actions[node].assignments) {
-        if (!each.source) continue;
-        Written& written =
-            writes.try_emplace(each.variable, Written{report.at(id, node), false}).first->second;
-        written.locked |= reads(process.actions[node], each.slot);
-      }
+      add(process.actions[node], report.at(id, node), writes);
+      ProcessId callee = process.actions[node].target;
+      if ((*process.graph)[node].kind == NodeKind::Call && callee != kNoProcess)
+        collectCalled(callee, report.at(id, node), writes);
+    }
+  }
+
+  /// What a call sets is told at the call.
+  void collectCalled(ProcessId callee, Location call, Writes& writes) const {
+    forEach(report.system().activity(callee), [&](std::size_t id) {
+      const auto process = static_cast<ProcessId>(id);
+      for (NodeId node = 0; node < report.system()[process].actions.size(); ++node)
+        if (report.solver.started(process) && report.solver.reachable(process, node))
+          add(report.system()[process].actions[node], call, writes);
+    });
+  }
+
+  static void add(const Action& action, Location at, Writes& writes) {
+    for (const Assignment& each : action.assignments) {
+      if (!each.source) continue;
+      Written& written = writes.try_emplace(each.variable, Written{at, false}).first->second;
+      written.locked |= reads(action, each.slot);
     }
   }
 
@@ -56,6 +72,7 @@ private:
     for (const auto& [variable, written] : second) {
       auto other = first.find(variable);
       if (other == first.end() || (written.locked && other->second.locked)) continue;
+      if (report.disputed.contains(variable)) continue;
       report.findings
           .report(syntax::Code::BranchesSetSame, written.at, report.variables().name(variable))
           .related(other->second.at, "set in another branch too");

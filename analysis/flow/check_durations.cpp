@@ -3,6 +3,8 @@
 #include "analysis/flow/durations.h"
 #include "syntax/codes.h"
 
+#include <fmt/format.h>
+
 /// Bodies that take less or more time than their skill's `:time_interval` says.
 namespace proskill::analysis::flow {
 
@@ -11,6 +13,8 @@ namespace {
 using syntax::Code;
 using syntax::Interval;
 using syntax::Rational;
+
+constexpr std::size_t kMostParts = 5;
 
 /// A body of at most `most` always ends before the interval begins.
 bool alwaysShort(const Interval& interval, const std::optional<Rational>& most) {
@@ -34,6 +38,24 @@ std::optional<Code> verdict(const Interval& interval, const Duration& duration) 
   return std::nullopt;
 }
 
+std::string asInterval(const Duration& duration) {
+  if (!duration.most) return fmt::format("[{},...[", toString(duration.least));
+  return fmt::format("[{},{}]", toString(duration.least), toString(*duration.most));
+}
+
+/// The first few steps of the body that take time, where they take it.
+void addParts(Finding& finding, const Report& report, Durations& durations, ProcessId id) {
+  std::size_t left = kMostParts;
+  for (NodeId node = 0; left > 0 && node < report.system()[id].actions.size(); ++node) {
+    const Node& each = (*report.system()[id].graph)[node];
+    if (!each.waits() || !each.statement || !report.solver.reachable(id, node)) continue;
+    Duration part = durations.ofNode(id, node);
+    if (part.most && *part.most == Rational{0, 1}) continue;
+    finding.related(report.at(id, node), fmt::format("takes {}", words(part)));
+    --left;
+  }
+}
+
 } // namespace
 
 void checkDurations(Report& report) {
@@ -45,8 +67,13 @@ void checkDurations(Report& report) {
     auto duration = durations.of(id);
     if (!duration) continue;
     const Interval& interval = *skill->timeInterval;
-    if (auto code = verdict(interval, *duration))
-      report.findings.report(*code, skill.at(interval.range), skill.name(), words(*duration));
+    auto code = verdict(interval, *duration);
+    if (!code) continue;
+    Finding finding =
+        report.findings.report(*code, skill.at(interval.range), skill.name(), words(*duration));
+    addParts(finding, report, durations, id);
+    std::string right = asInterval(*duration);
+    finding.fix(fmt::format("write {}", right), skill.at(interval.range), right);
   }
 }
 

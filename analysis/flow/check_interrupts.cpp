@@ -17,6 +17,7 @@ void checkInterrupts(Report& report) {
     if (!slot || report.solver.before(id, node).values[*slot].contains(1)) return;
     Finding finding = report.findings.report(syntax::Code::InterruptNotRunning, report.at(id, node),
                                              each.statement->name.text);
+    finding.fix("remove it", withSpaceAround(report, report.at(id, node)), "");
     for (const Site& site : system.callers(target))
       if (site.caller == id) {
         finding.related(report.at(id, site.node), "this call has ended before, or comes later");

@@ -50,6 +50,7 @@ private:
       if (!mayRunBeside(id, watched.process) || !breaks(assignment, watched)) continue;
       if (!told.insert({assignment.source, watched.invariant}).second) continue;
       const auto& skill = report.program.skills.all[report.system()[watched.process].definition];
+      report.disputed.insert(assignment.variable);
       report.findings
           .report(syntax::Code::BreaksInvariant,
                   report.system().at(process, assignment.source->range),

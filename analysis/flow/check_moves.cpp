@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
+#include <set>
 
 /// Moves that a state variable is not allowed to make, and naturals that leave their range.
 namespace proskill::analysis::flow {
@@ -13,12 +15,15 @@ namespace {
 
 using syntax::Code;
 
+constexpr unsigned kMostAlternatives = 4; ///< in a condition that a fix writes
+
 /// All that an assignment of the text may do, over all the nodes that make it.
 struct Assigned {
   VariableId variable = 0;
   std::size_t order = 0; ///< in which the program comes to them
   Location at;
   const syntax::Effect* effect = nullptr;
+  const syntax::Statement* set = nullptr; ///< a `set` of nothing else
   bool byEvent = false;
   ValueSet from;
   ValueSet clean;                         ///< of `from`: no move from here is wrong
@@ -39,10 +44,17 @@ public:
     std::vector<const Assigned*> inOrder;
     for (const auto& [key, assigned] : found) inOrder.push_back(&assigned);
     std::ranges::sort(inOrder, {}, &Assigned::order);
+    std::vector<const Assigned*> told;
     for (const Assigned* assigned : inOrder) {
-      if (!assigned->forbidden.empty() && !follows(*assigned)) reportForbidden(*assigned);
-      if (assigned->fallsShort || assigned->overshoots) reportRange(*assigned);
+      if (assigned->forbidden.empty()) continue;
+      if (follows(*assigned))
+        entailed.insert(assigned->variable);
+      else
+        told.push_back(assigned);
     }
+    for (const Assigned* assigned : told) reportForbidden(*assigned);
+    for (const Assigned* assigned : inOrder)
+      if (assigned->fallsShort || assigned->overshoots) reportRange(*assigned);
   }
 
 private:
@@ -63,7 +75,8 @@ private:
       bool emits = node.kind == NodeKind::Emit;
       const void* key = emits ? static_cast<const void*>(node.statement) : each.source;
       Location at = report.system().at(process, emits ? node.range : each.source->range);
-      note({key, each.variable}, each, state, at, false);
+      Assigned& here = note({key, each.variable}, each, state, at, false);
+      if (node.kind == NodeKind::Set && node.effects->items.size() == 1) here.set = node.statement;
     }
   }
 
@@ -81,8 +94,8 @@ private:
                report.program.events.all[event].at(each.source->range), true);
   }
 
-  void note(std::pair<const void*, VariableId> key, const Assignment& assignment,
-            const State& state, Location at, bool byEvent) {
+  Assigned& note(std::pair<const void*, VariableId> key, const Assignment& assignment,
+                 const State& state, Location at, bool byEvent) {
     const Variable& variable = report.variables()[assignment.variable];
     Assigned& here = found.try_emplace(key, Assigned{.order = found.size()}).first->second;
     here.variable = assignment.variable;
@@ -101,6 +114,7 @@ private:
       if (wrong == move.to || move.alwaysOutside) here.broken |= one;
     }
     here.broken = here.broken - here.clean;
+    return here;
   }
 
   /// A certain mistake explains those that come of it, and the others from the same values.
@@ -127,7 +141,56 @@ private:
                                              variables.words(it.variable, to));
     for (const Origin& origin : origins.of(it.variable, from))
       finding.related(origin.at, origin.words);
-    if (from.count() == 1 && to.count() == 1) offerTransition(finding, it.variable, from, to);
+    bool isWhole = !entailed.contains(it.variable); // else the next wrong move comes to light
+    if (from.count() == 1 && to.count() == 1 && isWhole)
+      offerTransition(finding, it.variable, from, to);
+    offerWait(finding, it);
+  }
+
+  /// Test and set, in one step; where others may bring about what is waited for.
+  void offerWait(Finding& finding, const Assigned& it) {
+    if (!it.set || !endsWell(it)) return;
+    auto condition = conditionFor(it.variable, it.clean);
+    if (!condition) return;
+    std::string_view effect = std::string_view(report.program.files[it.at.file].document.text())
+                                  .substr(it.effect->range.begin, it.effect->range.length());
+    finding.fix(fmt::format("wait for {} in the same step", *condition),
+                {it.at.file, it.set->range}, fmt::format("(^ {} :effects {})", *condition, effect));
+  }
+
+  /// An event leads to where the move is right. It comes whatever the program does; what skills
+  /// would do depends on what this one did.
+  [[nodiscard]] bool endsWell(const Assigned& it) const {
+    const System& system = report.system();
+    if (!system.hasFreeEvents()) return false;
+    const Domain& domain = report.variables()[it.variable].domain;
+    bool ends = false;
+    for (const Action& event : system[system.ofEvents()].actions)
+      for (const Assignment& each : event.assignments)
+        ends |= each.variable == it.variable && each.value.kind == Term::Kind::Number &&
+                domain.saturated({each.value.number, each.value.number}).within(it.clean);
+    return ends;
+  }
+
+  /// That the variable has one of the values; nothing where that would be long, or cannot be.
+  [[nodiscard]] std::optional<std::string> conditionFor(VariableId id, ValueSet values) const {
+    if (values.empty()) return std::nullopt;
+    const Variable& variable = report.variables()[id];
+    const std::string name = report.variables().name(id);
+    const unsigned last = variable.domain.size() - 1;
+    if (variable.domain.isNumeric()) {
+      if (values == ValueSet::firstOf(values.count()))
+        return fmt::format("(<= {} {})", name, variable.domain.at(values.count() - 1).last);
+      if (values == variable.domain.all() - ValueSet::firstOf(last + 1 - values.count()))
+        return fmt::format("(>= {} {})", name, variable.domain.at(last + 1 - values.count()).first);
+      return std::nullopt;
+    }
+    std::string all;
+    forEach(values, [&](unsigned value) {
+      all += fmt::format(" ({} {})", name, report.variables().words(id, ValueSet::of(value)));
+    });
+    if (values.count() > kMostAlternatives) return std::nullopt;
+    return values.count() == 1 ? all.substr(1) : fmt::format("(or{})", all);
   }
 
   void offerTransition(Finding& finding, VariableId id, ValueSet from, ValueSet to) {
@@ -152,12 +215,16 @@ private:
     finding.related(
         definitionOf(report, it.variable),
         fmt::format("can be {} there", report.variables().words(it.variable, it.from - it.clean)));
+    for (const Origin& origin : origins.of(it.variable, it.from - it.clean))
+      finding.related(origin.at, origin.words);
+    offerWait(finding, it);
   }
 
   Report& report;
   Origins origins;
   std::map<std::pair<const void*, VariableId>, Assigned> found;
   std::map<VariableId, ValueSet> explained; ///< values whose wrong moves have been told
+  std::set<VariableId> entailed;            ///< those of which some wrong moves come of others
 };
 
 } // namespace

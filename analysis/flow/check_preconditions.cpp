@@ -123,11 +123,36 @@ private:
     if (!state.reachable) return;
     state = report.solver.after(std::move(state), process, 0);
     for (std::size_t i = 0; i < guards.size(); ++i)
-      if (!mayHold(state, guards[i])) {
+      if (!mayHold(state, guards[i]) && lasts(id, guards[i])) {
         Finding finding = report.findings.report(
             Code::StartBreaksInvariant, skill.at(parts[i].range), parts[i].tag.text, skill.name());
         addValues(finding, report, process, state, {guards[i]});
       }
+  }
+
+  /// A body watches the guards where it waits: what it sets before that may make them true.
+  [[nodiscard]] bool lasts(ProcessId id, const Condition& guard) const {
+    const Process& process = report.system()[id];
+    if (!report.system().skill(process).isComposite()) return true;
+    if (!report.solver.started(id)) return false;
+    std::set<NodeId> seen{0};
+    std::vector<NodeId> next{0};
+    while (!next.empty()) {
+      NodeId node = next.back();
+      next.pop_back();
+      const Node& each = (*process.graph)[node];
+      if (each.kind == NodeKind::Outcome || each.kind == NodeKind::Fork) return false;
+      if (each.waits()) {
+        if (report.solver.mayHold(id, node, guard)) return false;
+        continue;
+      }
+      for (const Edge& edge : each.edges) {
+        bool follows = edge.target != kNoNode && report.solver.reachable(id, edge.target) &&
+                       (*process.graph)[edge.target].kind != NodeKind::Refused;
+        if (follows && seen.insert(edge.target).second) next.push_back(edge.target);
+      }
+    }
+    return true;
   }
 
   Report& report;

@@ -64,10 +64,45 @@ private:
   }
 
   void tell(const std::vector<NodeId>& loop) {
-    NodeId first = *std::ranges::min_element(loop);
-    const Node& node = (*process.graph)[first];
-    syntax::Range at = node.statement->head.range.empty() ? node.range : node.statement->head.range;
-    report.findings.report(Code::LoopWithoutTime, report.system().at(process, at));
+    const syntax::Statement& statement = loopOf(loop);
+    syntax::Range at = statement.head.range.empty() ? statement.range : statement.head.range;
+    Finding finding =
+        report.findings.report(Code::LoopWithoutTime, report.system().at(process, at));
+    for (NodeId node : loop)
+      if (isExit(node, loop))
+        finding.related(report.at(id, node), "nothing in the loop changes what is tested here");
+    if (isLoop(statement) && !statement.branches.empty()) offerWait(finding, statement);
+  }
+
+  static bool isLoop(const syntax::Statement& statement) {
+    return statement.kind == syntax::StatementKind::While ||
+           statement.kind == syntax::StatementKind::DoUntil;
+  }
+
+  /// The outermost `while` or `do` of it, or what it begins with.
+  [[nodiscard]] const syntax::Statement& loopOf(const std::vector<NodeId>& loop) const {
+    const syntax::Statement* found = nullptr;
+    for (NodeId node : loop) {
+      const syntax::Statement* each = (*process.graph)[node].statement;
+      if (isLoop(*each) && (!found || each->range.begin < found->range.begin)) found = each;
+    }
+    return found ? *found : *(*process.graph)[*std::ranges::min_element(loop)].statement;
+  }
+
+  [[nodiscard]] bool isExit(NodeId node, const std::vector<NodeId>& loop) const {
+    const Node& each = (*process.graph)[node];
+    return each.kind == NodeKind::Test && std::ranges::any_of(each.edges, [&](const Edge& edge) {
+             return edge.target != kNoNode && std::ranges::find(loop, edge.target) == loop.end();
+           });
+  }
+
+  /// Where the loop has statements, behind the last of them.
+  void offerWait(Finding& finding, const syntax::Statement& loop) const {
+    const auto& statements = loop.branches.front().statements;
+    if (statements.empty()) return;
+    Location last = report.system().at(process, statements.back().range);
+    finding.fix("wait 0.1 s in each round", {last.file, {last.range.end, last.range.end}},
+                lineAfter(report, last) + "(^ 0.1)");
   }
 
   Report& report;
@@ -78,7 +113,8 @@ private:
 void checkZeroWait(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
   if (node.kind != NodeKind::Delay || !takesNoTime(node)) return;
   Location at = report.at(id, nodeId);
-  report.findings.report(Code::ZeroWait, at).fix("remove the wait", at, "");
+  report.findings.report(Code::ZeroWait, at)
+      .fix("remove the wait", withSpaceAround(report, at), "");
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "syntax/codes.h"
 
 #include <algorithm>
+#include <deque>
 #include <fmt/format.h>
 #include <map>
 
@@ -12,6 +13,8 @@ namespace proskill::analysis::flow {
 namespace {
 
 using syntax::Code;
+
+constexpr std::size_t kMostLooks = 2'000'000; ///< a program must be very large to need more
 
 /// A skill that holds `held` calls something that takes `wanted`.
 struct Nesting {
@@ -37,8 +40,11 @@ public:
   void check() {
     for (std::size_t skill = 0; skill < needs.size(); ++skill)
       for (std::size_t held : needs[skill]) follow(skill, held);
-    for (std::size_t i = 0; i < nestings.size(); ++i)
-      for (std::size_t j = i + 1; j < nestings.size(); ++j) compare(nestings[i], nestings[j]);
+    for (const Nesting& nesting : nestings) {
+      for (const Nesting* other : known[{nesting.wanted, nesting.held}]) compare(*other, nesting);
+      known[{nesting.held, nesting.wanted}].push_back(&nesting);
+    }
+    addUp();
   }
 
 private:
@@ -50,7 +56,7 @@ private:
   void follow(std::size_t skill, std::size_t held) {
     const System& system = report.system();
     ProcessId holder = system.ofSkill(skill);
-    if (!system[holder].analysed) return;
+    if (!system[holder].analysed || looks > kMostLooks) return;
     for (ProcessId id = holder; id < system.size() && isOf(skill, id); ++id)
       for (NodeId node = 0; node < system[id].actions.size(); ++node)
         if ((*system[id].graph)[node].kind == NodeKind::Call && report.solver.reachable(id, node))
@@ -70,7 +76,7 @@ private:
     Location at = report.at(caller, node);
     forEach(system.activity(target), [&](std::size_t id) {
       const Process& process = system[static_cast<ProcessId>(id)];
-      if (process.kind != ProcessKind::Skill) return;
+      if (process.kind != ProcessKind::Skill || ++looks > kMostLooks) return;
       for (std::size_t wanted : needs[process.definition]) {
         if (wanted != held)
           nestings.push_back({system.ofSkill(skill), held, wanted, at});
@@ -85,9 +91,55 @@ private:
     if (!never.insert({resource, holder}).second) return;
     report.findings
         .report(Code::ResourceHeldByCaller, call, report.program.resources.all[resource].name(),
-                skills[wanter].name(), skills[holder].name())
+                skills[wanter].name(), fmt::format("`{}` itself", skills[holder].name()))
         .related(skills[holder].at(placeOf(*skills[holder].node, resource)), "taken here")
         .related(skills[wanter].at(placeOf(*skills[wanter].node, resource)), "wanted here");
+  }
+
+  /// Of a resource that there is more of: how many those have taken who are on the way to a call.
+  void addUp() {
+    const System& system = report.system();
+    std::vector<std::size_t> order; // whoever calls comes before what is called
+    for (std::size_t skill = 0; skill < needs.size(); ++skill)
+      if (system[system.ofSkill(skill)].analysed) order.push_back(skill);
+    std::ranges::sort(order, std::ranges::greater(),
+                      [&](std::size_t skill) { return system.rank(system.ofSkill(skill)); });
+    held.resize(needs.size());
+    for (std::size_t skill : order) {
+      for (const Site& site : system.callers(system.ofSkill(skill)))
+        if (system[site.caller].analysed && report.solver.reachable(site.caller, site.node))
+          addCaller(skill, site);
+      for (std::size_t resource : needs[skill]) held[skill][resource].push_back(skill);
+    }
+  }
+
+  void addCaller(std::size_t skill, const Site& site) {
+    for (const auto& [resource, holders] : held[report.system()[site.caller].definition]) {
+      bool wants = std::ranges::find(needs[skill], resource) != needs[skill].end();
+      auto most = static_cast<std::size_t>(capacity(resource));
+      if (wants && most > 1 && holders.size() >= most)
+        reportBeyond(resource, holders, skill, report.at(site.caller, site.node));
+      else if (holders.size() < most && held[skill][resource].size() < holders.size())
+        held[skill][resource] = holders;
+    }
+  }
+
+  void reportBeyond(std::size_t resource, const std::vector<std::size_t>& holders,
+                    std::size_t wanter, Location call) {
+    const auto& skills = report.program.skills.all;
+    std::string names;
+    for (std::size_t i = 0; i < holders.size(); ++i)
+      names += fmt::format("{}`{}`",
+                           i == 0                   ? ""
+                           : i + 1 < holders.size() ? ", "
+                                                    : " and ",
+                           skills[holders[i]].name());
+    Finding finding = report.findings.report(Code::ResourceHeldByCaller, call,
+                                             report.program.resources.all[resource].name(),
+                                             skills[wanter].name(), names);
+    for (std::size_t holder : holders)
+      finding.related(skills[holder].at(placeOf(*skills[holder].node, resource)), "taken here");
+    finding.related(skills[wanter].at(placeOf(*skills[wanter].node, resource)), "wanted here");
   }
 
   [[nodiscard]] syntax::Range placeOf(const syntax::Skill& skill, std::size_t resource) const {
@@ -113,7 +165,11 @@ private:
 
   Report& report;
   std::vector<std::vector<std::size_t>> needs; ///< of each skill
-  std::vector<Nesting> nestings;
+  std::deque<Nesting> nestings;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<const Nesting*>> known;
+  std::size_t looks = 0; ///< at skills that are called, directly or not
+  /// Of each skill, who on the way to it may have taken a resource.
+  std::vector<std::map<std::size_t, std::vector<std::size_t>>> held;
   std::set<std::tuple<std::size_t, FileId, syntax::Offset>> told;
   std::set<std::pair<std::size_t, std::size_t>> never; ///< resource and holder
 };

@@ -2,6 +2,7 @@
 #include "analysis/walk.h"
 #include "syntax/codes.h"
 
+#include <fmt/format.h>
 #include <unordered_set>
 
 /// Calls of skills that can fail, made by a skill that never looks at how they went.
@@ -37,6 +38,22 @@ std::unordered_set<const syntax::Statement*> silentCalls(const Report& report) {
   return silent;
 }
 
+/// Some failure of the skill is ever returned.
+bool canFail(const Report& report, ProcessId skill) {
+  const Process& process = report.system()[skill];
+  for (NodeId node = 0; node < process.actions.size(); ++node) {
+    const Node& each = (*process.graph)[node];
+    if (each.kind == NodeKind::Outcome && !each.success && report.solver.reachable(skill, node))
+      return true;
+  }
+  return false;
+}
+
+/// A start, which changes nothing of what the skill does: what to do then is for a person.
+std::string lookAt(std::string_view callee) {
+  return fmt::format("(if (/= {0}.status success) (printf \"{0} has failed\"))", callee);
+}
+
 void checkSkill(Report& report, const Definition<syntax::Skill>& skill,
                 const std::unordered_set<const syntax::Statement*>& silent) {
   auto read = skillsRead(*skill->body);
@@ -44,9 +61,14 @@ void checkSkill(Report& report, const Definition<syntax::Skill>& skill,
     if (statement.kind != syntax::StatementKind::Call || silent.contains(&statement)) return;
     const auto* callee = report.program.skills.find(statement.name.text);
     if (!callee || (*callee)->failures.empty() || !read.insert(statement.name.text).second) return;
+    auto index = report.system().resolver().skill(statement.name.text);
+    if (!index || !canFail(report, report.system().ofSkill(*index))) return;
+    Location behind = skill.at({statement.range.end, statement.range.end});
     report.findings
         .report(syntax::Code::ResultIgnored, skill.at(statement.head.range), statement.name.text)
-        .related(callee->at((*callee)->failures.front().tag.range), "it can fail");
+        .related(callee->at((*callee)->failures.front().tag.range), "it can fail")
+        .fix("look at its status", behind,
+             lineAfter(report, skill.at(statement.range)) + lookAt(statement.name.text));
   });
 }
 

@@ -26,6 +26,8 @@ public:
           node = nodeId;
           if (!each.statement) return;
           for (const Expr* condition : each.conditions) visit(self, *condition);
+          if (each.statement->kind == syntax::StatementKind::Printf)
+            for (const auto& argument : each.statement->arguments) print(self, argument.value);
         });
   }
 
@@ -37,6 +39,12 @@ private:
       compare(process, expr.operands[1], expr.operands[0]);
     }
     for (const Expr& operand : expr.operands) visit(process, operand);
+  }
+
+  void print(const Process& process, const Expr& value) {
+    if (value.kind != ExprKind::Access) return;
+    if (auto skill = report.system().resolver().skill(value.name.text))
+      readTooEarly(process, value, *skill);
   }
 
   void compare(const Process& process, const Expr& access, const Expr& word) {
@@ -58,14 +66,21 @@ private:
   /// Nobody can have called the skill when its status is read here.
   bool readTooEarly(const Process& process, const Expr& access, std::size_t skill) {
     const Variables& variables = report.variables();
-    VariableId status = variables.of(VariableKind::Status, skill);
-    auto slot = process.slots.find(status);
-    if (!slot || report.solver.before(id, node).values[*slot] != variables[status].initial)
+    bool isStatus = access.member.text == "status";
+    VariableId variable =
+        variables.of(isStatus ? VariableKind::Status : VariableKind::Result, skill);
+    auto slot = process.slots.find(variable);
+    if (!slot || report.solver.before(id, node).values[*slot] != variables[variable].initial)
       return false;
     if (calledBefore(skill)) return false;
     report.explain(id, node);
-    report.findings.report(Code::StatusBeforeCall, report.system().at(process, access.range),
-                           access.name.text);
+    Finding finding = report.findings.report(
+        Code::StatusBeforeCall, report.system().at(process, access.range), access.name.text);
+    for (const Site& site : report.system().callers(report.system().ofSkill(skill)))
+      if (site.caller == id && report.solver.reachable(id, site.node)) {
+        finding.related(report.at(id, site.node), "is called here, which does not lead there");
+        break;
+      }
     return true;
   }
 

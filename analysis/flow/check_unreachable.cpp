@@ -65,7 +65,8 @@ private:
     const Statement* before = nullptr;
     for (const Statement& statement : block.statements) {
       if (!reached(statement)) {
-        if (before && reached(*before)) reportAfter(*before, statement);
+        if (before && reached(*before))
+          reportAfter(*before, statement, lastUnreached(block, statement));
       } else {
         for (const auto& arm : statement.arms) checkBlock(arm.body);
         for (const Block& branch : statement.branches) checkBlock(branch);
@@ -74,14 +75,24 @@ private:
     }
   }
 
-  void reportAfter(const Statement& before, const Statement& statement) {
+  /// The last statement of the block before one that is reached in another way.
+  [[nodiscard]] const Statement& lastUnreached(const Block& block, const Statement& first) const {
+    const Statement* last = &first;
+    const Statement* end = block.statements.data() + block.statements.size();
+    while (last + 1 != end && !reached(last[1])) ++last;
+    return *last;
+  }
+
+  void reportAfter(const Statement& before, const Statement& statement, const Statement& last) {
     auto seen = statements.find(&before);
     if (seen != statements.end() && report.isExplained(seen->second.process, seen->second.node))
       return;
     auto reason = whyNothingFollows(before);
     if (!reason) return;
     report.findings.report(Code::UnreachableStatement, {file, statement.range})
-        .related({file, before.head.range.empty() ? before.range : before.head.range}, *reason);
+        .related({file, before.head.range.empty() ? before.range : before.head.range}, *reason)
+        .fix("remove what is never reached",
+             withSpaceAround(report, {file, {statement.range.begin, last.range.end}}), "");
   }
 
   /// Nothing where something else has been said about it.

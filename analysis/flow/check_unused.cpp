@@ -2,6 +2,7 @@
 #include "syntax/codes.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 /// Definitions that nothing in the program needs.
 namespace proskill::analysis::flow {
@@ -18,11 +19,13 @@ public:
     for (SymbolId id = 0; id < symbols.all().size(); ++id) {
       const Symbol& symbol = symbols[id];
       switch (symbol.kind) {
-      case SymbolKind::StateVariable:
-        reportUnless(isNamed(id), Code::UnusedStateVariable, symbol);
+      case SymbolKind::StateVariable: checkVariable(id, symbol); break;
+      case SymbolKind::Resource:
+        if (!isNamed(id)) reportRemovable(Code::UnusedResource, symbol);
         break;
-      case SymbolKind::Resource: reportUnless(isNamed(id), Code::UnusedResource, symbol); break;
-      case SymbolKind::Label: reportUnless(isNamed(id), Code::UnusedLabel, symbol); break;
+      case SymbolKind::Label:
+        if (!isNamed(id)) reportRemovable(Code::UnusedLabel, symbol);
+        break;
       case SymbolKind::Parameter: reportUnless(isRead(id), Code::UnusedInput, symbol); break;
       case SymbolKind::Skill:
         reportUnless(isNamed(id) || isStarted(symbol.definition), Code::UnusedSkill, symbol);
@@ -38,6 +41,20 @@ public:
 private:
   void reportUnless(bool used, Code code, const Symbol& symbol) {
     if (!used) report.findings.report(code, symbol.at, symbol.name);
+  }
+
+  /// Nothing refers to it, so that nothing is missed.
+  void reportRemovable(Code code, const Symbol& symbol) {
+    report.findings.report(code, symbol.at, symbol.name)
+        .fix(fmt::format("remove `{}`", symbol.name),
+             withSpaceAround(report, {symbol.at.file, symbol.extent}), "");
+  }
+
+  /// That nobody sets any value of it says the same.
+  void checkVariable(SymbolId id, const Symbol& symbol) {
+    if (isNamed(id)) return;
+    reportRemovable(Code::UnusedStateVariable, symbol);
+    report.told.insert(report.variables().of(VariableKind::StateVariable, symbol.definition));
   }
 
   [[nodiscard]] bool isNamed(SymbolId id) const {

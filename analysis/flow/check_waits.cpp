@@ -22,6 +22,7 @@ void checkWait(Report& report, ProcessId id, NodeId nodeId) {
              node.effects->items.empty()) {
     Finding finding = report.findings.report(syntax::Code::WaitAlreadyHolds, at);
     addValues(finding, report, process, before, conditions);
+    finding.fix("remove the wait", withSpaceAround(report, report.at(id, nodeId)), "");
   }
 }
 

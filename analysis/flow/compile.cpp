@@ -117,6 +117,9 @@ void addReads(const System& system, const Process& process, std::vector<Variable
     const Node& node = (*process.graph)[id];
     for (const syntax::Expr* condition : node.conditions)
       system.resolver().addReads(*condition, reads);
+    if (node.statement && node.statement->kind == syntax::StatementKind::Printf)
+      for (const auto& argument : node.statement->arguments)
+        system.resolver().addReads(argument.value, reads);
     if (node.outcome && node.outcome->postcondition)
       system.resolver().addReads(*node.outcome->postcondition, reads);
     if (const syntax::Effects* effects = effectsOf(system, node))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 
 namespace proskill::analysis::flow {
 
@@ -26,16 +27,50 @@ Duration ofInterval(const std::optional<syntax::Interval>& interval) {
 Durations::Durations(const Solver& solver)
     : solver(solver), system(solver.system()), known(system.size()), busy(system.size()) {}
 
+/// With a stack of its own: skills may call each other in a very long chain.
 std::optional<Duration> Durations::of(ProcessId process) {
-  if (busy[process]) return Duration{{0, 1}, std::nullopt};
-  if (known[process]) return *known[process];
-  busy[process] = true;
-  std::optional<Duration> result;
-  Date least = earliest(process)[system[process].graph->end];
-  if (least) result = Duration{*least, latestExit(process)};
-  busy[process] = false;
-  known[process] = result;
-  return result;
+  std::vector<ProcessId> stack{process};
+  while (!stack.empty()) {
+    ProcessId next = stack.back();
+    if (known[next] || isReady(next, stack)) {
+      if (!known[next]) compute(next);
+      busy[next] = false;
+      stack.pop_back();
+    } else {
+      busy[next] = true;
+    }
+  }
+  return known[process]->whole;
+}
+
+/// Adds what it starts and is not known yet, unless that has been begun.
+bool Durations::isReady(ProcessId process, std::vector<ProcessId>& needed) const {
+  const std::size_t before = needed.size();
+  auto need = [&](ProcessId other) {
+    if (other != kNoProcess && other != process && !known[other] && !busy[other])
+      needed.push_back(other);
+  };
+  for (NodeId node = 0; node < system[process].actions.size(); ++node) {
+    if (!solver.reachable(process, node)) continue;
+    if ((*system[process].graph)[node].kind == NodeKind::Call)
+      need(system[process].actions[node].target);
+    for (ProcessId branch : system[process].actions[node].branches) need(branch);
+  }
+  return needed.size() == before;
+}
+
+void Durations::compute(ProcessId process) {
+  const Unrolled ways = unrolled(solver, process);
+  std::map<NodeId, Duration> once;
+  std::vector<Duration> times;
+  for (NodeId node : ways.original) {
+    auto entry = once.find(node);
+    if (entry == once.end()) entry = once.emplace(node, ofNode(process, node)).first;
+    times.push_back(entry->second);
+  }
+  Known& result = known[process].emplace();
+  result.latestExit = latestExit(ways, times);
+  if (Date least = earliestEnd(ways, times)) result.whole = Duration{*least, result.latestExit};
 }
 
 /// Its callee may be refused, stopped, or fail an invariant at any time.
@@ -63,8 +98,8 @@ Duration Durations::ofCall(ProcessId process, NodeId node) {
       refineAll(entry, system[callee].actions[0].conditions, false);
       mayBeRefused |= entry.reachable;
     }
-  auto taken = of(callee);
-  Duration duration = taken.value_or(Duration{{0, 1}, std::nullopt});
+  Duration duration{{0, 1}, std::nullopt};
+  if (known[callee] && known[callee]->whole) duration = *known[callee]->whole;
   if (mayBeRefused || mayEndEarly(callee)) duration.least = {0, 1};
   if (mayBeAwaited(process, callee)) duration.most = std::nullopt;
   return duration;
@@ -73,9 +108,10 @@ Duration Durations::ofCall(ProcessId process, NodeId node) {
 Duration Durations::ofFork(ProcessId process, NodeId node) {
   Duration all{{0, 1}, Rational{0, 1}};
   for (ProcessId branch : system[process].actions[node].branches) {
+    if (!known[branch]) return {{0, 1}, std::nullopt};
     // One that ends the whole skill, or never ends, has no end of its own.
-    if (auto one = of(branch)) all.least = std::max(all.least, one->least);
-    Date last = latestExit(branch);
+    if (known[branch]->whole) all.least = std::max(all.least, known[branch]->whole->least);
+    const Date& last = known[branch]->latestExit;
     all.most = all.most && last ? Date(std::max(*all.most, *last)) : std::nullopt;
   }
   return all;
@@ -96,49 +132,45 @@ Duration Durations::ofNode(ProcessId process, NodeId id) {
   }
 }
 
-/// The shortest ways; nothing where there is none. E. W. Dijkstra 1959, by relaxation: bodies are
-/// almost acyclic, so that few rounds do.
-std::vector<Durations::Date> Durations::earliest(ProcessId process) {
-  const Graph& graph = *system[process].graph;
+/// The shortest way; nothing where there is none. By relaxation: bodies are almost acyclic, so that
+/// few rounds do. R. Bellman, "On a routing problem", 1958.
+Durations::Date Durations::earliestEnd(const Unrolled& ways, const std::vector<Duration>& times) {
+  const Graph& graph = ways.graph;
   std::vector<Date> dates(graph.nodes.size());
-  std::vector<Date> cost(graph.nodes.size());
   for (NodeId node = 0; node < graph.nodes.size(); ++node)
-    if (solver.reachable(process, node)) cost[node] = ofNode(process, node).least;
-  if (cost[0]) dates[0] = Rational{0, 1};
+    if (graph[node].kind == NodeKind::Start) dates[node] = Rational{0, 1};
   for (bool changed = true; changed;) {
     changed = false;
     for (NodeId node = 0; node < graph.nodes.size(); ++node) {
       if (!dates[node]) continue;
       for (const Edge& edge : graph[node].edges) {
-        if (edge.target == kNoNode || !cost[edge.target]) continue;
         NodeKind kind = graph[edge.target].kind;
         if (kind == NodeKind::InvariantFailure || kind == NodeKind::Interrupted) continue;
         // A branch that ends the skill may do so at any time of the fork.
-        Date date = edge.stops ? dates[node] : sum(dates[node], cost[node]);
-        if (!date || (dates[edge.target] && *dates[edge.target] <= *date)) continue;
+        Date date = edge.stops ? dates[node] : sum(dates[node], times[node].least);
+        if (dates[edge.target] && *dates[edge.target] <= *date) continue;
         dates[edge.target] = date;
         changed = true;
       }
     }
   }
-  return dates;
+  return graph.end == kNoNode ? Date() : dates[graph.end];
 }
 
 /// The longest way to the end, or to where a branch ends its skill; nothing where there is none
 /// that is longest.
-Durations::Date Durations::latestExit(ProcessId process) {
-  const Graph& graph = *system[process].graph;
-  auto reached = [&](NodeId node) { return solver.reachable(process, node); };
-  if (!loopsOf(graph, reached).empty()) return std::nullopt;
+Durations::Date Durations::latestExit(const Unrolled& ways, const std::vector<Duration>& times) {
+  const Graph& graph = ways.graph;
+  if (!loopsOf(graph, [](NodeId) { return true; }).empty()) return std::nullopt;
   std::vector<Date> dates(graph.nodes.size());
-  dates[0] = Rational{0, 1};
+  for (NodeId node = 0; node < graph.nodes.size(); ++node)
+    if (graph[node].kind == NodeKind::Start) dates[node] = Rational{0, 1};
   for (bool changed = true; changed;) {
     changed = false;
     for (NodeId node = 0; node < graph.nodes.size(); ++node) {
-      if (!dates[node] || !reached(node)) continue;
-      Date leaving = sum(dates[node], ofNode(process, node).most);
+      if (!dates[node]) continue;
+      Date leaving = sum(dates[node], times[node].most);
       for (const Edge& edge : graph[node].edges) {
-        if (edge.target == kNoNode || !reached(edge.target)) continue;
         if (!leaving) return std::nullopt;
         if (dates[edge.target] && *dates[edge.target] >= *leaving) continue;
         dates[edge.target] = leaving;

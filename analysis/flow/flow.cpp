@@ -9,8 +9,8 @@ namespace {
 
 constexpr void (*kChecks[])(Report&) = {
     checkMoves,       checkPreconditions, checkStatuses,       checkWaits,         checkTests,
-    checkUnreachable, checkInvariants,    checkPostconditions, checkInterrupts,    checkValues,
-    checkUnused,      checkResults,       checkBranches,       checkResourceOrder, checkProgress,
+    checkUnreachable, checkInvariants,    checkPostconditions, checkInterrupts,    checkUnused,
+    checkValues,      checkResults,       checkBranches,       checkResourceOrder, checkProgress,
     checkDurations,   checkTicks,         checkStyle};
 
 } // namespace

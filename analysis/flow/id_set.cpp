@@ -62,4 +62,17 @@ void IdSet::eraseAll(const IdSet& other) {
   runs = std::move(kept);
 }
 
+void IdSet::keepFirst(std::size_t most) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::size_t size = runs[i].end - runs[i].begin;
+    if (size < most) {
+      most -= size;
+      continue;
+    }
+    runs[i].end = runs[i].begin + static_cast<std::uint32_t>(most);
+    runs.resize(most == 0 ? i : i + 1);
+    return;
+  }
+}
+
 } // namespace proskill::analysis::flow

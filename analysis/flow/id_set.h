@@ -30,6 +30,8 @@ public:
   /// \return something is new
   bool insertAll(const IdSet& other);
   void eraseAll(const IdSet& other);
+  /// Erases all but the `most` smallest.
+  void keepFirst(std::size_t most);
   [[nodiscard]] IdSet common(const IdSet& other) const {
     IdSet both;
     walk(other, [&](std::uint32_t begin, std::uint32_t end) {

@@ -18,7 +18,9 @@ constexpr std::string_view kBetween = " \t,";
 
 /// One code of one comment.
 struct Ignore {
-  Location at; ///< of the code's word
+  Location at;           ///< of the code's word
+  syntax::Range comment; ///< with the line, where it stands there alone
+  bool isOnly = true;    ///< of the comment's codes
   std::string_view word;
   const syntax::CodeInfo* code = nullptr;
   std::uint32_t line = 0; ///< that it speaks of
@@ -49,7 +51,8 @@ public:
         findings.report(Code::IgnoresUnknownCode, each.at, each.word);
       else if (!each.used)
         findings.report(Code::IgnoresNothing, each.at, each.word)
-            .fix("remove the code", each.at, "");
+            .fix(each.isOnly ? "remove the comment" : "remove the code",
+                 {each.at.file, each.isOnly ? each.comment : each.at.range}, "");
     }
   }
 
@@ -75,9 +78,23 @@ private:
       if (mark == std::string_view::npos) continue;
       std::uint32_t line = lineOf({file, comment});
       if (open < all.size() && all.back().line != line) open = all.size();
+      std::size_t first = all.size();
       addCodes(file, comment.begin, words, mark + kMark.size());
+      for (std::size_t i = first; i < all.size(); ++i) {
+        all[i].comment = withLine(text, comment);
+        all[i].isOnly = all.size() == first + 1;
+      }
       for (std::size_t i = open; i < all.size(); ++i) all[i].line = line + 1;
     }
+  }
+
+  static syntax::Range withLine(std::string_view text, syntax::Range comment) {
+    auto [begin, end] = comment;
+    while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
+    if (begin > 0 && text[begin - 1] != '\n') return {begin, end};
+    if (end < text.size() && text[end] == '\r') ++end;
+    if (end < text.size() && text[end] == '\n') ++end;
+    return {begin, end};
   }
 
   void addCodes(FileId file, syntax::Offset base, std::string_view words, std::size_t from) {
@@ -86,7 +103,7 @@ private:
       std::string_view word = words.substr(from, end - from);
       auto begin = static_cast<syntax::Offset>(base + from);
       auto stop = static_cast<syntax::Offset>(base + end);
-      all.push_back({{file, {begin, stop}}, word, syntax::findCode(word)});
+      all.push_back({.at = {file, {begin, stop}}, .word = word, .code = syntax::findCode(word)});
       from = end;
     }
   }

@@ -1,6 +1,5 @@
 #include "analysis/flow/origins.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace proskill::analysis::flow {
@@ -25,12 +24,10 @@ Origins::Origins(const Report& report) : report(report), writes(report.variables
 void Origins::add(FileId file, const Action& action) {
   for (const Assignment& each : action.assignments) {
     if (!each.source || each.value.kind != Term::Kind::Number) continue;
+    if (!seen.insert(each.source).second) continue;
     const Domain& domain = report.variables()[each.variable].domain;
-    Write write{{file, each.source->range},
-                domain.saturated({each.value.number, each.value.number})};
-    auto same = [&](const Write& other) { return other.at == write.at; };
-    auto& known = writes[each.variable];
-    if (std::ranges::none_of(known, same)) known.push_back(write);
+    writes[each.variable].push_back(
+        {{file, each.source->range}, domain.saturated({each.value.number, each.value.number})});
   }
 }
 

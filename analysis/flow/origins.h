@@ -3,6 +3,7 @@
 #include "analysis/flow/report.h"
 
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace proskill::analysis::flow {
@@ -30,6 +31,7 @@ private:
 
   const Report& report;
   std::vector<std::vector<Write>> writes; ///< by variable
+  std::unordered_set<const syntax::Effect*> seen;
 };
 
 } // namespace proskill::analysis::flow

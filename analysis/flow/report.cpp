@@ -20,6 +20,33 @@ Location definitionOf(const Report& report, VariableId id) {
   return definition.at(definition->name.range);
 }
 
+std::string lineAfter(const Report& report, Location statement) {
+  std::string_view text = report.program.files[statement.file].document.text();
+  std::size_t line = text.rfind('\n', statement.range.begin);
+  std::size_t begin = line == std::string_view::npos ? 0 : line + 1;
+  std::string_view before = text.substr(begin, statement.range.begin - begin);
+  if (before.find_first_not_of(" \t") != std::string_view::npos) return " ";
+  return "\n" + std::string(before);
+}
+
+Location withSpaceAround(const Report& report, Location part) {
+  const syntax::Document& document = report.program.files[part.file].document;
+  std::string_view text = document.text();
+  auto isSpace = [&](std::size_t at) { return std::string_view(" \t\r\n").contains(text[at]); };
+  auto [begin, end] = part.range;
+  while (begin > 0 && isSpace(begin - 1)) --begin;
+  if (begin == 0 || text[begin - 1] == '(') {
+    while (end < text.size() && isSpace(end)) ++end;
+    return {part.file, {begin, end}};
+  }
+  // What follows must not become part of a comment before it.
+  bool comment = std::ranges::any_of(document.comments(), [begin](const syntax::Range& each) {
+    return each.begin < begin && begin <= each.end;
+  });
+  if (comment && !text.substr(end).starts_with('\n')) begin = part.range.begin;
+  return {part.file, {begin, end}};
+}
+
 void collectSlots(const Condition& condition, std::set<Slot>& slots) {
   if (condition.kind == Condition::Kind::Member) slots.insert(condition.slot);
   slots.insert(condition.slots.begin(), condition.slots.end());

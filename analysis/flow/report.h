@@ -21,6 +21,8 @@ struct Report {
   std::set<std::pair<ProcessId, NodeId>> explained{};
   /// Variables whose values have been told already.
   std::set<VariableId> told{};
+  /// Variables of which it was told that one skill sets them while another relies on them.
+  std::set<VariableId> disputed{};
   /// Statuses and results of skills of which it was told that they cannot start.
   std::set<VariableId> blamed{};
 
@@ -51,6 +53,12 @@ void blameSkill(Report& report, std::size_t skill);
 /// Some variable of the conditions has been blamed.
 [[nodiscard]] bool isBlamed(const Report& report, const Process& process,
                             const std::vector<Condition>& conditions);
+
+/// What a fix puts between a statement and one that it adds behind it: the same indentation on a
+/// line of its own, where the statement begins its line; else a space.
+[[nodiscard]] std::string lineAfter(const Report& report, Location statement);
+/// A part of a text with the white space that goes when it is removed.
+[[nodiscard]] Location withSpaceAround(const Report& report, Location part);
 
 /// Calls `visit(id, process, nodeId, node)` for each node of each process that somebody starts.
 template <class Visit> void forEachNode(const Report& report, Visit&& visit) {

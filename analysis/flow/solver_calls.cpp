@@ -97,12 +97,14 @@ void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
   std::vector<State> ends = cases(target, model[target].graph->end);
   const auto& more = stoppedEnds[target].all();
   ends.insert(ends.end(), more.begin(), more.end());
-  VariableId status = model.variables().of(VariableKind::Status, model[target].definition);
+  std::size_t skill = model[target].definition;
+  VariableId status = model.variables().of(VariableKind::Status, skill);
+  VariableId result = model.variables().of(VariableKind::Result, skill);
   for (const State& before : all) {
     State early = before;
     if (auto slot = self.slots.find(status))
       early.values[*slot] |= ValueSet::of(static_cast<unsigned>(Status::Interrupted));
-    if (auto slot = self.slots.find(status + 1)) early.values[*slot] |= ValueSet::of(0);
+    if (auto slot = self.slots.find(result)) early.values[*slot] |= ValueSet::of(0);
     arrive(process, exit, std::move(early));
     arrive(process, exit, refused(before, process, id));
     for (const State& end : ends) arrive(process, exit, returned(before, end, process, id));

@@ -17,17 +17,14 @@ constexpr std::size_t kMostInThread = 16'000'000;
 constexpr std::size_t kMostInherited = 2'000'000;
 constexpr std::size_t kEnough = 64; ///< variables that are followed however many points there are
 
-/// What the process itself looks at; and what others that it calls do, as long as that is not too
-/// much. The values of what is left out are those that the variable has anywhere.
-Slots slotsOf(const IdSet& own, const IdSet& inherited, std::size_t nodes, std::size_t allNodes) {
+/// What the process itself looks at, as long as that is not too much, and what others that it calls
+/// do. The values of what is left out are those that the variable has anywhere.
+Slots slotsOf(const IdSet& own, const IdSet& inherited, std::size_t nodes) {
+  IdSet followed = own;
+  followed.keepFirst(std::max(kEnough, kMostInThread / std::max<std::size_t>(nodes, 1)));
+  followed.insertAll(inherited);
   std::vector<VariableId> variables;
-  auto add = [&](const IdSet& set, std::size_t most) {
-    forEach(set, [&](std::size_t variable) {
-      if (variables.size() < most) variables.push_back(static_cast<VariableId>(variable));
-    });
-  };
-  add(own, std::max(kEnough, kMostInThread / std::max<std::size_t>(nodes, 1)));
-  add(inherited, std::max(kEnough, kMostInherited / std::max<std::size_t>(allNodes, 1)));
+  forEach(followed, [&](std::size_t id) { variables.push_back(static_cast<VariableId>(id)); });
   return Slots(std::move(variables));
 }
 
@@ -203,14 +200,12 @@ void System::chooseSlots() {
   for (ProcessId id = 0; id < processes.size(); ++id)
     own[id].insertAll(written[id].common(readAnywhere));
   calls->closeOver(written);
-  std::vector<IdSet> all = own;
-  calls->closeOver(all);
   std::size_t nodes = 0;
   for (const Process& process : processes) nodes += process.actions.size();
-  for (ProcessId id = 0; id < processes.size(); ++id) {
-    all[id].eraseAll(own[id]);
-    processes[id].slots = slotsOf(own[id], all[id], processes[id].actions.size(), nodes);
-  }
+  std::vector<IdSet> inherited =
+      calls->inherited(own, kMostInherited / std::max<std::size_t>(nodes, 1));
+  for (ProcessId id = 0; id < processes.size(); ++id)
+    processes[id].slots = slotsOf(own[id], inherited[id], processes[id].actions.size());
 }
 
 IdSet System::readsOf(ProcessId id) const {

@@ -60,9 +60,11 @@ std::vector<std::string_view> resultsOf(const syntax::Skill& skill) {
   return words;
 }
 
-constexpr unsigned groupOf(VariableKind kind) {
-  if (kind == VariableKind::StateVariable) return 0;
-  return kind == VariableKind::Used ? 2 : 1;
+Domain domainOf(const syntax::Skill& skill, VariableKind kind) {
+  if (kind == VariableKind::Result) return Domain::ofWords(resultsOf(skill));
+  if (kind == VariableKind::Running) return Domain::ofWords({"idle", "running"});
+  auto statuses = statusWords();
+  return Domain::ofWords({statuses.begin(), statuses.end()});
 }
 
 } // namespace
@@ -70,7 +72,9 @@ constexpr unsigned groupOf(VariableKind kind) {
 Variables::Variables(const Program& program) : program(program) {
   std::vector<std::int64_t> cuts = numbersIn(program);
   for (std::size_t i = 0; i < program.stateVariables.all.size(); ++i) addStateVariable(i, cuts);
-  for (std::size_t i = 0; i < program.skills.all.size(); ++i) addSkill(i);
+  for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Running})
+    addOfSkills(kind);
+  firstOf[static_cast<std::size_t>(VariableKind::Used)] = static_cast<VariableId>(all.size());
   for (std::size_t i = 0; i < program.resources.all.size(); ++i) addResource(i);
 }
 
@@ -85,29 +89,22 @@ void Variables::addStateVariable(std::size_t definition, const std::vector<std::
     variable.restricted = true;
   }
   variable.restricted |= node.isNatural();
-  firstOf[0].push_back(static_cast<VariableId>(all.size()));
   all.push_back(std::move(variable));
 }
 
-void Variables::addSkill(std::size_t definition) {
-  firstOf[1].push_back(static_cast<VariableId>(all.size()));
-  auto add = [&](VariableKind kind, Domain domain) {
+void Variables::addOfSkills(VariableKind kind) {
+  firstOf[static_cast<std::size_t>(kind)] = static_cast<VariableId>(all.size());
+  for (std::size_t i = 0; i < program.skills.all.size(); ++i)
     all.push_back({.kind = kind,
-                   .definition = definition,
-                   .domain = std::move(domain),
+                   .definition = i,
+                   .domain = domainOf(*program.skills.all[i].node, kind),
                    .initial = ValueSet::of(0)});
-  };
-  auto statuses = statusWords();
-  add(VariableKind::Status, Domain::ofWords({statuses.begin(), statuses.end()}));
-  add(VariableKind::Result, Domain::ofWords(resultsOf(*program.skills.all[definition].node)));
-  add(VariableKind::Running, Domain::ofWords({"idle", "running"}));
 }
 
 void Variables::addResource(std::size_t definition) {
   const auto& node = *program.resources.all[definition].node;
   std::int64_t capacity = node.capacity ? wholeNumber(*node.capacity).value_or(1) : 1;
   std::vector<std::int64_t> cuts{capacity - 1};
-  firstOf[2].push_back(static_cast<VariableId>(all.size()));
   all.push_back({.kind = VariableKind::Used,
                  .definition = definition,
                  .domain = Domain::ofNumbers(0, std::max<std::int64_t>(capacity, 0), cuts),
@@ -115,9 +112,7 @@ void Variables::addResource(std::size_t definition) {
 }
 
 VariableId Variables::of(VariableKind kind, std::size_t definition) const {
-  VariableId first = firstOf[groupOf(kind)][definition];
-  if (kind == VariableKind::Result) return first + 1;
-  return kind == VariableKind::Running ? first + 2 : first;
+  return firstOf[static_cast<std::size_t>(kind)] + static_cast<VariableId>(definition);
 }
 
 std::string Variables::name(VariableId id) const {

@@ -3,6 +3,7 @@
 #include "analysis/flow/values.h"
 #include "analysis/program.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -53,12 +54,12 @@ public:
 
 private:
   void addStateVariable(std::size_t definition, const std::vector<std::int64_t>& cuts);
-  void addSkill(std::size_t definition);
+  void addOfSkills(VariableKind kind);
   void addResource(std::size_t definition);
 
   const Program& program;
-  std::vector<Variable> all;
-  std::vector<VariableId> firstOf[3]; ///< of state variables, skills, resources
+  std::vector<Variable> all; ///< by kind, then by definition: so a set of one kind has long runs
+  std::array<VariableId, 5> firstOf{}; ///< of each kind
 };
 
 } // namespace proskill::analysis::flow

@@ -12,7 +12,33 @@ namespace {
 
 bool isOfFlow(const syntax::CodeInfo& info) { return info.id >= "PS0500" && info.id < "PS1300"; }
 
+std::vector<syntax::Diagnostic> found(const std::string& text) {
+  return analysis::flow::inspect(test::programOf(text), {.style = true});
+}
+
 } // namespace
+
+TEST_CASE("The edit that comes with a diagnostic of the flow mends its example") {
+  std::size_t fixes = 0;
+  for (const syntax::CodeInfo& info : syntax::allCodes()) {
+    if (!isOfFlow(info)) continue;
+    for (const auto& each : found(std::string(info.example))) {
+      if (each.code != info.code) continue;
+      for (const syntax::Fix& fix : each.fixes) {
+        std::string mended(info.example);
+        mended.replace(fix.location.range.begin, fix.location.range.length(), fix.text);
+        INFO(info.id << " " << fix.title << "\n" << mended);
+        for (const auto& left : found(mended)) {
+          INFO(syntax::info(left.code).id << ": " << left.message);
+          CHECK(left.code != info.code);
+          CHECK(left.severity == syntax::Severity::Hint);
+        }
+        ++fixes;
+      }
+    }
+  }
+  CHECK(fixes > 12);
+}
 
 TEST_CASE(
     "Each diagnostic of the flow is raised by its example, and the example has no other fault") {

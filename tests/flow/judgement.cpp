@@ -1,5 +1,6 @@
 #include "tests/flow/judgement.h"
 
+#include "analysis/flow/durations.h"
 #include "analysis/flow/flow.h"
 #include "analysis/flow/report.h"
 #include "codegen/model.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace proskill::test {
 
@@ -53,12 +55,16 @@ public:
     analysis::Findings findings({});
     Report made{program, solver, index.index, findings};
     report = &made;
-    askAboutValues();
-    if (!decide()) return {};
     found = checkFlow(program, index.index);
+    for (const Diagnostic& each : found) ++judged.codes[std::string(syntax::info(each.code).id)];
+    askAboutValues();
+    askAboutPairs();
+    for (const Diagnostic& each : found) askAbout(each);
+    if (!decide(text)) return {};
     judged.decided = true;
     for (const Verdict& verdict : verdicts) judge(verdict);
     for (const Diagnostic& each : found) judgeCertain(each);
+    judgeMended();
     return std::move(judged);
   }
 
@@ -114,6 +120,7 @@ private:
       if (!each.statement || each.statement->kind != syntax::StatementKind::Label) return;
       if (index.index.symbols().labels(each.statement->name.text).size() != 1) return;
       NodeId next = each.edges.front().target;
+      askWhatFollows(id, node, next);
       for (Slot slot = 0; slot < process.slots.size(); ++slot)
         forEachValue(process.slots[slot], [&](unsigned value, const std::string& condition) {
           bool possible = false;
@@ -126,10 +133,79 @@ private:
     });
   }
 
+  /// A label and what stands behind it: the same may be true at both.
+  void askWhatFollows(ProcessId id, NodeId label, NodeId next) {
+    const Process& process = report->system()[id];
+    const Node& node = (*process.graph)[next];
+    const std::string here = fmt::format("(at {})", (*process.graph)[label].statement->name.text);
+    if (node.kind == NodeKind::Wait || node.kind == NodeKind::Test) {
+      const Condition& condition = process.actions[next].conditions.front();
+      const syntax::Range range = node.conditions.front()->range;
+      const std::string words = text.substr(range.begin, range.length());
+      bool holds = false;
+      bool fails = false;
+      for (NodeId at : {label, next}) {
+        holds |= report->solver.mayHold(id, at, condition);
+        fails |= report->solver.mayFail(id, at, condition);
+      }
+      ask(fmt::format("(and {} {})", here, words), holds);
+      ask(fmt::format("(and {} (not {}))", here, words), fails);
+    }
+    ProcessId target = process.actions[next].target;
+    if (node.kind != NodeKind::Interrupt || target == kNoProcess) return;
+    const std::size_t skill = report->system()[target].definition;
+    auto slot = process.slots.find(report->variables().of(VariableKind::Running, skill));
+    bool runs = !slot;
+    for (NodeId at : {label, next})
+      if (slot && report->solver.reachable(id, at))
+        runs |= report->solver.before(id, at).values[*slot].contains(1);
+    ask(fmt::format("(and {} (running {}))", here, program.skills.all[skill].name()), runs);
+  }
+
+  /// Which skills may be running at once.
+  void askAboutPairs() {
+    const System& system = report->system();
+    for (std::size_t i = 0; i < program.skills.all.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        ProcessId a = system.ofSkill(i);
+        ProcessId b = system.ofSkill(j);
+        bool calls = system.activity(a).contains(b) || system.activity(b).contains(a);
+        bool beside = system.concurrent(a).contains(b) && !system.exclusive(a).contains(b) &&
+                      !system.exclusive(b).contains(a);
+        ask(fmt::format("(and (running {}) (running {}))", program.skills.all[i].name(),
+                        program.skills.all[j].name()),
+            calls || beside);
+      }
+  }
+
+  /// The words in backquotes.
+  static std::vector<std::string> quoted(const std::string& message) {
+    std::vector<std::string> words;
+    for (std::size_t at = message.find('`'); at != std::string::npos;
+         at = message.find('`', at + 1)) {
+      std::size_t end = message.find('`', at + 1);
+      words.push_back(message.substr(at + 1, end - at - 1));
+      at = end;
+    }
+    return words;
+  }
+
+  /// What a diagnostic itself says can never happen.
+  void askAbout(const Diagnostic& claim) {
+    const auto words = quoted(claim.message);
+    if (claim.code == Code::ImpossibleStatus)
+      ask(fmt::format("(= {}.status {})", words[0], words[1]), false);
+    if (claim.code == Code::ResourceHeldByCaller && words.size() == 3)
+      ask(fmt::format("(and (running {}) (running {}))", words[1], words[2]), false);
+    if (claim.code == Code::ContradictoryPreconditions)
+      ask(fmt::format("(running {})", words[1]), false);
+  }
+
   // Answers --------------------------------------------------------------------------------------
 
-  bool decide() {
-    analysis::Program asked = programOf(text);
+  bool decide(const std::string& source) {
+    verdicts.clear();
+    analysis::Program asked = programOf(source);
     auto model = codegen::generate(asked);
     if (!model) return false;
     std::vector<verify::Question> questions;
@@ -178,6 +254,7 @@ private:
     if (kind == "never_refused") possible = mayBeRefused(verdict.place);
     if (kind == "postcondition") possible = mayBreakPostcondition(verdict.place);
     if (kind == "no_forbidden_transition") possible = mayMoveWrongly(verdict.check.subject);
+    if (kind == "no_undershoot" || kind == "no_overshoot") possible = mayMiss(verdict);
     if (!possible) ++judged.impossible;
     if (!possible && verdict.happens)
       refute("impossible, but it happens: " + verdict.check.name + " " + verdict.check.words);
@@ -272,6 +349,33 @@ private:
     return possible;
   }
 
+  [[nodiscard]] bool mayMiss(const Verdict& verdict) const {
+    Durations durations(report->solver);
+    ProcessId id = processOf(verdict.check.subject);
+    const auto& skill = program.skills.all[report->system()[id].definition];
+    auto duration = report->solver.started(id) ? durations.of(id) : std::nullopt;
+    if (!skill->isComposite() || !duration || mayBeCutShort(verdict)) return true;
+    const syntax::Interval& interval = *skill->timeInterval;
+    if (verdict.check.kind == "no_undershoot")
+      return duration->least < interval.lower ||
+             (duration->least == interval.lower && interval.lowerOpen);
+    return !duration->most || *duration->most > *interval.upper ||
+           (*duration->most == *interval.upper && interval.upperOpen);
+  }
+
+  /// An undershoot of a run that somebody stops is not what the analysis speaks of.
+  [[nodiscard]] bool mayBeCutShort(const Verdict& verdict) const {
+    return verdict.check.kind == "no_undershoot" && isCutShort(processOf(verdict.check.subject));
+  }
+
+  [[nodiscard]] bool isCutShort(ProcessId id) const {
+    bool fails = report->solver.mayBeInterrupted(id) || report->solver.mayBeStopped(id);
+    forEachReachedNode(*report, [&](ProcessId each, const Process&, NodeId, const Node& node) {
+      fails |= each == id && node.kind == NodeKind::InvariantFailure;
+    });
+    return fails;
+  }
+
   [[nodiscard]] bool mayMoveWrongly(const std::string& variable) {
     constexpr Code kMoves[] = {Code::ForbiddenMove, Code::MayBeForbiddenMove,
                                Code::LeavesRange,   Code::EventMayBeForbidden,
@@ -306,6 +410,28 @@ private:
       demand(claim, enclosing(claim.location, {"can_succeed", "can_fail"}),
              find("postcondition", claim.location));
       return;
+    case Code::CallAlwaysRefused: {
+      const Verdict* call = enclosing(claim.location, {"reachable"});
+      // It may be stopped, or wait for what it needs, before it is refused.
+      if (call && isCutShort(processOf(call->check.subject))) return;
+      if (!(*program.skills.find(quoted(claim.message)[0]))->resources.empty()) return;
+      demand(claim, call, call ? find("never_refused", call->place) : nullptr);
+      return;
+    }
+    case Code::ContradictoryInvariants:
+    case Code::StartBreaksInvariant: {
+      const std::string skill = quoted(claim.message)[1];
+      if (claim.code == Code::ContradictoryInvariants &&
+          program.skills.all[program.skills.byName.at(skill)]->isComposite())
+        return; // its body may end before it waits for anything
+      const Verdict* fails = nullptr;
+      for (const Verdict& each : verdicts)
+        if (each.check.kind == "invariant_may_fail" && each.check.subject == skill &&
+            (!fails || each.happens))
+          fails = &each;
+      demand(claim, findOf("can_run", skill), fails);
+      return;
+    }
     case Code::AlwaysTooShort: demandOfSkill(claim, "no_undershoot"); return;
     case Code::AlwaysTooLong: demandOfSkill(claim, "no_overshoot"); return;
     default: return;
@@ -321,6 +447,55 @@ private:
       ends |= each.check.subject == expected->check.subject && each.happens &&
               (each.check.kind == "can_succeed" || each.check.kind == "can_fail");
     if (ends) demand(claim, findOf("can_run", expected->check.subject), expected);
+  }
+
+  /// The program with the intervals that the analysis has found, and without the transitions that
+  /// it says nobody makes: then the intervals are kept, and no more moves are wrong than before.
+  void judgeMended() {
+    struct Edit {
+      Location at;
+      std::string text;
+    };
+    std::vector<Edit> edits;
+    std::set<std::string> thinned;
+    for (const Diagnostic& each : found) {
+      if (each.code == Code::AlwaysTooShort || each.code == Code::AlwaysTooLong ||
+          each.code == Code::MayMissInterval)
+        edits.push_back({each.fixes.front().location, each.fixes.front().text});
+      if (each.code == Code::TransitionNeverMade && isOneOfMore(each) &&
+          thinned.insert(quoted(each.message)[0]).second)
+        edits.push_back({each.location, ""});
+    }
+    if (edits.empty()) return;
+    std::string mended = text.substr(0, program.files[0].document.text().size());
+    std::ranges::sort(edits, std::ranges::greater(),
+                      [](const Edit& edit) { return edit.at.range.begin; });
+    for (const Edit& edit : edits)
+      mended.replace(edit.at.range.begin, edit.at.range.length(), edit.text);
+    if (!decide(mended)) return;
+    for (const Verdict& verdict : verdicts) {
+      const std::string& kind = verdict.check.kind;
+      bool possible = true;
+      if (kind == "no_undershoot" || kind == "no_overshoot")
+        possible = !isRewritten(verdict) || mayBeCutShort(verdict);
+      if (kind == "no_forbidden_transition") possible = mayMoveWrongly(verdict.check.subject);
+      if (!possible) ++judged.impossible;
+      if (!possible && verdict.happens)
+        refute("impossible when mended, but it happens: " + verdict.check.name + "\n" + mended);
+    }
+  }
+
+  [[nodiscard]] bool isOneOfMore(const Diagnostic& claim) const {
+    return program.stateVariables.find(quoted(claim.message)[0])->node->transitions.size() > 1;
+  }
+
+  /// A diagnostic has rewritten the interval of the verdict's skill.
+  [[nodiscard]] bool isRewritten(const Verdict& verdict) const {
+    return std::ranges::any_of(found, [&](const Diagnostic& each) {
+      bool isOfTime = each.code == Code::AlwaysTooShort || each.code == Code::AlwaysTooLong ||
+                      each.code == Code::MayMissInterval;
+      return isOfTime && quoted(each.message)[0] == verdict.check.subject;
+    });
   }
 
   /// The verdict about what makes the effects at this place happen.

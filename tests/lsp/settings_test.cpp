@@ -51,11 +51,32 @@ TEST_CASE("the nearest file of settings is the one that holds") {
   auto outer = lsp::settingsFor(files, "/w/lax/main.proskill");
   CHECK(outer.settings.style);
   CHECK(outer.file == "/w/.proskill.json");
-  CHECK(outer.mistake.empty());
+  CHECK_FALSE(outer.mistake);
   auto inner = lsp::settingsFor(files, "/w/strict/main.proskill");
   CHECK_FALSE(inner.settings.style);
-  CHECK(inner.mistake.find("`style`") != std::string::npos);
+  REQUIRE(inner.mistake);
+  CHECK(inner.mistake->words == "`style` is `true` or `false`");
   CHECK(lsp::settingsFor(files, "/v/main.proskill").file.empty());
+}
+
+TEST_CASE("a mistake in settings is told where it stands") {
+  for (const auto& [text, place, words] :
+       {std::tuple{R"({"style": true, "severity": {"PS0708": "loud"}})", R"("loud")",
+                   "the severity of `PS0708` is"},
+        std::tuple{R"({"severity": {"PS0708": 3}})", R"("PS0708")", "the severity of `PS0708` is"},
+        std::tuple{R"({"severity": {"PS9999": "off"}})", R"("PS9999")", "no code"},
+        std::tuple{R"({"a\"\\": 1})", R"("a\"\\")", "no setting"},
+        std::tuple{R"({"severity": "off"})", R"("severity")", "an object of codes"},
+        std::tuple{R"({"style": {}})", R"("style")", "`true` or `false`"},
+        std::tuple{R"({"style": true,})", "}", "no JSON"}, std::tuple{R"([])", "", "a JSON object"},
+        std::tuple{"", "", "no JSON"}}) {
+    INFO(text);
+    auto settings = lsp::parseSettings(text);
+    REQUIRE_FALSE(settings);
+    const auto& [said, whole, at] = settings.error();
+    CHECK(whole.substr(at.begin, at.length()) == place);
+    CHECK(said.find(words) != std::string::npos);
+  }
 }
 
 TEST_CASE("the same words are shown once a minute, and few in all; the log has them all") {

@@ -28,19 +28,33 @@ std::vector<std::size_t> Bodies::uncalled() const {
 
 std::vector<Form> Bodies::block(Place place) {
   std::vector<Form> statements;
-  for (std::size_t i = 1 + random.below(size.statements); i > 0; --i)
-    statements.push_back(statement(place));
+  for (std::size_t i = 1 + random.below(size.statements); i > 0; --i) {
+    Form next = statement(place);
+    if (size.labels > 0 && !place.environment && looks(next) && random.chance(size.labels))
+      statements.push_back({"label", newLabel()});
+    statements.push_back(std::move(next));
+  }
   return statements;
+}
+
+/// It tests something, or stops somebody.
+bool Bodies::looks(const Form& statement) {
+  if (!statement.isList()) return false;
+  const std::string& head = statement.items.front().word;
+  bool waits = head == "^" && statement.items[1].isList();
+  return waits || head == "if" || head == "while" || head.ends_with(".interrupt");
+}
+
+std::string Bodies::newLabel() {
+  vocabulary.labels.push_back("L" + std::to_string(vocabulary.labels.size()));
+  return vocabulary.labels.back();
 }
 
 // A body, or a branch: it has labels of its own, and a jump leads forward or back to one of them.
 void Bodies::topLevel(Place place, Form& body) {
   std::vector<std::string> labels;
   place.labels = &labels;
-  if (random.chance(15)) {
-    labels.push_back("L" + std::to_string(vocabulary.labels.size()));
-    vocabulary.labels.push_back(labels.back());
-  }
+  if (random.chance(15)) labels.push_back(newLabel());
   bool forward = random.chance(40);
   if (!labels.empty() && !forward) body.add({"label", labels[0]});
   body.addAll(block(place));

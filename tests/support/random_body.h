@@ -30,6 +30,8 @@ private:
   };
 
   [[nodiscard]] std::vector<Form> block(Place place);
+  [[nodiscard]] static bool looks(const Form& statement);
+  [[nodiscard]] std::string newLabel();
   void topLevel(Place place, Form& body);
   [[nodiscard]] Form statement(Place place);
   [[nodiscard]] Form simple(Place place);

@@ -1,0 +1,210 @@
+#include "tests/flow/analysed.h"
+
+#include "analysis/flow/inspect.h"
+#include "tests/support/marked_source.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace proskill;
+
+namespace {
+
+/// A program, `[[` and `]]` around what is told, and the code; none: nothing is told.
+struct Case {
+  const char* program;
+  const char* code = "";
+};
+
+/// A program whose findings, hints of style apart, are those of the mark.
+void expectTold(const Case& each) {
+  test::MarkedSource marked(each.program);
+  INFO(marked.text);
+  std::vector<std::string> found;
+  std::vector<syntax::Range> places;
+  for (const auto& it : analysis::flow::inspect(test::programOf(marked.text), {})) {
+    found.push_back(std::string(syntax::info(it.code).id));
+    places.push_back(it.location.range);
+    UNSCOPED_INFO(found.back() << " " << it.message);
+  }
+  CHECK(found == std::vector<std::string>(marked.ranges.size(), each.code));
+  CHECK(places == marked.ranges);
+}
+
+std::string codes(const std::string& program) {
+  std::string all;
+  for (const auto& it : analysis::flow::inspect(test::programOf(program), {}))
+    all += syntax::info(it.code).id;
+  return all;
+}
+
+void expectAllTold(const std::vector<Case>& cases) {
+  for (const Case& each : cases) expectTold(each);
+}
+
+} // namespace
+
+TEST_CASE("Whatever makes a move that is forbidden from everywhere is an error") {
+  expectAllTold({
+      {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
+(defevent e :effects [[(d C)]])
+(defskill m :body ((^ 1))))",
+       "PS0503"}, // from C, where it has come by itself, it may stay
+      {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
+(defskill s :start [[(d C)]] :action (s))
+(defskill m :body ((s))))",
+       "PS0501"},
+      {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
+(defskill s :action (s) :success done (:effects [[(d C)]]))
+(defskill m :body ((s))))",
+       "PS0501"},
+      {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
+(defsv w :states (Ok Bad) :init Ok)
+(defevent bad :effects (w Bad))
+(defskill s :action (s) :invariant (fine (:guard (w Ok) :effects [[(d C)]])))
+(defskill m :body ((s))))",
+       "PS0501"},
+      {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
+(defskill s :action (s) :interrupt (:effects [[(d C)]]))
+(defskill m :body ((s))))",
+       "PS0501"},
+      {R"((defsv d :states (A B C) :init A :transitions ((A B)))
+(defskill m :body ((^ (d A) :effects [[(d C)]]))))",
+       "PS0501"},
+      {R"((defsv n :init 5 :min 1 :max 5)
+(defskill m :body ((set (n (- n 1))) (set [[(n (- n 5))]]))))",
+       "PS0504"},
+  });
+}
+
+TEST_CASE("A natural that stops in time stays in its range") {
+  expectAllTold({
+      {R"((defsv n :init 0 :min 0 :max 5)
+(defskill m :body ((do (^ 1) (set (n (+ n 2))) until (> n 3)))))"},
+      {R"((defsv n :init 0 :min 0 :max 4)
+(defskill m :body ((do (^ 1) (set [[(n (+ n 3))]]) until (> n 3)))))",
+       "PS0505"},
+  });
+}
+
+TEST_CASE("What stands behind something that never leads on is never reached") {
+  expectAllTold({
+      {"(defskill m :success done :body ((success done) [[(^ 1)]] (^ 2)))", "PS0601"},
+      {"(defskill m :body ((label a) (^ 1) (goto a) [[(^ 2)]]))", "PS0601"},
+      {"(defskill m :body ((while true (^ 1) break [[(^ 2)]])))", "PS0601"},
+      {"(defskill m :body ((while true (^ 1)) [[(^ 2)]]))", "PS0601"},
+      {"(defskill m :success done :body ((// ((success done) [[(^ 1)]]) ((^ 2)))))", "PS0601"},
+      {"(defskill m :body ((// ((while true (^ 1))) ((^ 2))) [[(^ 3)]]))", "PS0601"},
+      {"(defskill e :body ((while true (^ 1))))\n(defskill m :body ((e) [[(^ 3)]]))", "PS0601"},
+      {R"((defsv d :states (A B) :init A)
+(defevent e :effects (d B))
+(defskill m :success done :body ((if (d A) (success done) else (success done)) [[(^ 1)]])))",
+       "PS0601"},
+      {"(defskill m :success done :body ((goto end) [[(^ 1)]] (label end) (^ 2) (success done)))",
+       "PS0601"},
+  });
+}
+
+TEST_CASE("A variable that is never used is told once, and not for each of its values") {
+  expectTold({R"((defsv [[d]] :states (A B C) :init A)
+(defskill m :body ((^ 1))))",
+              "PS0612"});
+}
+
+TEST_CASE("A status or a result that is read before the call is told, wherever it is read") {
+  const std::string skill = "(defskill s :action (s) :success done :failure bad)\n";
+  for (const char* body :
+       {"(if (= [[s.status]] failure) (^ 1)) (s) (if (/= s.status success) (^ 1))",
+        "(if (= [[s.res]] bad) (^ 1)) (s) (if (/= s.status success) (^ 1))",
+        "(^ (= [[s.status]] success)) (s)", "(printf \"%s\" [[s.status]]) (s)"})
+    expectTold({(skill + "(defskill m :body (" + body + "))").c_str(), "PS0707"});
+  expectTold({(skill + "(defskill m :body ((s) (printf \"%s\" s.status)))").c_str()});
+  expectTold(
+      {(skill + "(defskill m :body ((while true (s) (^ 1) (if (= s.res bad) (^ 1)))))").c_str()});
+}
+
+TEST_CASE("A result is ignored only where there is a failure that may come") {
+  expectAllTold({
+      {R"((defskill s :action (s) :success done :failure bad)
+(defskill m :body (([[s]]) (^ 1) (s))))",
+       "PS0708"},
+      {R"((defsv d :states (A B) :init A)
+(defskill s :success done :failure bad :body ((if [[(d B)]] (failure bad)) (success done)))
+(defskill m :body ((s) (set (d B)))))",
+       "PS0703"},
+  });
+}
+
+TEST_CASE("Two branches set the same variable, by what they call too") {
+  expectAllTold({
+      {R"((defsv d :states (A B C) :init A)
+(defskill b :start (d B) :action (b))
+(defskill c :start (d C) :action (c))
+(defskill m :body ((// ((b)) ([[(c)]])))))",
+       "PS0902"},
+      {R"((defsv d :states (A B C) :init A)
+(defskill b :precondition (free (d A)) :start (d B) :action (b) :success ok (:effects (d A)))
+(defskill c :precondition (free (d A)) :start (d C) :action (c) :success ok (:effects (d A)))
+(defskill m :body ((// ((b)) ((c))))))"},
+  });
+}
+
+TEST_CASE("A resource is asked for beyond its capacity") {
+  expectAllTold({
+      {R"((defresource arm)
+(defskill a :resources (arm) :action (grip))
+(defskill b :resources (arm) :body ([[(a)]]))
+(defskill m :body ((b))))",
+       "PS0904"},
+      {R"((defresource arm :capacity 2)
+(defskill a :resources (arm) :action (grip))
+(defskill b :resources (arm) :body ((a)))
+(defskill m :body ((b))))"},
+      {R"((defresource arm :capacity 2)
+(defskill a :resources (arm) :action (grip))
+(defskill b :resources (arm) :body ([[(a)]]))
+(defskill c :resources (arm) :body ((b)))
+(defskill m :body ((c))))",
+       "PS0904"},
+  });
+}
+
+TEST_CASE("Loops with known counts take as long as all their rounds") {
+  const std::string parts = "(defsv n :init 0 :min 0 :max 5)\n"
+                            "(defskill s :time_interval [1,2] :action (s))\n";
+  const std::string loop = " :body ((while (< n 4) (s) (set (n (+ n 1))))))";
+  auto told = [&](const std::string& interval) {
+    return codes(parts + "(defskill m :time_interval " + interval + loop);
+  };
+  CHECK(told("[0,3]") == "PS1002");
+  CHECK(told("[20,30]") == "PS1001");
+  CHECK(told("[5,8]") == "PS1003");
+  CHECK(told("[4,8]").empty());
+}
+
+TEST_CASE("A count that somebody else changes is not known") {
+  const std::string mission =
+      "(defskill m :time_interval [1,3] :body ((while (< n 4) (^ 2) (set (n 4)))))";
+  CHECK(codes("(defsv n :init 0 :min 0 :max 5)\n" + mission).empty());
+  CHECK(codes("(defsv n :init 0 :min 0 :max 5)\n(defevent back :effects (n 0))\n" + mission) ==
+        "PS1003");
+}
+
+TEST_CASE("Counts within counts") {
+  expectTold({R"((defsv i :init 0 :min 0 :max 3)
+(defsv j :init 0 :min 0 :max 3)
+(defskill m :time_interval [6,6] :body
+  ((while (< i 3) (set (j 0)) (while (< j 2) (^ 1) (set (j (+ j 1)))) (set (i (+ i 1)))))))"});
+}
+
+TEST_CASE("A loop in which no time passes is told at its beginning") {
+  expectAllTold({
+      {R"((defsv d :states (A B) :init A)
+(defevent e :effects (d B))
+(defskill m :body (([[do]] (printf "x") until (d B)))))",
+       "PS1004"},
+      {R"((defsv n :init 0 :min 0 :max 5)
+(defskill m :body ((while (< n 5) (set (n (+ n 1)))))))"},
+  });
+}
