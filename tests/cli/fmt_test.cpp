@@ -20,7 +20,7 @@ std::string readFile(const std::string& path) {
   return text.str();
 }
 
-Finished fmt(std::vector<std::string> words, const std::string& input = "") {
+Finished layOut(std::vector<std::string> words, const std::string& input = "") {
   words.insert(words.begin(), {PROSKILL_PROGRAM, "fmt"});
   return run(words, {.input = input});
 }
@@ -34,7 +34,7 @@ TEST_CASE("fmt lays out files in place, and keeps their permissions") {
   fs::permissions(file, fs::perms::owner_all);
   const auto link = directory.path("link.proskill");
   fs::create_symlink(file, link);
-  const Finished result = fmt({link});
+  const Finished result = layOut({link});
   CHECK(result.exitCode == 0);
   CHECK(result.out + result.err == "");
   CHECK(readFile(file) == kStraight);
@@ -44,7 +44,7 @@ TEST_CASE("fmt lays out files in place, and keeps their permissions") {
 }
 
 TEST_CASE("fmt reads standard input where the file is called -") {
-  const Finished result = fmt({"-"}, kCrooked);
+  const Finished result = layOut({"-"}, kCrooked);
   CHECK(result.exitCode == 0);
   CHECK(result.out == kStraight);
 }
@@ -53,22 +53,22 @@ TEST_CASE("fmt --check names what it would change, and changes nothing") {
   const TemporaryDirectory directory;
   const auto crooked = directory.write("crooked.proskill", kCrooked);
   const auto straight = directory.write("straight.proskill", kStraight);
-  const Finished result = fmt({"--check", straight, crooked});
+  const Finished result = layOut({"--check", straight, crooked});
   CHECK(result.exitCode == 1);
   CHECK(result.out == crooked + "\n");
   CHECK(readFile(crooked) == kCrooked);
-  CHECK(fmt({"--check", straight}).exitCode == 0);
+  CHECK(layOut({"--check", straight}).exitCode == 0);
 }
 
 TEST_CASE("fmt --diff prints what it would change") {
   const TemporaryDirectory directory;
   const auto file = directory.write("main.proskill", kCrooked);
-  const Finished result = fmt({"--diff", file});
+  const Finished result = layOut({"--diff", file});
   CHECK(result.exitCode == 0);
   CHECK(result.out == "--- " + file + "\n+++ " + file +
                           "\n@@ -1,3 +1,4 @@\n-(defevent   e)\n-(defsv  a\n-:init 1 :max 2)\n"
                           "+(defevent e)\n+(defsv a\n+  :init 1\n+  :max 2)\n");
-  CHECK(fmt({"--diff", "--check", file}).exitCode == 1);
+  CHECK(layOut({"--diff", "--check", file}).exitCode == 1);
   CHECK(readFile(file) == kCrooked);
 }
 
@@ -78,14 +78,14 @@ TEST_CASE("fmt --diff is what patch takes") {
   for (int i = 0; i < 40; ++i)
     text += "(defsv a" + std::to_string(i) + (i % 9 == 4 ? "  :init 1 :max 2)\n" : " :init 1)\n");
   const auto file = directory.write("main.proskill", text.substr(0, text.size() - 1));
-  const auto patch = directory.write("patch", fmt({"--diff", file}).out);
+  const auto patch = directory.write("patch", layOut({"--diff", file}).out);
   const Finished patched = run({"/usr/bin/patch", "-s", file, patch});
   CHECK(patched.out + patched.err == "");
-  CHECK(fmt({"--check", file}).exitCode == 0);
+  CHECK(layOut({"--check", file}).exitCode == 0);
 }
 
 TEST_CASE("fmt says what it leaves as it is") {
-  const Finished result = fmt({"-"}, "(defevent  e)\n(defsv  a :init (1\n(defevent  f)\n");
+  const Finished result = layOut({"-"}, "(defevent  e)\n(defsv  a :init (1\n(defevent  f)\n");
   CHECK(result.exitCode == 0);
   CHECK(result.out == "(defevent e)\n(defsv  a :init (1\n(defevent f)\n");
   CHECK(result.err ==
@@ -99,13 +99,13 @@ TEST_CASE("fmt lays out Fiacre, and leaves what it cannot read") {
       "process P is\nstates a // one\n\nfrom a\n    loop\n\ncomponent m is\npar\n    P\nend\n\nm\n";
   const TemporaryDirectory directory;
   const auto file = directory.write("m.fcr", crooked);
-  CHECK(fmt({"--check", file}).out == file + "\n");
-  CHECK(fmt({"--diff", file}).out.starts_with("--- " + file));
-  CHECK(fmt({file}).exitCode == 0);
+  CHECK(layOut({"--check", file}).out == file + "\n");
+  CHECK(layOut({"--diff", file}).out.starts_with("--- " + file));
+  CHECK(layOut({file}).exitCode == 0);
   CHECK(readFile(file) == straight);
-  CHECK(fmt({"--check", file}).exitCode == 0);
+  CHECK(layOut({"--check", file}).exitCode == 0);
   const auto broken = directory.write("broken.fcr", "process   P is");
-  const Finished result = fmt({broken});
+  const Finished result = layOut({broken});
   CHECK(result.exitCode == 0);
   CHECK(result.err ==
         broken + ": left as it is: run `proskill check` to see what is wrong with it\n");
@@ -113,7 +113,7 @@ TEST_CASE("fmt lays out Fiacre, and leaves what it cannot read") {
 }
 
 TEST_CASE("fmt tells of files that cannot be read") {
-  const Finished result = fmt({"no_such_file.proskill"});
+  const Finished result = layOut({"no_such_file.proskill"});
   CHECK(result.exitCode == 2);
   CHECK(result.err.starts_with("error: cannot read `no_such_file.proskill`: "));
 }
