@@ -60,16 +60,15 @@ PanelData::Answer call(std::string_view method, const Json& params, PanelData& d
                        NewsBoard& news) {
   const auto text = [&](const char* name) { return params.value(name, std::string()); };
   if (method == "hello")
-    return Json{
-        {"contract", 1},
-        {"layout", "all"},
-        {"can",
-         {{"source", true},
-          {"save", false},
-          {"open", false},
-          {"verify", data.canVerify()},
-          {"follow", false}}},
-        {"program", data.program()}};
+    return Json{{"contract", 1},
+                {"layout", "all"},
+                {"can",
+                 {{"source", true},
+                  {"save", false},
+                  {"open", false},
+                  {"verify", data.canVerify()},
+                  {"follow", false}}},
+                {"program", data.program()}};
   if (method == "news") return news.after(params.value("after", std::size_t{0}));
   if (method == "trace") return data.trace(text("name"));
   if (method == "source") return data.source(text("uri"));

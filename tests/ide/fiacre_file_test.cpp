@@ -45,10 +45,10 @@ TEST_CASE("a mistake in Fiacre is told at the name that it is about") {
 }
 
 TEST_CASE("of several instances of a process each has its name in a trace") {
-  const auto read = ide::readFiacre(
-      "m.fcr", "process P [p: sync] is\nstates a, b\nfrom a p; to b\n"
-               "component m is port p: sync par * in P[p] || P[p] end\nm\n"
-               "property never is absent m/2/state b\nassert never\n");
+  const auto read =
+      ide::readFiacre("m.fcr", "process P [p: sync] is\nstates a, b\nfrom a p; to b\n"
+                               "component m is port p: sync par * in P[p] || P[p] end\nm\n"
+                               "property never is absent m/2/state b\nassert never\n");
   REQUIRE(read.diagnostics.empty());
   const auto report = ide::verifyModel(read.model, {}, {});
   REQUIRE(report.has_value());
