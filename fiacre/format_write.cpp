@@ -75,9 +75,12 @@ public:
       const bool space =
           spacing.before(token, i + 1 < line.tokens.size() ? line.tokens[i + 1] : end);
       if (!pieces.back().text.empty() && cutBefore(i)) pieces.emplace_back();
-      if (endsItsLine(token)) {
+      const bool isLast = i + 1 == line.tokens.size();
+      // One that ends the line stays there, however long: alone on a line it would be no part of
+      // it.
+      if (endsItsLine(token) || (isComment(token) && isLast && !pieces.back().text.empty())) {
         pieces.back().comment = token.text;
-        if (i + 1 < line.tokens.size()) pieces.emplace_back();
+        if (!isLast) pieces.emplace_back();
         continue;
       }
       if (space && !pieces.back().text.empty()) pieces.back().text += ' ';

@@ -185,7 +185,7 @@ TEST_CASE("every scope of a pattern is read as it is printed") {
         "present main/1/state s after main/1/state t until main/2/state t",
         "absent main/1/state s after ((main/1/state t) or (main/2/state t)) until main/2/state s",
         "absent main/1/state s before main/1/state t for duration 3",
-        "present main/1/state s lasting 4", "ltl ((main/1/state s) until (main/1/state t))"}) {
+        "present main/1/state s lasting 4", "ltl (main/1/state s) until (main/1/state t)"}) {
     const auto parsed = fiacre::parse("main\nproperty p is " + pattern + "\nassert p");
     CHECK(problemsOf("main\nproperty p is " + pattern + "\nassert p") == "");
     REQUIRE(parsed.program.properties.size() == 1);
