@@ -52,7 +52,7 @@ export interface Step {
   transitions: string[];
   origins?: number[];
 }
-export type ActorKind = 'skill' | 'branch' | 'watchdog' | 'event' | 'environment' | 'variable';
+export type ActorKind = 'skill' | 'branch' | 'watchdog' | 'event' | 'environment' | 'variable' | 'process';
 export interface Actor {
   name: string;
   kind: ActorKind;

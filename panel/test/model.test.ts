@@ -87,6 +87,14 @@ test('who has no status is an event, or the automaton of a variable', () => {
     [['takeoff', 'skill'], ['battery_low', 'event'], ['battery', 'variable']]);
 });
 
+test('of a model by hand the instances of processes act, alone or together', () => {
+  const met = trace({ P_1: 'a', P_2: 'a', x: '0' }, ['P_1: to b @0 P_1=a>b', 'P_1, P_2: meet @1 x=0>1']);
+  met.steps[0]!.transitions = ['P_1_t0'];
+  met.steps[1]!.transitions = ['P_2_t1_P_1_t1'];
+  assert.deepEqual(actorsOf(met).map((actor) => actor.kind), ['process', 'process']);
+  assert.deepEqual(lanesOf(met).map((lane) => lane.name), ['P_1', 'x']);
+});
+
 test('what the last step did is seen beside it, and what was before the first', () => {
   const changes = trace({ v: 'A' }, ['e: occurs @0 v=A>B', 'e: occurs @0 v=B>C']);
   const axis = axisOf(changes, 'step');

@@ -49,7 +49,7 @@ export const scenarios = {
     const { editor, page } = world;
     await editor.openFile(kDrone);
     await editor.command('ProSkill: Verify the Program');
-    await editor.statusSays(/\d+ of \d+ bad$/);
+    await editor.statusSays(/\d+ bad, \d+ to look at$/);
     await editor.command('Notifications: Clear All Notifications');
     await editor.command('Testing: Focus on Test Explorer View');
     await mission(page).locator('.computed-state:not(.retired)').waitFor();
@@ -85,6 +85,6 @@ export const scenarios = {
     await writeSettings(world, '{}');
     await world.editor.save();
     await world.editor.openFile(kDrone);
-    await world.editor.statusSays(/\d+ of \d+ bad$/, 60_000);
+    await world.editor.statusSays(/\d+ bad, \d+ to look at$/, 60_000);
   },
 };

@@ -49,7 +49,7 @@ export const scenarios = {
   /** The steps of one actor, the ones that change something, a variable at the top, a search, another trace beside. */
   async filters({ editor, page }) {
     await editor.openFile(kDrone);
-    await editor.statusSays(/\d+ of \d+ bad/);
+    await editor.statusSays(/\d+ bad, \d+ to look at/);
     await editor.command('ProSkill: Open Trace');
     await editor.quickInput().locator('input.input').fill(failing);
     await editor.press('Enter');

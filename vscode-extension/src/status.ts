@@ -18,18 +18,18 @@ const kOfLife: Record<Exclude<Life, 'running'>, Look> = {
 
 const plural = (count: number, one: string): string => `${count} ${one}${count === 1 ? '' : 's'}`;
 
-/** How many verdicts are bad, or how many there are. */
+/** How many verdicts are bad, in the words of the command line, or how many there are. */
 function outcome({ counts, stale }: Verdicts): Look {
   const old = stale ? ' (outdated)' : '';
-  const bad = counts.errors + counts.warnings;
   const parts = [`${counts.good} good`, counts.errors && plural(counts.errors, 'error'), counts.warnings && plural(counts.warnings, 'warning'),
     counts.inconclusive && `${counts.inconclusive} inconclusive`];
   const tooltip = `${parts.filter((part) => part).join(', ')}${old}`;
-  if (!bad) {
+  const findings = [counts.errors && `${counts.errors} bad`, counts.warnings && `${counts.warnings} to look at`].filter((part) => part);
+  if (!findings.length) {
     const open = counts.inconclusive ? `, ${counts.inconclusive} inconclusive` : '';
     return { text: `$(pass) ProSkill: ${counts.good} of ${counts.total} good${open}${old}`, tooltip };
   }
-  const text = `${counts.errors ? '$(error)' : '$(warning)'} ProSkill: ${bad} of ${counts.total} bad${old}`;
+  const text = `${counts.errors ? '$(error)' : '$(warning)'} ProSkill: ${findings.join(', ')}${old}`;
   return { text, tooltip, ...(counts.errors && !stale && { background: 'error' as const }) };
 }
 

@@ -3,8 +3,11 @@ import type { Actor, ActorKind, Trace } from '../api.ts';
 const branch = /^(.*) branch [\d.]+$/;
 const watchdog = /^watchdog of (.*)$/;
 
-/** Where the trace does not say what its actors are, their names and what has a value do. */
-function infer(name: string, words: Set<string>, initial: Trace['initial']): Actor {
+/**
+ * Where the trace does not say what its actors are, their names and what has a value do. Of a model by hand an instance of a
+ * process is both: it acts, and its value is the state that it is in.
+ */
+function infer(name: string, words: Set<string>, ofProcess: boolean, initial: Trace['initial']): Actor {
   const of = (kind: ActorKind, skill: string | null): Actor => ({ name, kind, skill });
   const parent = branch.exec(name)?.[1];
   if (parent) return of('branch', parent);
@@ -12,7 +15,8 @@ function infer(name: string, words: Set<string>, initial: Trace['initial']): Act
   if (watched) return of('watchdog', watched);
   if (name === 'environment') return of('environment', null);
   if (`${name}.status` in initial || words.has('starts')) return of('skill', name);
-  return name in initial ? of('variable', null) : of('event', null);
+  if (name in initial) return of(ofProcess ? 'process' : 'variable', null);
+  return of(name.split(', ').every((each) => each in initial) ? 'process' : 'event', null);
 }
 
 /** The actors of a trace, in the order in which they first act. */
@@ -23,10 +27,12 @@ export function actorsOf(trace: Trace): Actor[] {
     if (known) known.add(step.words);
     else words.set(step.actor, new Set([step.words]));
   }
+  const processes = new Set(trace.steps.filter((step) => step.transitions.some((each) => each.startsWith(`${step.actor}_t`)))
+    .map((step) => step.actor));
   const given = new Map(trace.actors?.map((actor) => [actor.name, actor]));
   return [...words].map(([name, said]) => {
-    const inferred = infer(name, said, trace.initial);
-    return inferred.kind === 'watchdog' || inferred.kind === 'variable' ? inferred : (given.get(name) ?? inferred);
+    const inferred = infer(name, said, processes.has(name), trace.initial);
+    return inferred.kind === 'watchdog' || inferred.kind === 'variable' || inferred.kind === 'process' ? inferred : (given.get(name) ?? inferred);
   });
 }
 

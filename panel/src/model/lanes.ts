@@ -78,7 +78,7 @@ function variableLane(trace: Trace, name: string): Lane {
 const isOfSkill = (variable: string): boolean => /\.(status|res)$/.test(variable);
 
 const order: { [K in Lane['kind']]: number } = {
-  skill: 0, branch: 0, watchdog: 1, event: 2, environment: 2, variable: 3,
+  skill: 0, branch: 0, watchdog: 1, event: 2, environment: 2, variable: 3, process: 3,
 };
 
 /** The lanes of a trace: skills with their branches, watchdogs, events, and the variables that change. */
@@ -87,7 +87,7 @@ export function lanesOf(trace: Trace): Lane[] {
   for (const actor of actorsOf(trace)) {
     if (actor.kind === 'skill' || actor.kind === 'branch' || actor.kind === 'watchdog') {
       lanes.push(skillLane(trace, actor.name, actor.kind));
-    } else if (actor.kind !== 'variable') {
+    } else if (actor.kind !== 'variable' && actor.kind !== 'process') {
       const marks: number[] = [];
       trace.steps.forEach((step, index) => step.actor === actor.name && marks.push(index));
       lanes.push({ name: actor.name, kind: actor.kind, bars: [], marks });

@@ -8,6 +8,7 @@ import { button, toggle } from './icons.ts';
 const laneHeight = 24;
 const axisHeight = 26;
 const labelWidth = 168;
+const loopLabelWidth = 60;
 const room = 14; // at the right end, so that the last bar and mark are seen whole
 
 export interface LanesEvents {
@@ -152,19 +153,22 @@ export class LanesView {
   }
 
   private drawAxis(top: Element, rows: Element, plot: number, height: number): void {
+    const loop = this.trace?.loop;
+    const loopX = typeof loop === 'number' ? Math.max(this.x(this.axis[loop] ?? 0, plot), labelWidth) : null;
+    // The loop's label stands to the right of its beginning; where the axis ends, to the left of that.
+    const loopLabelX = loopX === null ? null : Math.min(loopX + 3, labelWidth + plot - loopLabelWidth);
     for (const tick of ticks(this.view[0], this.view[1], plot / 90)) {
       if (this.byStep.on && !Number.isInteger(tick)) continue;
       const x = Math.round(this.x(tick, plot)) + 0.5;
       const label = this.byStep.on ? (tick === 0 ? 'start' : `step ${tick}`) : `${tick} s`;
-      top.append(s('line', { class: 'tick', x1: x, x2: x, y1: axisHeight - 5, y2: axisHeight }),
-        s('text', { class: 'tick-label', x, y: axisHeight - 10, 'text-anchor': 'middle' }, label));
+      top.append(s('line', { class: 'tick', x1: x, x2: x, y1: axisHeight - 5, y2: axisHeight }));
+      const hidden = loopLabelX !== null && x > loopLabelX - 28 && x < loopLabelX + loopLabelWidth + 28;
+      if (!hidden) top.append(s('text', { class: 'tick-label', x, y: axisHeight - 10, 'text-anchor': 'middle' }, label));
       rows.append(s('line', { class: 'grid', x1: x, x2: x, y1: 0, y2: height }));
     }
-    const loop = this.trace?.loop;
-    if (typeof loop !== 'number') return;
-    const x = Math.max(this.x(this.axis[loop] ?? 0, plot), labelWidth);
-    rows.append(s('rect', { class: 'loop', x, y: 0, width: Math.max(labelWidth + plot - x, 0), height }));
-    top.append(s('text', { class: 'loop-label', x: x + 3, y: 10 }, 'repeats ↻'));
+    if (loopX === null || loopLabelX === null) return;
+    rows.append(s('rect', { class: 'loop', x: loopX, y: 0, width: Math.max(labelWidth + plot - loopX, 0), height }));
+    top.append(s('text', { class: 'loop-label', x: loopLabelX, y: axisHeight - 10 }, 'repeats ↻'));
   }
 
   private laneElement(lane: Lane, at: number, plot: number): SVGElement {

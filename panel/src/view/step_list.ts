@@ -31,6 +31,8 @@ export interface Shown {
   compared?: { other: Trace; pairs: Pair[] };
 }
 
+const whoElement = (actor: string): HTMLElement => h('span', { class: 'actor', title: actor }, h('span', { class: 'dot' }), actor);
+
 /** The steps of a trace, of which only those in view are elements. */
 export class StepList {
   readonly element: HTMLElement;
@@ -161,7 +163,7 @@ export class StepList {
       onclick: () => this.choose(index), ondblclick: () => this.events.enter(index),
     }, h('span', { class: 'number' }, String(index + 1)),
     h('span', { class: `date${sameDate ? ' same' : ''}`, title: windowWords(step) }, `${windowOf(step)} s`),
-    (!grouped || compared) && h('span', { class: 'actor' }, h('span', { class: 'dot' }), step.actor),
+    (!grouped || compared) && whoElement(step.actor),
     h('span', { class: 'words' }, prose(step.words)),
     trace.loop === index && h('span', { class: 'tag' }, 'from here on for ever'),
     only && h('span', { class: 'tag' }, 'only here'),
@@ -181,7 +183,7 @@ export class StepList {
     const step = this.shown!.compared!.other.steps[index]!;
     return h('div', { class: `row step only-right hue-${hue(step.actor, 10)}`, role: 'presentation' },
       h('span', { class: 'number' }, String(index + 1)), h('span', { class: 'date', title: windowWords(step) }, `${windowOf(step)} s`),
-      h('span', { class: 'actor' }, h('span', { class: 'dot' }), step.actor), h('span', { class: 'words' }, prose(step.words)),
+      whoElement(step.actor), h('span', { class: 'words' }, prose(step.words)),
       h('span', { class: 'tag' }, 'only in the other'));
   }
 
