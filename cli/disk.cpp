@@ -31,6 +31,8 @@ std::string reason(int error) {
 std::expected<std::string, std::string> DiskFileSystem::read(const fs::path& path) const {
   std::error_code error;
   if (fs::is_directory(path, error)) return std::unexpected(reason(EISDIR));
+  if (reads == Reads::OnlyFiles && fs::exists(path, error) && !isFile(path))
+    return std::unexpected("it is a pipe or a device, not a file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::unexpected(reason(errno == 0 ? EIO : errno));

@@ -45,7 +45,8 @@ private:
 };
 
 int serve(lsp::Connection& connection, lsp::ServerOptions options) {
-  lsp::Server server(connection, std::make_shared<DiskFileSystem>(), std::move(options));
+  lsp::Server server(connection, std::make_shared<DiskFileSystem>(DiskFileSystem::Reads::OnlyFiles),
+                     std::move(options));
   return server.run();
 }
 

@@ -19,17 +19,22 @@ if(PROSKILL_SANITIZE)
   target_link_options(proskill_flags INTERFACE -fsanitize=${PROSKILL_SANITIZE})
 endif()
 if(PROSKILL_FUZZ)
+  # It counts the edges of others, and has none itself.
+  add_library(proskill_fuzz_coverage STATIC ${CMAKE_SOURCE_DIR}/fuzz/coverage.cpp)
   target_compile_options(proskill_flags INTERFACE -fsanitize-coverage=trace-pc,trace-cmp)
+  target_link_libraries(proskill_flags INTERFACE proskill_fuzz_coverage)
+  target_link_options(proskill_flags INTERFACE LINKER:--wrap=__sanitizer_cov_trace_pc)
 endif()
 
-# proskill_precompiled(NAME HEADERS <header>… DEPENDS target…): headers that cost each file that reads them a second or two, read
+# proskill_precompiled(NAME HEADERS <header>… DEPENDS target… [OPTIONS flag…]): headers that cost each file that reads them a second or two, read
 # once for all targets that say `target_precompile_headers(… REUSE_FROM proskill_precompiled_NAME)`.
 function(proskill_precompiled name)
-  cmake_parse_arguments(ARG "" "" "HEADERS;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "HEADERS;DEPENDS;OPTIONS" ${ARGN})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "// A library has a source.\n")
   add_library(proskill_precompiled_${name} STATIC ${source})
   target_link_libraries(proskill_precompiled_${name} PRIVATE ${ARG_DEPENDS} proskill_flags)
+  target_compile_options(proskill_precompiled_${name} PRIVATE ${ARG_OPTIONS})
   target_precompile_headers(proskill_precompiled_${name} PRIVATE ${ARG_HEADERS})
 endfunction()
 

@@ -80,8 +80,10 @@ void Session::initialize() {
   if (options.pull) text["diagnostic"] = Json::object();
   Json capabilities = {{"textDocument", text},
                        {"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
+  capabilities["general"]["staleRequestSupport"] = {{"cancel", true},
+                                                    {"retryOnContentModified", options.retried}};
   if (!options.encoding.empty())
-    capabilities["general"] = {{"positionEncodings", Json::array({options.encoding})}};
+    capabilities["general"]["positionEncodings"] = Json::array({options.encoding});
   auto answer = result("initialize", {{"processId", nullptr},
                                       {"rootUri", nullptr},
                                       {"capabilities", capabilities},

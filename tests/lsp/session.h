@@ -46,6 +46,7 @@ public:
     std::string encoding = "utf-16";
     bool pull = false; ///< the client asks for diagnostics instead of being told
     std::chrono::milliseconds debounce{0};
+    std::vector<std::string> retried{}; ///< methods that the client asks again after an edit
     /// Nothing is verified unless a test asks for it.
     lsp::Json initializationOptions = {{"verify", {{"live", false}, {"delay", 3'600'000}}}};
     std::vector<std::string> worker{PROSKILL_PROGRAM, "verify-worker"};

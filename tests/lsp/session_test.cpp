@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <latch>
 #include <semaphore>
 
 using namespace proskill;
@@ -33,12 +34,12 @@ public:
   std::expected<std::string, std::string> read(const std::filesystem::path& path) const override {
     if (path.filename() == "gated.proskill") {
       reached.release();
-      gate.acquire();
+      gate.wait();
     }
     return MemoryFiles::read(path);
   }
-  mutable std::binary_semaphore reached{0};
-  mutable std::binary_semaphore gate{0};
+  mutable std::counting_semaphore<> reached{0};
+  mutable std::latch gate{1};
 };
 
 } // namespace
@@ -127,7 +128,7 @@ TEST_CASE("an identifier that waits already is refused, and each request is answ
   files->reached.acquire();
   session.sendBody(lsp::request(id, "shutdown", nullptr));
   CHECK(errorOf(session.answer(id)) == -32600);
-  files->gate.release();
+  files->gate.count_down();
   CHECK(session.answer(id)["result"] == Json::array());
 }
 
@@ -224,7 +225,7 @@ TEST_CASE("a cancelled request is answered at once, while its work still waits")
   files->reached.acquire();
   session.notify("$/cancelRequest", {{"id", id}});
   CHECK(errorOf(session.answer(id)) == -32800);
-  files->gate.release();
+  files->gate.count_down();
   CHECK(session.result("proskill/status", nullptr)["pending"] == 1); // itself
   CHECK_FALSE(session.hasMore());
 }
@@ -242,9 +243,37 @@ TEST_CASE("a request that is cancelled before it was handed out is never worked 
                                                {"position", {{"line", 0}, {"character", 8}}}});
   session.notify("$/cancelRequest", {{"id", id}});
   CHECK(errorOf(session.answer(id)) == -32800);
-  files->gate.release();
+  files->gate.count_down();
   auto status = session.result("proskill/status", nullptr);
   CHECK_FALSE(status["requests"].contains("textDocument/definition"));
+}
+
+TEST_CASE(
+    "an edit ends what was asked before it, and what the client does not ask again is answered") {
+  auto files = std::make_shared<GatedFiles>(
+      std::map<std::string, std::string>{{"/w/gated.proskill", kLampText}});
+  Session session({.disk = files,
+                   .pull = true,
+                   .debounce = std::chrono::hours(1),
+                   .retried = {"textDocument/references"}});
+  session.initialize();
+  session.open(kMain,
+               "(include \"gated.proskill\")\n(defsv door :states (Open Shut) :init Shut)\n");
+  const Json text{{"uri", kMain}};
+  const Json place{{"textDocument", text}, {"position", {{"line", 1}, {"character", 8}}}};
+  auto retried = session.send("textDocument/references", place);
+  auto kept = session.send("textDocument/definition", place);
+  auto pulled = session.send("textDocument/diagnostic", {{"textDocument", text}});
+  files->reached.acquire();
+  session.change(kMain, 2, rangeOf(0, 0, 0), ";\n"); // one line further down
+  CHECK(errorOf(session.answer(retried)) == -32801);
+  auto refused = session.answer(pulled)["error"];
+  CHECK(refused["code"] == -32802);
+  CHECK(refused["data"] == Json{{"retriggerRequest", true}});
+  files->gate.count_down();
+  CHECK(session.answer(kept)["result"][0]["range"] == rangeOf(1, 7, 11)); // of the text as it was
+  auto now = session.at("textDocument/definition", kMain, 2, 8);
+  CHECK(now[0]["range"] == rangeOf(2, 7, 11));
 }
 
 TEST_CASE("fifty texts at once") {

@@ -1,5 +1,6 @@
 """A client of language servers over pipes, for the scripted sessions, the random ones and the benchmark."""
 
+import atexit
 import json
 import os
 import queue
@@ -46,6 +47,7 @@ class Client:
 
     def __init__(self, command, settings=None, recording=False, **more):
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, **more)
+        atexit.register(self.process.kill)  # a session that fails leaves nothing behind
         self.begin(self.process.stdin, self.process.stdout, settings, recording)
 
     def begin(self, output, source, settings=None, recording=False):

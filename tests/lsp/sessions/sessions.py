@@ -110,34 +110,13 @@ def a_cancelled_request_is_answered_and_its_work_ends():
     assert client.end() == 0
 
 
-def an_edit_ends_what_was_asked_before_it():
+def an_include_of_what_is_no_file_is_an_error_and_nobody_waits_for_it():
     with tempfile.TemporaryDirectory() as folder:
         folder = os.path.realpath(folder)
-        gate = f'{folder}/gate.proskill'
-        os.mkfifo(gate)  # whoever reads it waits until we write
-        client = server()
-        client.initialize({'general': {'staleRequestSupport': {
-            'cancel': True, 'retryOnContentModified': ['textDocument/references']}}})
-        uri = f'file://{folder}/main.proskill'
-        client.open(uri, '(include "gate.proskill")\n' + LAMP)
-        place = at(uri, 1, 8)
-        retried = client.ask('textDocument/references', place)
-        kept = client.ask('textDocument/definition', place)
-        pulled = client.ask('textDocument/diagnostic', {'textDocument': {'uri': uri}})
-        client.change(uri, 2, position(0, 0), position(0, 0), ';')
-        assert client.answer(retried)['error']['code'] == -32801
-        refused = client.answer(pulled)['error']
-        assert refused['code'] == -32802 and refused['data'] == {'retriggerRequest': True}
-        cancelled = client.ask('textDocument/definition', place)
-        client.notify('$/cancelRequest', {'id': cancelled})
-        assert client.answer(cancelled)['error']['code'] == -32800
-        with open(f'{folder}/other', 'w') as file:
-            file.write(LAMP)
-        writer = os.open(gate, os.O_WRONLY)
-        os.replace(f'{folder}/other', gate)
-        os.close(writer)
-        assert client.answer(kept)['result'][0]['range']['start'] == position(1, 7)  # of the text as it was
-        assert client.result('textDocument/definition', place)[0]['range']['start'] == position(1, 7)
+        os.mkfifo(f'{folder}/pipe.proskill')  # whoever reads it waits until somebody writes
+        client = started()
+        client.open(f'file://{folder}/main.proskill', '(include "pipe.proskill")\n' + LAMP)
+        assert 'PS0006' in codes(client.note('textDocument/publishDiagnostics')['diagnostics'])
         assert client.end() == 0
 
 
