@@ -186,8 +186,9 @@ void Adapter::stopped(Stop why, std::string_view plain) {
   if (atEnd && player->isSimulation())
     body["description"] = "Nothing more can happen";
   else if (atEnd)
-    body["description"] = trace.words.empty() ? "The end of the trace"
-                                              : fmt::format("{}: {}", trace.words, trace.verdict);
+    body["description"] = trace.words.empty()
+                              ? "The end of the trace"
+                              : fmt::format("{}: {}", unmarked(trace.words), trace.verdict);
   if (body.contains("description")) body["text"] = body["description"];
   event("stopped", std::move(body));
 }

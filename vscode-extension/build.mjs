@@ -1,6 +1,6 @@
 // Bundles the extension into dist/, and puts beside it what the .vsix carries.
 //   node build.mjs [--server PROGRAM]
-import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import * as esbuild from 'esbuild';
 import { carry } from './server.mjs';
@@ -12,12 +12,24 @@ const put = (from, to) => {
   copyFileSync(from, join(here, to));
 };
 
-await esbuild.build({
+/** Of each package that the bundle has a part of, as its licence wants it. */
+function licencesOf(sources) {
+  const packages = new Set(sources.map((source) => /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(source)?.[0]).filter(Boolean));
+  return [...packages].sort().map((folder) => {
+    const { name, version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    const file = readdirSync(folder).find((it) => /^licen[cs]e/i.test(it));
+    if (!file) throw new Error(`${name} has no licence that could be carried on`);
+    return `${name} ${version}\n\n${readFileSync(join(folder, file), 'utf8').trim()}\n`;
+  }).join(`\n${'-'.repeat(80)}\n\n`);
+}
+
+const { metafile } = await esbuild.build({
   entryPoints: [join(here, 'src/extension.ts')],
   outfile: join(here, 'dist/extension.js'),
   bundle: true, platform: 'node', format: 'cjs', target: 'node18', external: ['vscode'],
-  minify: true, legalComments: 'linked',
+  minify: true, legalComments: 'none', metafile: true,
 });
+writeFileSync(join(here, 'dist/licences.txt'), licencesOf(Object.keys(metafile.inputs)));
 
 for (const file of ['panel.js', 'panel.css']) put(join(tree, 'panel/dist', file), `panel/${file}`);
 put(join(tree, 'docs/proskill.schema.json'), 'schemas/proskill.schema.json');

@@ -174,6 +174,7 @@ test('dates are written as intervals', () => {
   const at = step('a: b @1');
   assert.equal(windowOf(at), '1');
   assert.equal(windowOf({ ...at, latest: { exact: '2', seconds: 2, strict: true } }), '[1, 2[');
+  assert.equal(windowOf({ ...at, latest: { exact: '19/18', seconds: 19 / 18, strict: true } }), '[1, 1.056[');
   assert.equal(windowOf({ ...at, earliest: { ...at.earliest, strict: true }, latest: null }), ']1, …[');
 });
 

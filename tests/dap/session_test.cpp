@@ -67,7 +67,7 @@ TEST_CASE("a property's trace is stepped through, forth and back") {
   CHECK(std::ranges::count(lines, 3) == 1);
   stop = move(client, "next");
   CHECK(stop["reason"] == "end");
-  CHECK(stop["description"] == "`lamp` makes no forbidden move: violated");
+  CHECK(stop["description"] == "lamp makes no forbidden move: violated");
   CHECK(valueOf(client, "lamp") == "Off");
   move(client, "stepBack");
   CHECK(valueOf(client, "lamp") == "On");
@@ -116,7 +116,7 @@ TEST_CASE("threads are who acts, the stack is what each did and when") {
   auto stack = client.result("stackTrace", {{"threadId", ids["switch_on"]}});
   REQUIRE(stack["totalFrames"] >= 2);
   const auto last = stack["stackFrames"].front();
-  CHECK(last["name"] == "2 s: succeeds with `lit`");
+  CHECK(last["name"] == "2 s: succeeds with lit");
   CHECK(last["line"] == 3);
   CHECK(last["source"]["path"] == std::filesystem::canonical(files.program).string());
   auto time = client.values(last, "Time");

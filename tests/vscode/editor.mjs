@@ -5,6 +5,8 @@ export class Editor {
   constructor(page, pictures) {
     this.page = page;
     this.pictures = pictures;
+    /** how many pictures there are */
+    this.taken = 0;
   }
 
   async open(url, folder) {
@@ -43,13 +45,19 @@ export class Editor {
     return this.pick('F1', `>${title}`, title);
   }
 
+  /** Of a list that was asked for, the line with a name, once it is the one that Enter takes. */
+  async answer(name) {
+    await this.quickInput().locator('input.input').fill(name);
+    const row = this.quickInput().locator(`.monaco-list-row.focused[aria-label*="${name}"]`);
+    await row.waitFor();
+    await this.press('Enter');
+    await row.waitFor({ state: 'hidden' });
+  }
+
   /** By its name in the list of themes. */
   async theme(name) {
     await this.command('Preferences: Color Theme');
-    await this.quickInput().locator('input.input').fill(name);
-    await this.quickInput().locator(`.monaco-list-row.focused[aria-label^="${name}"]`).waitFor();
-    await this.press('Enter');
-    await this.quickInput().waitFor({ state: 'hidden' });
+    await this.answer(name);
   }
 
   async openFile(path) {
@@ -130,6 +138,7 @@ export class Editor {
   }
 
   async picture(name) {
+    ++this.taken;
     await this.page.screenshot({ path: `${this.pictures}/${name}.png` });
   }
 }

@@ -4,11 +4,10 @@
 // class that its capture stands for.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { extension, need, read, tree } from './extension.mjs';
+import { tree } from './extension.mjs';
+import { grammarOf, scopesOf } from './textmate.mjs';
 
-const [textmate, oniguruma] = need('vscode-textmate', 'vscode-oniguruma');
 const [captures, ...files] = process.argv.slice(2);
 
 /** The scopes that stand for a capture, by their beginnings. */
@@ -24,34 +23,7 @@ const kScopes = {
   'function.call': 'entity.name.function.call', 'keyword.operator': 'keyword.operator',
 };
 
-const grammar = await (async () => {
-  const wasm = createRequire(join(extension, 'package.json')).resolve('vscode-oniguruma').replace(/main\.js$/, 'onig.wasm');
-  await oniguruma.loadWASM(readFileSync(wasm));
-  const registry = new textmate.Registry({
-    onigLib: Promise.resolve({
-      createOnigScanner: (patterns) => new oniguruma.OnigScanner(patterns),
-      createOnigString: (text) => new oniguruma.OnigString(text),
-    }),
-    loadGrammar: async () => textmate.parseRawGrammar(read('syntaxes/proskill.tmLanguage.json'), 'proskill.json'),
-  });
-  return registry.loadGrammar('source.proskill');
-})();
-
-/** The innermost scope of each byte. */
-function scopesOf(text) {
-  const scopes = [];
-  let stack = textmate.INITIAL;
-  for (const line of text.split('\n')) {
-    const { tokens, ruleStack } = grammar.tokenizeLine(line, stack);
-    stack = ruleStack;
-    for (const { startIndex, endIndex, scopes: found } of tokens) {
-      const bytes = Buffer.byteLength(line.slice(startIndex, endIndex));
-      for (let i = 0; i < bytes; ++i) scopes.push(found.at(-1));
-    }
-    scopes.push('');
-  }
-  return scopes;
-}
+const grammar = await grammarOf('proskill');
 
 /** The capture of each byte: of a smaller node before a larger one, of a later pattern before an earlier. */
 function capturesOf(file, size) {
@@ -69,7 +41,7 @@ const complaints = [];
 for (const file of files) {
   const bytes = readFileSync(file);
   const text = bytes.toString('utf8');
-  const scopes = scopesOf(text);
+  const scopes = scopesOf(grammar, text);
   const names = capturesOf(file, bytes.length);
   let before = '';
   for (let at = 0; at < bytes.length; ++at) {

@@ -24,16 +24,23 @@ function workspace() {
   return folder;
 }
 
+/** Playwright's first line says that time is over, and a later one, for what. */
+function whatWasWaitedFor({ message }) {
+  const [first, ...rest] = message.replace(/\x1b\[[0-9;]*m/g, '').split('\n');
+  return [first, rest.find((line) => /waiting for|locator\(/.test(line))?.trim()].filter(Boolean).join(' ');
+}
+
 /** Whether it went through; leaves the editor as the next one wants it. */
 async function passes(world, name, scenario, ending) {
   const begin = Date.now();
+  const { taken } = world.editor;
   try {
     await scenario(world);
     console.log(`ok      ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
-    await world.editor.picture(name);
+    if (world.editor.taken === taken) await world.editor.picture(name);
     return true;
   } catch (error) {
-    console.log(`${ending}  ${name}: ${error.message.split('\n')[0]}`);
+    console.log(`${ending}  ${name}: ${whatWasWaitedFor(error)}`);
     if (process.env.VERBOSE) console.log(error.stack);
     await world.editor.picture(`${name}.failed`);
     await world.editor.command('File: Revert File').catch(() => undefined);

@@ -53,6 +53,7 @@ export const scenarios = {
   async live({ editor, page, root }) {
     const frame = await editor.panel();
     const line = lineOf(root, 'drone/drone.proskill', '((start_drone)');
+    const before = await node(frame, '').count();
     await page.keyboard.press('Control+1');
     await editor.goTo(line, 19);
     await editor.press('Enter');
@@ -66,5 +67,7 @@ export const scenarios = {
       await editor.press('Control+z');
       return !(await page.locator('.tab.dirty').count());
     });
+    await expect('the picture as it was', async () => (await node(frame, '').count()) === before
+      && (await node(frame, 'shutdown_drone').count()) === 1 && !(await frame.locator('.automaton-view.stale').count()));
   },
 };

@@ -32,8 +32,7 @@ export const scenarios = {
     await editor.openFile('drone/drone.proskill');
     await editor.statusSays(/\d+ bad, \d+ to look at/);
     await editor.command('ProSkill: Replay Trace in the Debugger');
-    await editor.quickInput().locator('input.input').fill(failing);
-    await editor.press('Enter');
+    await editor.answer(failing);
     await page.locator('.debug-toolbar').waitFor({ timeout: 15_000 });
     const first = await expect('a line to stop at', () => stopped(page), 60_000);
     const lines = [first];
@@ -57,14 +56,14 @@ export const scenarios = {
     await editor.press('F9');
     await page.locator('.codicon-debug-breakpoint, .codicon-debug-breakpoint-unverified').first().waitFor();
     await editor.command('ProSkill: Replay Trace in the Debugger');
-    await editor.quickInput().locator('input.input').fill(failing);
-    await editor.press('Enter');
+    await editor.answer(failing);
     await page.locator('.debug-toolbar').waitFor();
     await expect('the first line', () => stopped(page));
     await editor.press('F5');
     await expect(`line ${line}`, async () => (await stopped(page)) === line);
     const stack = page.locator('.debug-call-stack .monaco-list-row');
     await stack.filter({ hasText: 'takeoff' }).first().waitFor();
+    await page.locator('.debug-variables .monaco-list-row', { hasText: /^localization_status/ }).first().waitFor();
     await editor.picture('breakpoint-met');
     await editor.press('Shift+F5');
     await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
@@ -92,6 +91,7 @@ export const scenarios = {
         await stack.filter({ hasText: actor }).filter({ hasText: 'occurs' }).first().waitFor({ state: 'detached' });
       }
     }
+    await editor.picture('simulation-stepped');
     await editor.press('Shift+F5');
     await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
     await editor.command('View: Close All Editors');

@@ -15,6 +15,7 @@ export const scenarios = {
     const open = await nodes(frame);
     await choose(frame, 'Fold branches', 'Fold all');
     await folded(frame).filter({ hasText: 'branch 2' }).waitFor();
+    await editor.statusSays(/\d+ bad, \d+ to look at/); // of the text, though the keyboard is in the picture
     equal('fewer nodes', (await nodes(frame)) < open, true);
     await editor.picture('fold-all');
     await folded(frame).filter({ hasText: 'branch 2' }).dblclick();
@@ -52,6 +53,7 @@ export const scenarios = {
     }
     equal('a node at each step', new Set(lines).size, 3);
     const view = () => frame.locator('.stage svg').getAttribute('viewBox');
+    await page.keyboard.press('0');
     const fitted = await view();
     await page.keyboard.press('+');
     await expect('a larger picture', async () => (await view()) !== fitted);

@@ -1,8 +1,8 @@
-// The Testing view over time: results of an older text, runs that are cancelled.
+// The Testing view over time: results of an older text, runs that are cancelled, results that come by themselves.
 import { readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from './expect.mjs';
-import { row } from './scenario_verification.mjs';
+import { expand, row } from './scenario_verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
 const kSettings = '.vscode/settings.json';
@@ -15,6 +15,18 @@ function slowProgram() {
   const branches = names.map((name) => `((${name}) (${name}) (${name}))`);
   return `${skills.join('\n')}\n(defskill mission :success done :body ((// ${branches.join(' ')}) (success done)))\n`;
 }
+
+/** Two blinks of at most two seconds each. */
+const kBlink = `(defskill blink
+  :time_interval [1,2]
+  :action (blink)
+  :success blinked)
+
+(defskill blinking
+  :time_interval [0,9]
+  :success done
+  :body ((blink) (blink) (success done)))
+`;
 
 async function writeSettings({ editor, page }, text) {
   await editor.openFile(kSettings);
@@ -68,10 +80,11 @@ export const scenarios = {
     const path = join(root, 'lift/slow.proskill');
     writeFileSync(path, slowProgram());
     await editor.openFile('lift/slow.proskill');
-    await editor.statusSays('ProSkill');
+    // Before the editor knows of its properties, there is nothing to run in the file.
+    await page.locator('.monaco-editor[data-uri$="slow.proskill"] .testing-run-glyph').first().waitFor();
     await editor.command('Test: Run Tests in Current File');
     await editor.statusSays(/verifying, \d+ of \d+ decided/);
-    equal('processes that verify', server.workers(), 1);
+    await expect('one process that verifies', () => server.workers() === 1);
     await editor.picture('cancel-running');
     await editor.press('Control+;', 'Control+x');
     await expect('that nothing verifies', () => server.workers() === 0);
@@ -80,11 +93,35 @@ export const scenarios = {
     rmSync(path);
   },
 
-  /** Live again, for those that come after. */
-  async liveAgain(world) {
+  /** Live again: while the continuous run is on, verdicts follow the text without a click. */
+  async continuous(world) {
+    const { editor, page, root } = world;
     await writeSettings(world, '{}');
-    await world.editor.save();
-    await world.editor.openFile(kDrone);
-    await world.editor.statusSays(/\d+ bad, \d+ to look at$/, 60_000);
+    await editor.save();
+    const path = join(root, 'lift/blink.proskill');
+    writeFileSync(path, kBlink);
+    await editor.openFile('lift/blink.proskill');
+    await editor.statusSays(/\d+ of \d+ good/, 60_000);
+    await editor.command('Testing: Focus on Test Explorer View');
+    await expand(page, 'blink.proskill (');
+    await expand(page, 'blinking (');
+    const verdict = (icon) => row(page, 'takes at most').first().locator(`.computed-state.codicon-testing-${icon}-icon:not(.retired)`).waitFor();
+    await row(page, 'takes at most 9 s').first().waitFor();
+    await page.locator('.codicon-testing-turn-continuous-run-on').first().click();
+    await verdict('passed');
+    await editor.press('Control+1');
+    await editor.goTo(kBlink.split('\n').findIndex((line) => line.includes('[0,9]')) + 1, 22);
+    await editor.press('Backspace');
+    await editor.type('3');
+    await verdict('failed');
+    await row(page, 'takes at most 3 s').first().waitFor();
+    await editor.picture('continuous-failed');
+    await undone(world);
+    await verdict('passed');
+    await page.locator('.codicon-testing-turn-continuous-run-off').first().click();
+    await editor.command('View: Close Editor');
+    rmSync(path);
+    await editor.openFile(kDrone);
+    await editor.statusSays(/\d+ bad, \d+ to look at$/, 60_000);
   },
 };

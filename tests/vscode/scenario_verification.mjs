@@ -78,7 +78,7 @@ export const scenarios = {
   /** The Fiacre text beside it: the transition of the step is marked. */
   async fiacre({ editor, page }) {
     await editor.command('ProSkill: Show the Fiacre Model');
-    await page.locator('.view-line', { hasText: 'a model for verification' }).first().waitFor();
+    await page.locator('.monaco-editor[data-uri^="proskill-model"] .view-line', { hasText: 'uav_mission' }).first().waitFor();
     await editor.command('ProSkill: Next Step of the Trace');
     await expect('a marked line in the model', async () => page.evaluate(() => {
       const model = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.startsWith('proskill-model'));

@@ -1,4 +1,5 @@
 import * as vscode from 'vscode';
+import { chooseTrace } from './choose_trace';
 import type { Client } from './client';
 import { currentText } from './places';
 import type { Programs } from './programs';
@@ -38,18 +39,12 @@ export class Debugging implements vscode.DebugConfigurationProvider, vscode.Debu
 
   /** Replays the trace of a property. */
   async replay(uri: vscode.Uri, name?: string): Promise<void> {
-    const property = name ?? (await this.choose(uri));
+    const property = name ?? (await chooseTrace(this.programs, uri, 'Replay the trace of which property?'));
     if (!property) return;
     const program = this.programs.of(uri)[0]?.program;
     await vscode.debug.startDebugging(vscode.workspace.getWorkspaceFolder(uri), {
       type: 'proskill', request: 'launch', name: property,
       program: program ? vscode.Uri.parse(program).fsPath : uri.fsPath, property,
     });
-  }
-
-  private async choose(uri: vscode.Uri): Promise<string | undefined> {
-    const names = this.programs.of(uri).flatMap(({ verdicts }) => verdicts).filter(({ steps }) => steps !== null).map(({ name }) => name);
-    if (!names.length) throw new Error('There is no trace: verify the program first. A property that holds has none.');
-    return vscode.window.showQuickPick(names, { placeHolder: 'Replay the trace of which property?' });
   }
 }

@@ -18,13 +18,12 @@ function columnOf(uri: vscode.Uri): vscode.ViewColumn {
   return text?.viewColumn ?? vscode.ViewColumn.One;
 }
 
-/** Shows a place in its text; scrolls only where it is out of sight. `caret`: the caret goes there, too. */
-export async function reveal(location: panel.Location, focus: boolean, caret = true): Promise<vscode.TextEditor> {
+/** Shows a place in its text, with the caret there; scrolls only where it is out of sight. */
+export async function reveal(location: panel.Location, focus: boolean): Promise<void> {
   const { uri, range } = locationOf(location);
   const editor = await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !focus });
-  if (focus || caret) editor.selection = new vscode.Selection(range.start, range.start);
+  editor.selection = new vscode.Selection(range.start, range.start);
   editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
-  return editor;
 }
 
 /** The text that a command without arguments is about. */

@@ -34,6 +34,26 @@ export class Programs implements vscode.Disposable {
       [program.program, ...program.texts.map((it) => it.uri)].some((it) => vscode.Uri.parse(it).toString() === text));
   }
 
+  /** Resolves as soon as nothing is being verified of what a text belongs to, at the latest when the time is over. */
+  settled(uri: vscode.Uri, token: vscode.CancellationToken, milliseconds: number): Promise<void> {
+    const isSettled = (): boolean => {
+      const known = this.of(uri);
+      return known.length > 0 && known.every(({ state }) => state !== 'waiting' && state !== 'checking');
+    };
+    if (isSettled()) return Promise.resolve();
+    return new Promise((resolve) => {
+      const done = (): void => {
+        clearTimeout(limit);
+        vscode.Disposable.from(...waits).dispose();
+        resolve();
+      };
+      const limit = setTimeout(done, milliseconds);
+      const waits = [token.onCancellationRequested(done), this.onChange(() => {
+        if (isSettled()) done();
+      })];
+    });
+  }
+
   dispose(): void {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }

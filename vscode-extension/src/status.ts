@@ -1,5 +1,6 @@
 import * as vscode from 'vscode';
 import type { Client, Life } from './client';
+import { inWords } from './findings';
 import type { Programs } from './programs';
 import type { Verdicts } from './protocol';
 
@@ -16,20 +17,15 @@ const kOfLife: Record<Exclude<Life, 'running'>, Look> = {
   stopped: { text: '$(circle-slash) ProSkill', tooltip: 'The server does not run' },
 };
 
-const plural = (count: number, one: string): string => `${count} ${one}${count === 1 ? '' : 's'}`;
-
 /** How many verdicts are bad, in the words of the command line, or how many there are. */
 function outcome({ counts, stale }: Verdicts): Look {
   const old = stale ? ' (outdated)' : '';
-  const parts = [`${counts.good} good`, counts.errors && plural(counts.errors, 'error'), counts.warnings && plural(counts.warnings, 'warning'),
-    counts.inconclusive && `${counts.inconclusive} inconclusive`];
-  const tooltip = `${parts.filter((part) => part).join(', ')}${old}`;
-  const findings = [counts.errors && `${counts.errors} bad`, counts.warnings && `${counts.warnings} to look at`].filter((part) => part);
-  if (!findings.length) {
-    const open = counts.inconclusive ? `, ${counts.inconclusive} inconclusive` : '';
+  const tooltip = `${[inWords(counts), `${counts.good} good`].filter((part) => part).join(', ')}${old}`;
+  if (!counts.errors && !counts.warnings) {
+    const open = counts.inconclusive ? `, ${inWords(counts)}` : '';
     return { text: `$(pass) ProSkill: ${counts.good} of ${counts.total} good${open}${old}`, tooltip };
   }
-  const text = `${counts.errors ? '$(error)' : '$(warning)'} ProSkill: ${findings.join(', ')}${old}`;
+  const text = `${counts.errors ? '$(error)' : '$(warning)'} ProSkill: ${inWords({ ...counts, inconclusive: 0 })}${old}`;
   return { text, tooltip, ...(counts.errors && !stale && { background: 'error' as const }) };
 }
 
@@ -57,6 +53,8 @@ export function lookOf(program: Verdicts): Look {
 export class Status implements vscode.Disposable {
   private readonly item = vscode.window.createStatusBarItem('proskill.status', vscode.StatusBarAlignment.Left, 10);
   private readonly subscriptions: vscode.Disposable[];
+  /** the text that the keyboard was in last */
+  private last: string | undefined;
 
   constructor(private readonly client: Client, private readonly programs: Programs) {
     this.item.name = 'ProSkill';
@@ -93,10 +91,12 @@ export class Status implements vscode.Disposable {
     return program ? lookOf(program) : { text: '$(check) ProSkill', tooltip: 'Ready' };
   }
 
-  /** The program of the text in view, else the only one there is. */
+  /** The program of the text in view, also where the keyboard is in a panel; else the only one there is. */
   private current(): Verdicts | undefined {
-    const editor = vscode.window.activeTextEditor;
-    const here = editor?.document.languageId === 'proskill' ? this.programs.of(editor.document.uri) : [];
+    const active = vscode.window.activeTextEditor?.document;
+    const text = active ?? vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === this.last)?.document;
+    if (text) this.last = text.uri.toString();
+    const here = text?.languageId === 'proskill' ? this.programs.of(text.uri) : [];
     const open = this.programs.all().filter((program) => program.state !== 'off');
     return here[0] ?? (open.length === 1 ? open[0] : undefined);
   }

@@ -1,4 +1,5 @@
 import * as vscode from 'vscode';
+import { decimal } from '../../panel/src/model/time';
 import { rangeOf, sameUri } from './places';
 import type { panel } from './protocol';
 
@@ -47,7 +48,7 @@ export class StepMarks implements vscode.Disposable {
 
 function words({ step, index, count }: panel.CurrentStep): string {
   const changes = step.changes.map(({ variable, before, after }) => `${variable}: ${before} → ${after}`);
-  return [`step ${index + 1} of ${count}, ${step.date.exact} s`, ...changes].join('   ');
+  return [`step ${index + 1} of ${count}, ${decimal(step.date)} s`, ...changes].join('   ');
 }
 
 function named(line: string, { values, step }: panel.CurrentStep): string[] {

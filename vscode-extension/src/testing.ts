@@ -36,7 +36,7 @@ export class Testing implements vscode.Disposable {
       }),
       programs.onChange((program) => this.news(program)),
       vscode.workspace.onDidOpenTextDocument((document) => {
-        if (document.languageId === 'proskill') this.soon();
+        if (document.languageId === 'proskill') void this.refresh();
       }),
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
         if (document.languageId === 'proskill' && contentChanges.length) this.edited(document.uri);
@@ -57,6 +57,10 @@ export class Testing implements vscode.Disposable {
     this.due = setTimeout(() => void this.refresh(), kRefresh);
   }
 
+  /**
+   * What is known is outdated now. VS Code shows so in the tree; its marks in the gutter it draws anew only where a verdict
+   * is another, and a mark cannot be taken away and put back: that a place is gone is lost on the way to the editor.
+   */
   private edited(uri: vscode.Uri): void {
     this.soon();
     for (const [, item] of this.controller.items)
@@ -174,14 +178,19 @@ export class Testing implements vscode.Disposable {
     return count === items.length;
   }
 
+  /**
+   * One exploration decides all: each has its share of the time, and what stands above them has all of it. What is only to
+   * look at has no message: VS Code would write it in red into the text, where a warning stands already.
+   */
   private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number): void {
     const byName = new Map(verdicts.map((verdict) => [verdict.name, verdict]));
+    const share = seconds * 1000 / Math.max(verdicts.length, 1);
     for (const item of items) {
       const verdict = byName.get(this.nameOf(item));
       if (!verdict) run.skipped(item);
-      else if (verdict.good) run.passed(item, seconds * 1000);
-      else if (verdict.verdict === 'inconclusive') run.errored(item, messageOf(item, verdict), seconds * 1000);
-      else run.failed(item, messageOf(item, verdict), seconds * 1000);
+      else if (verdict.good) run.passed(item, share);
+      else if (verdict.verdict === 'inconclusive') run.errored(item, messageOf(item, verdict), share);
+      else run.failed(item, verdict.severity === 'error' ? messageOf(item, verdict) : [], share);
     }
   }
 
@@ -215,15 +224,18 @@ export class Testing implements vscode.Disposable {
   }
 }
 
-/** Without the name of what it is about, which stands above it, and without the marks of code, which would be shown as they are. */
+/** Without the marks of code, which would be shown as they are. */
+const plain = (words: string): string => words.replaceAll('`', '');
+
+/** Without the name of what it is about, which stands above it. */
 function shortLabel(subject: string, label: string): string {
   const start = `\`${subject}\` `;
-  return (label.startsWith(start) ? label.slice(start.length) : label).replaceAll('`', '');
+  return plain(label.startsWith(start) ? label.slice(start.length) : label);
 }
 
 function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMessage {
   const text = new vscode.MarkdownString();
-  text.appendText(`${verdict.words}: ${verdict.verdict}`);
+  text.appendText(`${plain(verdict.words)}: ${verdict.verdict}`);
   if (verdict.reason) text.appendText(`\n${verdict.reason}`);
   if (verdict.steps !== null) {
     const node = encodeURIComponent(JSON.stringify([{ program: item.id.split('##')[0], name: verdict.name }]));
@@ -232,7 +244,7 @@ function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMe
       + `or [step through it in the debugger](command:proskill.debugTrace?${node})`);
   }
   const message = new vscode.TestMessage(text);
-  if (item.uri && item.range) message.location = new vscode.Location(item.uri, item.range);
+  if (verdict.location) message.location = locationOf(verdict.location);
   message.contextValue = verdict.steps === null ? 'verdict' : 'trace';
   return message;
 }

@@ -1,8 +1,9 @@
 import * as vscode from 'vscode';
+import { chooseTrace } from './choose_trace';
 import type { Client } from './client';
 import type { FiacreView } from './model';
 import { PanelHost } from './panel_host';
-import { currentText, reveal } from './places';
+import { currentText } from './places';
 import type { Programs } from './programs';
 import type { panel } from './protocol';
 import { StepMarks } from './step_marks';
@@ -30,8 +31,8 @@ export class TraceView implements vscode.Disposable {
   /** The trace of a property; without a name, one to choose. */
   async open(uri?: vscode.Uri, name?: string): Promise<void> {
     const text = uri ?? currentText().uri;
-    const trace = name ?? (await this.choose(text));
-    if (trace) this.show(text, { trace, step: 0 });
+    const trace = name ?? (await chooseTrace(this.programs, text, 'The trace of which property?'));
+    if (trace) await this.show(text, { trace, step: 0 });
   }
 
   /** A trace of a file, such as one that the view has saved. */
@@ -39,21 +40,10 @@ export class TraceView implements vscode.Disposable {
     const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { Trace: ['json'] }, openLabel: 'Open trace' }))?.[0];
     if (!chosen) return;
     const read = await readTrace(chosen);
-    if (read) this.show(read.program, { given: read.trace, step: 0 });
+    if (read) await this.show(read.program, { given: read.trace, step: 0 });
   }
 
-  private async choose(uri: vscode.Uri): Promise<string | undefined> {
-    const traces = this.programs.of(uri).flatMap(({ verdicts }) => verdicts).filter(({ steps }) => steps !== null);
-    if (!traces.length)
-      throw new Error('There is no trace: verify the program first. A property that holds has none.');
-    const chosen = await vscode.window.showQuickPick(
-      traces.map(({ name, words, verdict, good, steps }) => ({
-        label: `${good ? '$(pass)' : '$(error)'} ${name}`, description: `${verdict}, ${steps} steps`, detail: words, name,
-      })), { placeHolder: 'The trace of which property?', matchOnDetail: true });
-    return chosen?.name;
-  }
-
-  private show(uri: vscode.Uri, show: panel.Show): void {
+  private async show(uri: vscode.Uri, show: panel.Show): Promise<void> {
     this.shown = show;
     if (this.host && this.host.uri.toString() === uri.toString()) {
       this.host.showIt(show);
@@ -61,12 +51,14 @@ export class TraceView implements vscode.Disposable {
       return;
     }
     this.host?.dispose();
+    // The view stands beside the program: were no text in view, the first one would come to lie over it.
+    if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await vscode.window.showTextDocument(uri);
     const host = new PanelHost(this.client, this.programs, this.extension, 'trace', uri, show);
-    host.onStep((step) => void this.step(step));
+    host.onStep((step) => this.step(step));
     host.onEnd(() => {
       if (this.host !== host) return;
       this.host = undefined;
-      void this.step(null);
+      this.step(null);
     });
     this.host = host;
   }
@@ -78,10 +70,10 @@ export class TraceView implements vscode.Disposable {
     this.host.showIt({ ...this.shown, step });
   }
 
-  private async step(current: panel.CurrentStep | null): Promise<void> {
+  /** Its text is brought up by the panel, which asks for that where it follows the steps. */
+  private step(current: panel.CurrentStep | null): void {
     this.current = current;
     void vscode.commands.executeCommand('setContext', 'proskill.traceOpen', current !== null);
-    if (current?.step.location) await reveal(current.step.location, false, false);
     this.marks.show(current);
     this.fiacre.follow(current?.step ?? null);
   }

@@ -2,6 +2,7 @@ import * as vscode from 'vscode';
 import type { Subject } from './arguments';
 import type { Client } from './client';
 import { currentText } from './places';
+import { count, inWords } from './findings';
 import * as protocol from './protocol';
 
 /** `proskill.verify`: a program, or some of its properties, with progress that can be cancelled. */
@@ -46,14 +47,15 @@ async function request(client: Client, program: vscode.Uri, names: string[],
 async function tell(program: vscode.Uri, { verdicts, exploration }: protocol.VerifyResult): Promise<void> {
   const bad = verdicts.filter(({ good }) => !good);
   const seconds = `${exploration.classes.toLocaleString()} states in ${exploration.seconds.toFixed(2)} s`;
-  if (!bad.length) {
+  const worst = bad.find(({ severity }) => severity === 'error') ?? bad[0];
+  if (!worst) {
     void vscode.window.showInformationMessage(`ProSkill: ${verdicts.length} of ${verdicts.length} good (${seconds}).`);
     return;
   }
-  const traced = bad.find(({ steps }) => steps !== null);
+  const traced = worst.steps !== null ? worst : bad.find(({ steps }) => steps !== null);
   const open = 'Open a trace';
   const chosen = await vscode.window.showWarningMessage(
-    `ProSkill: ${bad.length} of ${verdicts.length} not good, first ${bad[0]!.name}: ${bad[0]!.verdict} (${seconds}).`,
+    `ProSkill: ${inWords(count(verdicts))}, of ${verdicts.length}. ${worst.words.replaceAll('`', '')}: ${worst.verdict} (${seconds}).`,
     ...(traced ? [open] : []));
   if (chosen === open && traced)
     await vscode.commands.executeCommand('proskill.openTrace', { program: program.toString(), name: traced.name });

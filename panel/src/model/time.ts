@@ -1,16 +1,21 @@
-import type { Moment, Step } from '../api.ts';
+import type { Moment, Seconds, Step } from '../api.ts';
+
+/** For reading: a fraction as a decimal number, to the millisecond. */
+export function decimal({ exact, seconds }: Seconds): string {
+  return exact.includes('/') ? String(Number(seconds.toFixed(3))) : exact;
+}
 
 /** `1`, `[1, 2]`, `]1, 2[`, `[1, …[`: when a step happens, over all runs through the same steps. */
 export function windowOf(step: Step): string {
   const { earliest, latest } = step;
-  if (latest && !earliest.strict && !latest.strict && earliest.exact === latest.exact) return earliest.exact;
+  if (latest && !earliest.strict && !latest.strict && earliest.exact === latest.exact) return decimal(earliest);
   const left = earliest.strict ? ']' : '[';
   return latest
-    ? `${left}${earliest.exact}, ${latest.exact}${latest.strict ? '[' : ']'}`
-    : `${left}${earliest.exact}, …[`;
+    ? `${left}${decimal(earliest)}, ${decimal(latest)}${latest.strict ? '[' : ']'}`
+    : `${left}${decimal(earliest)}, …[`;
 }
 
-/** In words, for a tooltip and for those who listen. */
+/** In words and exactly, for a tooltip and for those who listen. */
 export function windowWords(step: Step): string {
   const { earliest, latest } = step;
   const at = `at ${step.date.exact} s in this run`;

@@ -3,6 +3,7 @@ import { actorsOf, hue } from '../model/actors.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
 import { fileName, traceJson, traceText } from '../model/export.ts';
 import { search, select } from '../model/filter.ts';
+import { decimal } from '../model/time.ts';
 import { Values } from '../model/values.ts';
 import { h, isTyping, plural, prose } from './dom.ts';
 import { button, enable, icon, toggle } from './icons.ts';
@@ -105,9 +106,10 @@ export class TraceView {
 
   private drawHead(): void {
     const trace = this.trace!;
+    const end = trace.steps.at(-1)?.date;
     this.head.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
       h('h2', { title: trace.name }, prose(trace.words)),
-      h('span', { class: 'faint' }, plural(trace.steps.length, 'step'), `, ${trace.steps.at(-1)?.date.exact ?? '0'} s`),
+      h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), `, ${end ? decimal(end) : '0'} s`),
       h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'));
   }
 

@@ -1,0 +1,105 @@
+// What the extension promises in its package.json, it has, says and carries:  node manifest.mjs
+// Commands and settings are described, there and in docs/vscode.md; every command that is named anywhere is
+// there; every file that is named is in the .vsix.
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join, posix } from 'node:path';
+import { extension, need, read, tree } from './extension.mjs';
+
+const [vsce] = need('@vscode/vsce');
+const manifest = JSON.parse(read('package.json'));
+const { contributes } = manifest;
+const manual = readFileSync(join(tree, 'docs/vscode.md'), 'utf8');
+const complaints = [];
+const wanted = (condition, words) => condition || complaints.push(words);
+
+/** A sentence: it begins as one and ends as one. */
+const isSentence = (text) => /^[A-Z`].*\.$/s.test(text ?? '');
+
+function commands() {
+  const registered = new Set([...read('src/extension.ts').matchAll(/command\('([\w.]+)'/g)].map(([, name]) => name));
+  const titles = new Set();
+  for (const { command, title, category } of contributes.commands) {
+    wanted(/^[A-Z]/.test(title) && category === 'ProSkill', `${command} has no title, or not the category of the others`);
+    wanted(!titles.has(title), `two commands are called "${title}"`);
+    wanted(registered.has(command), `${command} does nothing: src/extension.ts does not register it`);
+    wanted(manual.includes(`**${title}**`), `docs/vscode.md does not name the command "${title}"`);
+    titles.add(title);
+  }
+  return new Set(contributes.commands.map(({ command }) => command));
+}
+
+/** Where a command is named that VS Code would look for: menus, keys, the walkthrough, lenses have their own test. */
+function mentions(known) {
+  const text = JSON.stringify([contributes.menus, contributes.keybindings, contributes.walkthroughs]);
+  const named = [...text.matchAll(/(?:command:|onCommand:|"command":")(proskill\.\w+)/g)].map(([, name]) => name);
+  wanted(named.length > contributes.commands.length, 'the mentions of commands are not found');
+  for (const name of new Set(named)) wanted(known.has(name), `${name} is in a menu, a key or the walkthrough, and is no command`);
+}
+
+/** The manual's row of a setting. Of several in one row those after the first show their last word alone: `.megabytes`. */
+function rowOf(name) {
+  return manual.split('\n').filter((line) => line.startsWith('| `proskill.')).find((row) => {
+    const [first, ...others] = [...row.split('|')[1].matchAll(/`([\w.]+)`/g)].map(([, shown]) => shown);
+    return [first, ...others.map((word) => first.replace(/\.\w+$/, word))].includes(name);
+  });
+}
+
+function settings() {
+  const all = contributes.configuration.flatMap(({ properties }) => Object.entries(properties));
+  for (const [name, { type, markdownDescription, default: usual, scope }] of all) {
+    wanted(isSentence(markdownDescription), `${name} is not described by a sentence`);
+    wanted(type && scope && usual !== undefined, `${name} has no type, no scope or no default`);
+    const row = rowOf(name);
+    wanted(row, `docs/vscode.md does not have the setting ${name}`);
+    wanted(!row || usual === '' || row.includes(`\`${usual}\``), `docs/vscode.md has another default of ${name} than ${usual}`);
+  }
+  for (const [, name] of manual.matchAll(/`(proskill\.[a-z]+\.\w+)`/g))
+    wanted(all.some(([known]) => known === name), `docs/vscode.md has the setting ${name}, which there is not`);
+  return all.length;
+}
+
+function debuggers() {
+  for (const { configurationAttributes, configurationSnippets } of contributes.debuggers) {
+    for (const [name, { type, description }] of Object.entries(configurationAttributes.launch.properties))
+      wanted(type && isSentence(description), `"${name}" of launch.json is not described by a sentence`);
+    for (const { label, description } of configurationSnippets) wanted(isSentence(description), `"${label}" is not described by a sentence`);
+  }
+}
+
+/** Every path in package.json, and the pictures and pages that those name. */
+function filesNamed() {
+  const named = [];
+  const walk = (value) => {
+    if (typeof value === 'string' && /^(\.\/)?[\w./-]+\.(js|json|svg|png|md)$/.test(value) && value !== '.proskill.json') named.push(posix.normalize(value));
+    else if (value && typeof value === 'object') Object.values(value).forEach(walk);
+  };
+  walk({ main: manifest.main, icon: manifest.icon, contributes });
+  return [...new Set(named)];
+}
+
+async function files() {
+  execFileSync(process.execPath, [join(extension, 'build.mjs')], { stdio: 'pipe' });
+  const carried = new Set(await vsce.listFiles({ cwd: extension, packageManager: vsce.PackageManager.None }));
+  const named = [...filesNamed(), 'panel/panel.js', 'panel/panel.css', 'dist/licences.txt', 'README.md', 'CHANGELOG.md', 'LICENSE', 'package.json'];
+  for (const file of named) wanted(carried.has(file), `${file} is not in the .vsix`);
+  for (const file of carried)
+    wanted(!/^(src|node_modules|\.)|\.mjs$|\.map$|tsconfig/.test(file), `${file} has no place in the .vsix`);
+  return named.length;
+}
+
+function walkthroughs() {
+  for (const { steps } of contributes.walkthroughs)
+    for (const { id, title, description, media } of steps)
+      wanted(title && description && (media.markdown || media.altText), `the walkthrough's step "${id}" lacks words`);
+}
+
+const known = commands();
+mentions(known);
+const count = settings();
+debuggers();
+walkthroughs();
+const named = await files();
+for (const complaint of complaints) console.log(complaint);
+console.log(`${known.size} commands, ${count} settings, ${named} files, ${complaints.length} complaints`);
+process.exit(complaints.length ? 1 : 0);

@@ -1,0 +1,20 @@
+import type { panel } from './protocol';
+
+export interface Findings {
+  errors: number;
+  warnings: number;
+  inconclusive: number;
+}
+
+/** What is not good, in the words of the command line: `1 bad, 9 to look at`; empty: all is. */
+export function inWords({ errors, warnings, inconclusive }: Findings): string {
+  return [errors && `${errors} bad`, warnings && `${warnings} to look at`, inconclusive && `${inconclusive} inconclusive`]
+    .filter((part) => part).join(', ');
+}
+
+export function count(verdicts: panel.Verdict[]): Findings {
+  const open = verdicts.filter(({ verdict }) => verdict === 'inconclusive').length;
+  const bad = verdicts.filter(({ good, verdict }) => !good && verdict !== 'inconclusive');
+  const errors = bad.filter(({ severity }) => severity === 'error').length;
+  return { errors, warnings: bad.length - errors, inconclusive: open };
+}
