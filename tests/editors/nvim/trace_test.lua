@@ -1,4 +1,4 @@
--- Verdicts, traces and pictures.
+-- Verdicts and traces.
 local expect = require('expect')
 
 local function drone(child)
@@ -148,31 +148,6 @@ return {
     child:lua("vim.cmd('ProskillTrace no.such.thing')")
     child:wait('return #told > 0')
     expect.contains(child:lua('return told[1]'), 'no.such.thing')
-  end },
-
-  { 'a picture of what the cursor stands in is shown', function(child)
-    child:lua([[
-      require('proskill.config').set({
-        cmd = { vim.env.PROSKILL_PROGRAM }, parser = vim.env.PROSKILL_PARSER,
-        viewer = function(path) viewed = path end,
-      })
-    ]])
-    drone(child)
-    child:at('(defskill take|off')
-    child:lua("vim.cmd('ProskillAutomaton')")
-    local path = child:wait('return viewed')
-    local svg = table.concat(vim.fn.readfile(path), '\n')
-    expect.contains(svg, '<svg')
-    expect.contains(svg, 'skill takeoff')
-  end },
-
-  { 'a picture can be had as DOT, by its name', function(child)
-    drone(child)
-    child:lua("vim.cmd('ProskillAutomaton! battery')")
-    child:wait("return vim.bo.filetype == 'dot'")
-    expect.contains(table.concat(child:lines(), '\n'), 'digraph')
-    expect.contains(table.concat(child:lines(), '\n'), 'Critical')
-    expect.equal(child:lua("return require('proskill.picture').names('bat')"), {})
   end },
 
   { 'the help is found by its commands', function(child)
