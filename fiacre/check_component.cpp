@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace proskill::fiacre {
 namespace {
@@ -73,13 +75,32 @@ private:
   const Report& report;
 };
 
+using Order = std::map<std::string_view, std::set<std::string_view>>;
+
+/// Whether the one goes before the other by what is said, or by what follows from it.
+bool comesBefore(std::string_view high, std::string_view low, const Order& below,
+                 std::set<std::string_view>& seen) {
+  const auto next = below.find(high);
+  return next != below.end() && std::ranges::any_of(next->second, [&](std::string_view port) {
+           return port == low || (seen.insert(port).second && comesBefore(port, low, below, seen));
+         });
+}
+
 void checkPriorities(const Component& component, const Surroundings& around, const Report& report) {
   const auto known = [&](const std::string& port) {
     if (!around.ports.contains(port)) report(fmt::format("the port `{}` is not declared", port));
   };
+  Order below;
   for (const auto& priority : component.priorities) {
     std::ranges::for_each(priority.higher, known);
     std::ranges::for_each(priority.lower, known);
+    for (const auto& high : priority.higher)
+      below[high].insert(priority.lower.begin(), priority.lower.end());
+  }
+  for (const auto& [port, _] : below) {
+    std::set<std::string_view> seen;
+    if (comesBefore(port, port, below, seen))
+      return report(fmt::format("the port `{}` has priority over itself", port));
   }
 }
 

@@ -49,7 +49,7 @@ std::optional<NameKind> Parser::declared() const {
 /// Whether what lies ahead ends a name that stands alone.
 bool Parser::endsEntry(std::size_t ahead) const {
   return peek(ahead).kind == TokenKind::End || isAt("property", ahead) || isAt("assert", ahead) ||
-         isAt("prove", ahead);
+         isAt("prove", ahead) || isAt(">", ahead + 1);
 }
 
 Parsed Parser::program() {
@@ -146,6 +146,9 @@ void Parser::external() {
 }
 
 void Parser::entry() {
+  if (isAt(">", 1))
+    fail("observers are not read: what they watch for can be asked as a property, see "
+         "docs/fiacre.md");
   if (!endsEntry(1)) fail(fmt::format("`{}` begins no declaration", peek().text));
   if (!parsed.program.main.empty())
     report(fmt::format("the model is `{}` already", parsed.program.main), peek());

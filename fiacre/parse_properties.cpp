@@ -171,10 +171,10 @@ Observable Parser::atom() {
 }
 
 /// A word that begins a pattern; others stand between two formulas.
-bool Parser::isAtPattern() const {
+bool Parser::isAtPattern(std::size_t ahead) const {
   constexpr std::string_view kWords[] = {"deadlockfree", "ltl",    "infinitelyoften", "mortal",
                                          "present",      "absent", "always"};
-  return std::ranges::any_of(kWords, [&](auto word) { return isAt(word); });
+  return std::ranges::any_of(kWords, [&](auto word) { return isAt(word, ahead); });
 }
 
 Pattern Parser::pattern() {
@@ -203,33 +203,55 @@ Pattern Parser::betweenTwo(Observable first) {
   return result;
 }
 
+/// Behind a word of a pattern that may come but once.
+void Parser::once(bool known) {
+  if (!known) return;
+  --at;
+  fail(fmt::format("`{}` comes twice in one pattern", peek().text));
+}
+
+/// `after`, with `until`, and `between` are one.
 void Parser::scopes(Pattern& pattern) {
   for (;;) {
     if (accept("after")) {
+      once(pattern.after.has_value());
       pattern.after = observableUpTo("until");
       if (accept("until")) pattern.until = observable();
     } else if (accept("between")) {
+      once(pattern.after.has_value());
       pattern.between = true;
       pattern.after = observableUpTo("and");
       expect("and");
       pattern.until = observable();
     } else if (accept("before")) {
+      once(pattern.before.has_value());
       pattern.before = observable();
-    } else if (accept("within")) {
-      pattern.within = interval();
-    } else if (accept("lasting")) {
-      pattern.lasting = time();
-    } else if (accept("for")) {
-      if (accept("duration")) {
-        pattern.forDuration = time();
-      } else {
-        expect("interval");
-        pattern.forInterval = interval();
-      }
-    } else {
+    } else if (!times(pattern)) {
       return;
     }
   }
+}
+
+/// Whether a time came.
+bool Parser::times(Pattern& pattern) {
+  if (accept("within")) {
+    once(pattern.within.has_value());
+    pattern.within = interval();
+  } else if (accept("lasting")) {
+    once(pattern.lasting.has_value());
+    pattern.lasting = time();
+  } else if (accept("for")) {
+    once(pattern.forDuration || pattern.forInterval);
+    if (accept("duration")) {
+      pattern.forDuration = time();
+    } else {
+      expect("interval");
+      pattern.forInterval = interval();
+    }
+  } else {
+    return false;
+  }
+  return true;
 }
 
 /// A property that is a formula of its own has a name that later ones use.
@@ -239,6 +261,9 @@ void Parser::property() {
                   .asserted = false};
   actor = "property " + result.name;
   expect("is");
+  separator = {};
+  if ((isAt("(") || isAt("not")) && isAtPattern(1))
+    fail("patterns are not joined by `and`, `or` or `not`: assert each one, or write it as `ltl`");
   if (isAtPattern()) {
     result.pattern = pattern();
   } else {

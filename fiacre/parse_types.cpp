@@ -150,7 +150,9 @@ std::vector<Port> Parser::ports() {
     expect(":");
     portType(port);
     if (accept("in")) port.interval = interval();
-    if (isAt("is")) fail("probes are not read yet");
+    if (isAt("is"))
+      fail("probes are not read: what they watch for can be asked as a property, see "
+           "docs/fiacre.md");
     for (const auto& each : declared) {
       port.name = each;
       all.push_back(port);

@@ -117,10 +117,13 @@ private:
   // Properties: parse_properties.cpp
   void property();
   void assertion();
-  [[nodiscard]] bool isAtPattern() const;
+  /// A word that begins a pattern.
+  [[nodiscard]] bool isAtPattern(std::size_t ahead = 0) const;
   Pattern pattern();
   Pattern betweenTwo(Observable first);
   void scopes(Pattern& pattern);
+  bool times(Pattern& pattern);
+  void once(bool known);
   Ltl formula();
   Ltl formulaChain(std::size_t level);
   Ltl formulaPrefix();

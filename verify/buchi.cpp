@@ -112,15 +112,22 @@ public:
     for (std::uint32_t i = 0; i < states.size(); ++i) {
       const auto next = states[i].next;
       auto successors = covers(next);
+      edges += successors.size();
+      if (edges > kMostEdges) tooLarge();
       states[i].successors = std::move(successors);
     }
   }
 
   std::vector<State> states;
   std::vector<std::uint32_t> first;
+  std::size_t edges = 0;
+
+  static constexpr std::size_t kMostEdges = 1'000'000;
+  [[noreturn]] static void tooLarge() { unsupported("a formula of LTL that is too large"); }
 
 private:
   static constexpr std::size_t kMostStates = 20'000;
+  static constexpr std::size_t kMostDrafts = 300'000;
 
   /// The states in which a position may be where all of `wanted` is promised.
   std::vector<std::uint32_t> covers(const std::set<FormulaId>& wanted) {
@@ -132,6 +139,7 @@ private:
   }
 
   void expand(Draft draft, std::set<std::uint32_t>& found) {
+    if (++drafts > kMostDrafts) tooLarge();
     while (!draft.todo.empty()) {
       const FormulaId id = *draft.todo.begin();
       draft.todo.erase(draft.todo.begin());
@@ -174,11 +182,12 @@ private:
     auto [entry, added] =
         known.try_emplace({draft.old, draft.next}, static_cast<std::uint32_t>(states.size()));
     if (added) states.push_back({std::move(draft.old), std::move(draft.next), {}});
-    if (states.size() > kMostStates) unsupported("a formula of LTL that is too large");
+    if (states.size() > kMostStates) tooLarge();
     found.insert(entry->second);
   }
 
   Formulas& formulas;
+  std::size_t drafts = 0;
   std::map<std::set<FormulaId>, std::vector<std::uint32_t>> coversOf;
   std::map<std::pair<std::set<FormulaId>, std::set<FormulaId>>, std::uint32_t> known;
 };
@@ -194,6 +203,7 @@ Monitor negated(const Ltl& ltl, Nodes& nodes,
   for (FormulaId id = 0; id < formulas.size(); ++id)
     if (formulas.at(id).op == Op::Until) promises.push_back(id);
   const auto turns = static_cast<std::uint32_t>(std::max<std::size_t>(promises.size(), 1));
+  if (tableau.edges * turns > Tableau::kMostEdges) Tableau::tooLarge();
   const auto keeps = [&](const State& state, std::uint32_t turn) {
     return promises.empty() || !state.old.contains(promises[turn]) ||
            state.old.contains(formulas.at(promises[turn]).b);

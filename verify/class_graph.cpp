@@ -223,8 +223,23 @@ System untimed(System system) {
     transition.interval = {};
     transition.urgent = false;
     transition.clock = kNone;
+    transition.blocksLater = false;
+    auto& blockers = transition.blockers;
+    blockers.insert(blockers.end(), transition.laterBlockers.begin(),
+                    transition.laterBlockers.end());
+    transition.laterBlockers.clear();
   }
   return system;
+}
+
+/// Classes tell how long each step may still have to wait, and not since when it waits: whether one
+/// that goes first has waited long enough is not to be seen. \return why there are none
+std::optional<Unsupported> withoutClasses(const System& system) {
+  const auto late = std::ranges::find_if(system.transitions, &Transition::blocksLater);
+  if (late == system.transitions.end()) return std::nullopt;
+  return Unsupported{"there are no state classes where what goes first has to wait for its time; "
+                     "`--graph-of untimed` has the markings without time",
+                     system.paths[late->parts[0]].origin};
 }
 
 } // namespace
@@ -237,6 +252,7 @@ std::expected<StateGraph, Unsupported> stateGraph(const fiacre::Program& program
   const bool timed = kind != GraphKind::Untimed;
   const System system =
       placed(timed ? std::move(compiled->system) : untimed(std::move(compiled->system)));
+  if (auto why = withoutClasses(system)) return std::unexpected(*why);
   GraphRecorder recorder(system, program.main, kind);
   ClassGraph classes(system, limits, &recorder);
   auto counted = classes.run();
@@ -253,9 +269,7 @@ std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& prog
   auto compiled = compile(program, {}, {});
   if (!compiled) return std::unexpected(compiled.error());
   const System system = placed(std::move(compiled->system));
-  if (std::ranges::any_of(system.transitions, &Transition::blocksLater))
-    return std::unexpected(
-        Unsupported{"classes are not counted where what has priority has to wait for its time"});
+  if (auto why = withoutClasses(system)) return std::unexpected(*why);
   return ClassGraph(system, limits).run();
 }
 

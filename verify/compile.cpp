@@ -7,12 +7,14 @@
 #include "verify/watch.h"
 
 #include <algorithm>
+#include <map>
 
 namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kMostTransitions = 1'000'000;
+/// What is known of each two of them is kept.
+constexpr std::size_t kMostTransitions = 30'000;
 
 /// Whether some number lies in it; an empty interval would stop time for ever.
 void requireSound(const fiacre::Interval& interval, fiacre::OriginId origin) {
@@ -122,7 +124,8 @@ private:
   }
 
   void addTransition(std::vector<PathId> parts, std::optional<NodeId> agree = {}) {
-    if (system.transitions.size() >= kMostTransitions) unsupported("too many synchronisations");
+    if (system.transitions.size() >= kMostTransitions)
+      unsupported("too many steps: more than 30000");
     auto& nodes = expressions.nodes();
     Transition made;
     made.guard = agree.value_or(nodes.number(1));
@@ -173,13 +176,14 @@ private:
         continue;
       }
       some = true;
+      if (together.size() * choices.size() > kMostTransitions)
+        unsupported("too many synchronisations on `" + system.ports[port] + "`");
       std::vector<std::vector<PathId>> longer;
       for (const auto& before : together)
         for (const auto& choice : choices) {
           longer.push_back(before);
           longer.back().insert(longer.back().end(), choice.begin(), choice.end());
         }
-      if (longer.size() > kMostTransitions) unsupported("too many synchronisations");
       together = std::move(longer);
     }
     if (some) std::ranges::move(together, std::back_inserter(all));
@@ -196,18 +200,32 @@ private:
       const Path& path = system.paths[id];
       receives = receives || path.receives;
       if (path.sent.empty()) continue;
-      if (!sent) sent = &path.sent;
+      if (!sent) {
+        sent = &path.sent;
+        continue;
+      }
       if (sent->size() != path.sent.size()) return; // of other types: nothing that crosses
       for (std::size_t i = 0; i < sent->size(); ++i)
-        agree =
-            expressions.nodes().both(agree, expressions.nodes().equal((*sent)[i], path.sent[i]));
+        agree = expressions.nodes().both(agree, same((*sent)[i], path.sent[i]));
     }
+    if (expressions.nodes().constant(agree) == 0) return; // two values that are never the same
+    Bits compared;
+    addReads(system, agree, compared);
+    for (auto id : parts) system.paths[id].guardReads |= compared;
     if (!receives) return addTransition(std::move(parts), agree);
     if (!sent) return; // nobody sends
     const std::vector<NodeId> values = *sent;
     for (auto& id : parts)
       if (system.paths[id].receives) id = received(system.paths[id], values);
     addTransition(std::move(parts), agree);
+  }
+
+  /// Whether two send the same; where one has no value to send the step is taken, and fails.
+  NodeId same(NodeId a, NodeId b) {
+    auto& nodes = expressions.nodes();
+    const NodeId equal = nodes.equal(a, b);
+    if (!expressions.mayFail(equal)) return equal;
+    return nodes.binary(NodeOp::Or, nodes.unary(NodeOp::Fails, equal), equal);
   }
 
   PathId received(Path path, const std::vector<NodeId>& values) {
@@ -225,33 +243,57 @@ private:
     return static_cast<PathId>(system.paths.size() - 1);
   }
 
-  /// Priorities between ports, and `unless` between silent paths. Where what goes first is possible
-  /// at any time when it is enabled, being enabled decides; else its clock.
+  /// Priorities between ports, and `unless` between silent paths.
   void findBlockers() {
-    const auto chosen = [](const Path& path) { return path.select != 0; };
-    if (model.priorities.empty() && std::ranges::none_of(system.paths, chosen)) return;
-    for (TransitionId low = 0; low < system.transitions.size(); ++low)
-      for (TransitionId high = 0; high < system.transitions.size(); ++high) {
-        if (low == high || !goesBefore(system.transitions[high], system.transitions[low])) continue;
-        const auto& interval = system.transitions[high].interval;
-        const bool waits = interval.lowerOpen || interval.lower > 0;
-        auto& blocked = system.transitions[low];
-        (waits ? blocked.laterBlockers : blocked.blockers).push_back(high);
-        system.transitions[high].blocksLater = system.transitions[high].blocksLater || waits;
-        system.hasPriorities = true;
-      }
+    std::vector<std::vector<TransitionId>> withPort(system.ports.size());
+    std::map<std::pair<InstanceId, std::uint32_t>, std::vector<TransitionId>> inSelect;
+    for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+      const auto& transition = system.transitions[i];
+      const Path& path = system.paths[transition.parts[0]];
+      if (transition.port != kNone)
+        withPort[transition.port].push_back(i);
+      else if (path.select != 0)
+        inSelect[{path.instance, path.select}].push_back(i);
+    }
+    const auto below = portsBelow();
+    for (std::uint32_t high = 0; high < below.size(); ++high)
+      below[high].each([&](std::uint32_t low) {
+        for (auto first : withPort[high])
+          for (auto second : withPort[low]) putBefore(first, second);
+      });
+    const auto group = [&](TransitionId id) {
+      return system.paths[system.transitions[id].parts[0]].group;
+    };
+    for (const auto& [_, all] : inSelect)
+      for (auto first : all)
+        for (auto second : all)
+          if (group(first) > group(second)) putBefore(first, second);
   }
 
-  [[nodiscard]] bool goesBefore(const Transition& high, const Transition& low) const {
-    if (high.port == kNone && low.port == kNone) {
-      const Path& first = system.paths[high.parts[0]];
-      const Path& second = system.paths[low.parts[0]];
-      return first.select != 0 && first.select == second.select &&
-             first.instance == second.instance && first.group > second.group;
-    }
-    return std::ranges::any_of(model.priorities, [&](const PortPriority& each) {
-      return each.higher.contains(high.port) && each.lower.contains(low.port);
-    });
+  /// By port: those that have to let it go first, by what is said and what follows from it.
+  [[nodiscard]] std::vector<Bits> portsBelow() const {
+    std::vector<Bits> below(system.ports.size());
+    for (const auto& each : model.priorities)
+      for (auto high : each.higher)
+        for (auto low : each.lower) below[high].insert(low);
+    for (std::uint32_t middle = 0; middle < below.size(); ++middle)
+      for (auto& high : below)
+        if (high.contains(middle)) high |= Bits(below[middle]);
+    for (std::uint32_t port = 0; port < below.size(); ++port)
+      if (below[port].contains(port))
+        unsupported("the port `" + system.ports[port] + "` has priority over itself");
+    return below;
+  }
+
+  /// Where what goes first is possible at any time when it is enabled, being enabled decides; else
+  /// its clock.
+  void putBefore(TransitionId high, TransitionId low) {
+    const auto& interval = system.transitions[high].interval;
+    const bool waits = interval.lowerOpen || interval.lower > 0;
+    auto& blocked = system.transitions[low];
+    (waits ? blocked.laterBlockers : blocked.blockers).push_back(high);
+    system.transitions[high].blocksLater = system.transitions[high].blocksLater || waits;
+    system.hasPriorities = true;
   }
 
   const fiacre::Program& program;

@@ -30,6 +30,8 @@ public:
     }
     for (InstanceId i = 0; i < system.instances.size(); ++i)
       if (!onlyWatches(i)) keep(i);
+    for (const auto& transition : system.transitions) // senders on one port have to agree
+      if (transition.parts.size() > 1) addReads(system, transition.guard, relevant.cells);
     while (grow()) {
     }
     for (TransitionId i = 0; i < system.transitions.size(); ++i)

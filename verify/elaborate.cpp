@@ -296,7 +296,7 @@ private:
     for (std::size_t i = 0; i < statement.targets.size(); ++i) {
       const Type& type = expressions.typeOf(statement.targets[i], scope);
       Value source = expressions.value(statement.values.at(i), scope, &type);
-      expressions.assign(statement.targets[i], source, scope, assignments);
+      expressions.assign(statement.targets[i], source, scope, assignments, 0);
     }
     std::vector<std::int64_t> values;
     for (const auto& assignment : assignments) values.push_back(initially(assignment.value));

@@ -265,22 +265,33 @@ Expressions::Target Expressions::target(const Expr& lvalue, const Scope& scope) 
 }
 
 void Expressions::assign(const Expr& lvalue, const Value& source, const Scope& scope,
-                         std::vector<Assignment>& assignments) {
+                         std::vector<Assignment>& assignments, std::size_t first) {
   Target place = target(lvalue, scope);
   const std::size_t size = types.scalars(*place.type);
   if (source.parts.size() != size) unsupported("a value of another type is assigned");
-  for (const auto& [condition, offset] : place.offsets) {
+  for (const auto& [condition, offset] : place.offsets)
     for (std::size_t i = 0; i < size; ++i) {
-      NodeId old = place.root->parts.at(offset + i);
-      const Node& node = system.nodes[old];
-      if (node.op != NodeOp::Cell) unsupported("what is assigned to is no variable");
-      const CellId cell = node.a;
-      NodeId made = maker.conditional(condition, source.parts[i], old);
-      auto bounds = valueBounds(system, made);
-      bool fits = system.cells[cell].low <= bounds.low && bounds.high <= system.cells[cell].high;
-      assignments.push_back({cell, made, !fits});
+      const NodeId old = place.root->parts.at(offset + i);
+      if (system.nodes[old].op != NodeOp::Cell) unsupported("what is assigned to is no variable");
+      write(system.nodes[old].a, old, condition, source.parts[i], assignments, first);
     }
-  }
+}
+
+/// One cell, where a condition holds. `a[i], a[j] := x, y` may write a cell twice: it then gets
+/// what the last of those that hold says.
+void Expressions::write(CellId cell, NodeId old, NodeId condition, NodeId source,
+                        std::vector<Assignment>& assignments, std::size_t first) {
+  const auto begin = assignments.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto before = std::find_if(begin, assignments.end(),
+                                   [&](const auto& other) { return other.target == cell; });
+  const bool again = before != assignments.end();
+  const NodeId made = maker.conditional(condition, source, again ? before->value : old);
+  const auto bounds = valueBounds(system, made);
+  const bool fits = system.cells[cell].low <= bounds.low && bounds.high <= system.cells[cell].high;
+  if (again)
+    *before = {cell, made, !fits};
+  else
+    assignments.push_back({cell, made, !fits});
 }
 
 } // namespace proskill::verify

@@ -30,9 +30,12 @@ public:
   /// \throw CompileError where the value has several parts
   [[nodiscard]] NodeId scalar(const fiacre::Expr& expr, const Scope& scope,
                               const fiacre::Type* expected = nullptr);
-  /// All assignments that write `source` to `target`. \throw CompileError
+  /// All assignments that write `source` to `target`. \param first from there on they happen at
+  /// once: what is written twice is joined \throw CompileError
   void assign(const fiacre::Expr& target, const Value& source, const Scope& scope,
-              std::vector<Assignment>& assignments);
+              std::vector<Assignment>& assignments, std::size_t first);
+  /// The value where it is one of the type; a fault where a number lies outside.
+  Value fitted(Value value, const fiacre::Type& type, const std::string& what);
   /// The condition under which `tested` matches the pattern of a `case`.
   [[nodiscard]] NodeId matches(const fiacre::Expr& pattern, const Value& tested,
                                const Scope& scope);
@@ -79,8 +82,6 @@ private:
   Value queueBinary(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected);
   Value queue(const fiacre::Expr& expr, const Scope& scope, const fiacre::Type* expected = nullptr);
   Value run(Statements rest, Scope scope, const fiacre::Type& result);
-  /// The value where it is one of the type; a fault where a number lies outside.
-  Value fitted(Value value, const fiacre::Type& type, const std::string& what);
   // functions.cpp
   Value nothing(Value like, const std::string& why);
   Value choose(NodeId condition, const Value& then, const Value& otherwise);
@@ -95,6 +96,8 @@ private:
     std::vector<std::pair<NodeId, std::size_t>> offsets;
   };
   Target target(const fiacre::Expr& lvalue, const Scope& scope);
+  void write(CellId cell, NodeId old, NodeId condition, NodeId source,
+             std::vector<Assignment>& assignments, std::size_t first);
 
   const fiacre::Program& program;
   const Types& types;

@@ -1,5 +1,6 @@
 #include "verify/monitor_search.h"
 
+#include "verify/components.h"
 #include "verify/evaluate.h"
 #include "verify/place.h"
 
@@ -316,55 +317,26 @@ private:
     return made;
   }
 
-  /// A cycle through an accepting location, by strongly connected components.
+  /// A cycle through an accepting location: every node of a component with a cycle is on one.
   void findCycle() {
-    const auto count = static_cast<NodeIndex>(nodes.size());
-    std::vector<NodeIndex> number(count, kNone);
-    std::vector<NodeIndex> low(count, 0);
-    std::vector<NodeIndex> component(count, kNone);
-    std::vector<NodeIndex> stack;
-    struct Frame {
-      NodeIndex node;
-      std::size_t arc;
-    };
-    NodeIndex counter = 0;
-    for (NodeIndex root = 0; root < count; ++root) {
-      if (number[root] != kNone) continue;
-      std::vector<Frame> calls{{root, 0}};
-      while (!calls.empty()) {
-        auto& frame = calls.back();
-        const NodeIndex node = frame.node;
-        if (frame.arc == 0) {
-          number[node] = low[node] = counter++;
-          stack.push_back(node);
-        }
-        if (frame.arc < arcs[node].size()) {
-          const NodeIndex target = arcs[node][frame.arc++].target;
-          if (number[target] == kNone)
-            calls.push_back({target, 0});
-          else if (component[target] == kNone)
-            low[node] = std::min(low[node], number[target]);
-          continue;
-        }
-        if (low[node] == number[node])
-          while (component[node] == kNone) {
-            component[stack.back()] = node;
-            stack.pop_back();
-          }
-        calls.pop_back();
-        if (!calls.empty()) low[calls.back().node] = std::min(low[calls.back().node], low[node]);
-      }
+    const auto component = componentsOf(nodes.size(), [&](NodeIndex node, std::size_t i) {
+      return i < arcs[node].size() ? arcs[node][i].target : kNone;
+    });
+    std::vector<NodeIndex> size(nodes.size());
+    for (auto id : component) ++size[id];
+    for (NodeIndex node = 0; node < nodes.size(); ++node) {
+      const bool goesRound =
+          size[component[node]] > 1 || std::ranges::count(arcs[node], node, &Arc::target) > 0;
+      if (!goesRound || !monitor.locations[nodes[node].location].accepting) continue;
+      const auto loop = cycleThrough(node, component);
+      if (!loop) continue;
+      Way way = pathTo(node);
+      const std::size_t stem = way.moves.size();
+      way.moves.insert(way.moves.end(), loop->moves.begin(), loop->moves.end());
+      way.locations.insert(way.locations.end(), loop->locations.begin(), loop->locations.end());
+      result.evidence = evidence(way, stem);
+      return;
     }
-    for (NodeIndex node = 0; node < count; ++node)
-      if (monitor.locations[nodes[node].location].accepting)
-        if (auto loop = cycleThrough(node, component)) {
-          Way way = pathTo(node);
-          const std::size_t stem = way.moves.size();
-          way.moves.insert(way.moves.end(), loop->moves.begin(), loop->moves.end());
-          way.locations.insert(way.locations.end(), loop->locations.begin(), loop->locations.end());
-          result.evidence = evidence(way, stem);
-          return;
-        }
   }
 
   /// The shortest way from a node to itself, breadth first within its component.

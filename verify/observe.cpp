@@ -32,10 +32,7 @@ Observer::Observer(const Elaboration& of, Expressions& in, Events& known, System
 
 Goal Observer::goal(const fiacre::Property& property) {
   const auto& pattern = property.pattern;
-  if (pattern.kind == PatternKind::Ltl)
-    return {.kind = GoalKind::Run,
-            .monitor = negated(pattern.ltl, expressions.nodes(),
-                               [this](const Observable& atom) { return node(atom); })};
+  if (pattern.kind == PatternKind::Ltl) return goalOfRuns(pattern.ltl);
   const bool plain = !pattern.after && !pattern.before && !pattern.until && !pattern.within &&
                      !pattern.forInterval && !pattern.forDuration && !pattern.lasting;
   if (plain)
@@ -46,6 +43,16 @@ Goal Observer::goal(const fiacre::Property& property) {
     return {.kind = GoalKind::Unsupported,
             .reason = "the pattern has no meaning with this scope and these times"};
   return {.kind = GoalKind::Run, .monitor = std::move(*monitor)};
+}
+
+/// A formula may be too large; others are answered all the same.
+Goal Observer::goalOfRuns(const fiacre::Ltl& ltl) {
+  const auto condition = [this](const Observable& atom) { return node(atom); };
+  try {
+    return {.kind = GoalKind::Run, .monitor = negated(ltl, expressions.nodes(), condition)};
+  } catch (const CompileError& error) {
+    return {.kind = GoalKind::Unsupported, .reason = error.why.message};
+  }
 }
 
 /// A question of which one state or step is the answer.
@@ -127,13 +134,17 @@ NodeId Observer::stateNode(const Observable& observable) {
   return nodes.equal(nodes.cell(system.instances[in].location), nodes.number(location(observable)));
 }
 
+/// What has no value, such as `10 / x > 2` where x is 0, does not hold.
 NodeId Observer::valueNode(const Observable& observable) {
   const auto component = model.scopeAt.find(observable.path);
   const bool isWhole = observable.path.empty() && !model.instanceAt.contains({});
   const Scope& scope = isWhole                            ? model.componentScope
                        : component != model.scopeAt.end() ? component->second
                                                           : model.scopes[instance(observable)];
-  return expressions.scalar(observable.value, scope);
+  auto& nodes = expressions.nodes();
+  const NodeId value = expressions.scalar(observable.value, scope);
+  if (!expressions.mayFail(value)) return value;
+  return nodes.both(nodes.negation(nodes.unary(NodeOp::Fails, value)), value);
 }
 
 NodeId Observer::happens(const std::vector<EventId>& of) {

@@ -16,6 +16,7 @@ public:
 
 private:
   std::optional<Goal> goalOfStates(const fiacre::Pattern& pattern);
+  Goal goalOfRuns(const fiacre::Ltl& ltl);
   Goal reach(const fiacre::Observable& observable);
   bool simple(const fiacre::Observable& observable, Goal& goal);
   NodeId node(const fiacre::Observable& observable);

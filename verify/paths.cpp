@@ -43,6 +43,8 @@ bool endsPath(const Statement& statement) {
 }
 
 constexpr std::size_t kMostChoices = 4096;
+constexpr std::size_t kMostPaths = 10'000; // of one `from`
+constexpr std::size_t kMostCode = 100'000; // of one path
 
 /// Statements still to come; the next is last.
 using Rest = std::vector<const Statement*>;
@@ -202,7 +204,7 @@ void Writer::assign(const Statement& statement, Draft& draft) {
   for (std::size_t i = 0; i < statement.targets.size(); ++i) {
     const auto& type = expressions.typeOf(statement.targets[i], *context.scope);
     Value source = expressions.value(statement.values.at(i), *context.scope, &type);
-    expressions.assign(statement.targets[i], source, *context.scope, draft.path.assignments);
+    expressions.assign(statement.targets[i], source, *context.scope, draft.path.assignments, first);
   }
   addAssignments(draft, first);
 }
@@ -237,8 +239,13 @@ void Writer::send(const Statement& statement, Draft& draft) {
   const auto& types = context.valuesOf(statement.name);
   for (std::size_t i = 0; i < statement.values.size(); ++i) {
     const auto* type = i < types.size() ? &types[i] : nullptr;
-    for (auto part : expressions.value(statement.values[i], *context.scope, type).parts)
+    Value sent = expressions.value(statement.values[i], *context.scope, type);
+    if (type) sent = expressions.fitted(std::move(sent), *type, "what goes over the port");
+    for (auto part : sent.parts) {
       draft.path.sent.push_back(beforePath(part, draft));
+      if (expressions.mayFail(part)) // the sender's fault, whoever takes it
+        emit(draft, InstructionKind::On).node = nodes().equal(part, part);
+    }
   }
 }
 
@@ -250,7 +257,7 @@ void Writer::receive(const Statement& statement, Draft& draft) {
   for (const auto& target : statement.targets) {
     Value source = expressions.lowest(expressions.typeOf(target, *context.scope));
     for (auto& each : source.parts) each = nodes().received(part++);
-    expressions.assign(target, source, *context.scope, draft.path.assignments);
+    expressions.assign(target, source, *context.scope, draft.path.assignments, first);
   }
   draft.path.receives = true;
   addAssignments(draft, first);
@@ -320,6 +327,8 @@ void Writer::codeAll(Draft& draft, Rest rest) {
   while (!rest.empty() && !draft.ended) {
     const Statement& statement = *rest.back();
     rest.pop_back();
+    if (draft.path.code.size() > kMostCode)
+      unsupported("too many choices, one after the other", statement.origin);
     if (statement.kind == StatementKind::If || statement.kind == StatementKind::Case) {
       noteOrigin(statement, draft);
       auto inner = endsPath(statement) ? std::exchange(rest, {}) : Rest{};
@@ -401,7 +410,7 @@ void Writer::bind(const fiacre::Expr& pattern, const Value& tested, Draft& draft
   if (all.empty()) return;
   const auto first = static_cast<std::uint32_t>(draft.path.assignments.size());
   for (const auto& [variable, value] : all)
-    expressions.assign(variable, value, *context.scope, draft.path.assignments);
+    expressions.assign(variable, value, *context.scope, draft.path.assignments, first);
   addAssignments(draft, first);
 }
 
@@ -450,7 +459,10 @@ void Writer::finish(Draft draft) {
   if (!draft.ended) unsupported("a path may end without `to`", draft.path.origin);
   if (draft.path.wait && draft.path.port != kNone)
     unsupported("a path with a port cannot wait", draft.path.origin);
-  if (nodes().constant(draft.path.guard) != 0) found.push_back(std::move(draft.path));
+  if (nodes().constant(draft.path.guard) == 0) return;
+  if (found.size() == kMostPaths)
+    unsupported("more than 10000 paths through one `from`", draft.path.origin);
+  found.push_back(std::move(draft.path));
 }
 
 /// What a path is split by when it waits: where it ends, `kNone` for `loop`.

@@ -130,7 +130,11 @@ private:
 
   bool everywhere() {
     switch (pattern.kind) {
-    case PatternKind::Present: return pattern.lasting ? lasting() : present();
+    case PatternKind::Present:
+      if (!pattern.lasting) return present();
+      if (isLonger()) return false;
+      start(lasting().none);
+      return true;
     case PatternKind::Absent:
     case PatternKind::Always: {
       const auto when = interval();
@@ -191,24 +195,42 @@ private:
     return true;
   }
 
-  bool lasting() {
-    if (pattern.within || pattern.forInterval || pattern.forDuration) return false;
+  /// Whether other times come with `lasting`.
+  [[nodiscard]] bool isLonger() const {
+    return pattern.within || pattern.forInterval || pattern.forDuration;
+  }
+
+  /// Waits for what has to last, and for it to end too early.
+  struct Lasting {
+    Location none;
+    Location there;
+  };
+
+  Lasting lasting() {
     const Location none = add(no(a));
     made.locations[none].accepting = true;
     const Location there = add(yes(), true, lessThan(*pattern.lasting));
     go(none, there, a, {}, true);
     go(there, addError(), no(a), lessThan(*pattern.lasting));
-    start(none);
+    return {none, there};
+  }
+
+  bool lastingBehind(Location before, NodeId begun) {
+    if (pattern.kind != PatternKind::Present || isLonger()) return false;
+    const auto [none, there] = lasting();
+    go(before, none, both(begun, no(a)));
+    go(before, there, both(begun, a), {}, true);
     return true;
   }
 
   /// Behind the first point at which what `after` names is seen.
   bool after() {
-    const auto when = interval();
-    if (!when) return false;
     const NodeId begun = atom(*pattern.after);
     const Location none = add(no(begun));
     start(none);
+    if (pattern.lasting) return lastingBehind(none, begun);
+    const auto when = interval();
+    if (!when) return false;
     switch (pattern.kind) {
     case PatternKind::Present: {
       const Location lost = addError();
@@ -285,12 +307,7 @@ private:
       const Location gone = add(open); // too late; it counts when the end comes
       go(gone, lost, end);
       start(idle);
-      Wait waits = wait(b, *when, gone, open);
-      for (auto at : {waits.now, waits.first()}) {
-        made.locations[at].accepting = false; // nothing is asked where the end never comes
-        go(at, lost, end);
-      }
-      begin(idle, waits, both(a, open), b, gone);
+      begin(idle, waitWithin(b, *when, gone, end, lost), both(a, open), b, gone);
       return true;
     }
     case PatternKind::Precedes: {
@@ -308,7 +325,8 @@ private:
 
   /// From each point where `after` is seen to the next where `until` is.
   bool segments() {
-    if (!isUntimed() || pattern.first || !pattern.after || pattern.before) return false;
+    const auto when = interval();
+    if (!when || pattern.before) return false;
     const NodeId end = atom(*pattern.until);
     const NodeId open = no(end);
     const NodeId begun = both(atom(*pattern.after), open);
@@ -324,31 +342,27 @@ private:
     switch (pattern.kind) {
     case PatternKind::Absent:
     case PatternKind::Always: {
-      const Location in = add(open);
-      go(idle, in, begun);
-      go(in, bad, both(open, a));
-      step(idle, bad, both(begun, a));
+      const Location in = add(open, true);
+      go(idle, in, begun, {}, true);
+      go(in, bad, both(open, a), within(*when));
+      if (hasZero(*when)) step(idle, bad, both(begun, a));
       return true;
     }
     case PatternKind::Present: {
-      const Location in = add(both(open, no(a)));
-      made.locations[in].accepting = !pattern.between;
-      go(idle, in, both(begun, no(a)));
-      go(in, lost, end);
+      const Wait waits = waitWithin(a, *when, bad, end, lost);
+      begin(idle, waits, begun, a, bad);
       return true;
     }
     case PatternKind::LeadsTo: {
       const Location in = add(open);
-      const Location waits = add(both(open, no(b)));
-      made.locations[waits].accepting = !pattern.between;
-      const NodeId asked = both(open, both(a, no(b)));
       go(idle, in, begun);
-      go(in, waits, asked);
-      step(idle, waits, both(begun, asked));
-      go(waits, lost, end);
+      const Wait waits = waitWithin(b, *when, bad, end, lost);
+      begin(in, waits, both(open, a), b, bad);
+      begin(idle, waits, both(begun, a), b, bad);
       return true;
     }
     case PatternKind::Precedes: {
+      if (!isUntimed()) return false;
       const Location in = add(both(open, no(a)));
       const NodeId wrong = both(open, both(b, no(a)));
       go(idle, in, both(begun, no(a)));
@@ -358,6 +372,17 @@ private:
     }
     default: return false;
     }
+  }
+
+  /// Waits in vain within a part of a run: up to its end, too.
+  Wait waitWithin(NodeId good, const Interval& when, Location late, NodeId end, Location lost) {
+    const Wait waits = wait(good, when, late, no(end));
+    for (auto at : {waits.now, waits.first()}) {
+      if (!pattern.until || pattern.between) made.locations[at].accepting = false; // it has to come
+      go(at, lost, end);
+      if (waits.early == kNone) break;
+    }
+    return waits;
   }
 
   const Pattern& pattern;

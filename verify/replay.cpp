@@ -22,8 +22,9 @@ bool shows(const System& system, const Goal& goal, const Concrete& before, const
 /// Whether the monitor can make the moves of the evidence on the run as it was played.
 class Following {
 public:
-  Following(const System& of, const Evidence& from, const Dating& at)
-      : system(of), evidence(from), monitor(*from.monitor), dating(at) {}
+  /// \param end whether nothing is possible behind the last step
+  Following(const System& of, const Evidence& from, const Dating& at, bool end)
+      : system(of), evidence(from), monitor(*from.monitor), dating(at), ended(end) {}
 
   [[nodiscard]] std::string run(const std::vector<Concrete>& states,
                                 const std::vector<std::vector<EventId>>& events) {
@@ -31,8 +32,8 @@ public:
     std::int64_t reset = 0;
     std::uint32_t location = monitor.initial.at(0);
     if (!evidence.marks.empty()) location = evidence.marks[0].location;
-    for (std::size_t i = 0; i < evidence.marks.size(); ++i) {
-      const Mark& mark = evidence.marks[i];
+    visited.push_back({0, location});
+    for (const Mark& mark : evidence.marks) {
       const auto& at = monitor.locations[mark.location];
       const auto& edge = at.edges[mark.edge];
       if (mark.location != location) return "the monitor is elsewhere";
@@ -42,14 +43,32 @@ public:
       if (!isSeen(mark, edge.condition, states, events)) return "the monitor does not see it";
       if (edge.reset) reset = date;
       location = edge.to;
+      visited.push_back({mark.after, location});
     }
-    const bool ends = monitor.locations[location].error;
-    return ends || evidence.loop || evidence.steps.size() + 1 == states.size()
-               ? ""
-               : "the end does not show what was asked for";
+    if (monitor.locations[location].error) return {};
+    if (evidence.loop) return goesRound(location) ? "" : "what is repeated is no violation";
+    return ended ? "" : "the end does not show what was asked for";
   }
 
 private:
+  struct Visit {
+    std::size_t after; ///< steps
+    std::uint32_t location;
+  };
+
+  /// Whether the monitor comes by an accepting location, from where it is at the loop's beginning
+  /// to where it is at its end, which is the same.
+  [[nodiscard]] bool goesRound(std::uint32_t last) const {
+    bool accepts = false;
+    for (std::size_t i = visited.size(); i-- > 0;) {
+      accepts = accepts || monitor.locations[visited[i].location].accepting;
+      const auto until = i + 1 < visited.size() ? visited[i + 1].after : evidence.steps.size();
+      const bool isThere = visited[i].after <= *evidence.loop && *evidence.loop <= until;
+      if (isThere && accepts && visited[i].location == last) return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] bool fits(const ClockGuard& guard, std::int64_t age) const {
     const auto within = [&](std::int64_t value, Bound limit) {
       const std::int64_t most = constantOf(limit) * dating.scale;
@@ -71,6 +90,8 @@ private:
   const Evidence& evidence;
   const Monitor& monitor;
   const Dating& dating;
+  bool ended;
+  std::vector<Visit> visited; ///< where the monitor was, in order
 };
 
 } // namespace
@@ -110,7 +131,7 @@ std::string replay(const System& system, const Goal& goal, const Evidence& evide
     return simulator.canGoOn(now, dating.end) ? "time can still go on at the end" : "";
   case GoalKind::Run:
     if (!evidence.monitor) return "it is not known what of the run shows the violation";
-    return Following(system, evidence, dating).run(states, events);
+    return Following(system, evidence, dating, now.since.empty()).run(states, events);
   case GoalKind::Error: return "nothing fails";
   default: break;
   }

@@ -239,3 +239,21 @@ TEST_CASE("whatever the text, reading ends") {
     CHECK_FALSE(fiacre::parse("process P is states s from s x := " + repeated(part, 100'000))
                     .problems.empty());
 }
+
+TEST_CASE("a scope or a time that comes twice is a mistake, and so are patterns that are joined") {
+  const auto problems = [](const std::string& pattern) {
+    return problemsOf("process P is states a, b from a to b\nproperty p is " + pattern + "\nP");
+  };
+  CHECK(problems("absent P/state a after P/state b until P/state a within [0,1]") == "");
+  CHECK(problems("absent P/state a after P/state b after P/state a") ==
+        "`after`: `after` comes twice in one pattern\n");
+  CHECK(problems("absent P/state a before P/state b before P/state a") ==
+        "`before`: `before` comes twice in one pattern\n");
+  CHECK(problems("absent P/state a within [0,1] within [0,2]") ==
+        "`within`: `within` comes twice in one pattern\n");
+  CHECK(problems("absent P/state a for duration 1 for duration 2") ==
+        "`for`: `for` comes twice in one pattern\n");
+  CHECK_THAT(problems("(absent P/state a) and (absent P/state b)"),
+             Catch::Contains("patterns are not joined"));
+  CHECK_THAT(problems("not absent P/state a"), Catch::Contains("patterns are not joined"));
+}

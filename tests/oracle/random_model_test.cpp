@@ -63,7 +63,7 @@ TEST_CASE("engine and oracle agree on random Fiacre models, whatever is reduced"
 TEST_CASE("engine and oracle agree on random models with data and priorities") {
   std::size_t compared = 0;
   std::size_t withPriorities = 0;
-  constexpr std::uint64_t kRich = 1000;
+  constexpr std::uint64_t kRich = 3000;
   for (std::uint64_t seed = 0; seed < kRich; ++seed) {
     fiacre::Program program = test::randomModelWithData(seed);
     const auto problems = fiacre::check(program);

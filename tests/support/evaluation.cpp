@@ -99,6 +99,28 @@ Bounds boundsOf(const Interpreter& model, const Type& named) {
   throw ModelError("all values of an unbounded type");
 }
 
+std::vector<Store> valuesOf(const Interpreter& model, const Type& named) {
+  const Type& type = resolveType(model, named);
+  std::vector<Store> all;
+  const bool isUnion = type.kind == TypeKind::Union;
+  const auto [low, high] =
+      isUnion ? Bounds{0, std::ssize(type.members) - 1} : boundsOf(model, type);
+  for (auto value = low; value <= high; ++value) {
+    Store one(slotCount(model, type), 0);
+    one[0] = value;
+    const auto* member = isUnion ? &type.members[static_cast<std::size_t>(value)] : nullptr;
+    if (!member || member->type.empty()) {
+      all.push_back(one);
+      continue;
+    }
+    for (const auto& inner : valuesOf(model, member->type.front())) {
+      std::ranges::copy(inner, one.begin() + 1);
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
 Store defaultValue(const Interpreter& model, const Type& named) {
   const Type& type = resolveType(model, named);
   if (type.kind == TypeKind::Range) return {type.low};

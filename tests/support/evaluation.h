@@ -62,6 +62,8 @@ struct Bounds {
   std::int64_t high = 0;
 };
 [[nodiscard]] Bounds boundsOf(const Interpreter& model, const fiacre::Type& type);
+/// Every value of a scalar type, or of a union whose values have such.
+[[nodiscard]] std::vector<Store> valuesOf(const Interpreter& model, const fiacre::Type& type);
 [[nodiscard]] const fiacre::Type& resolveType(const Interpreter& model, const fiacre::Type& type);
 /// A variable's value where nothing initialises it: false, the lowest number, the first
 /// constructor.

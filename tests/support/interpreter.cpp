@@ -63,6 +63,13 @@ Interpreter::Interpreter(const fiacre::Program& of) : program(of) {
   first.assign(elaborated.size(), 0);
   elaborated.clear();
   elaborate(*main, {}, {}, {});
+  for (bool more = true; more;) { // what goes before what goes before goes before
+    const auto said = priorities;
+    for (const auto& [high, middle] : said)
+      for (const auto& [other, low] : said)
+        if (middle == other) priorities.insert({high, low});
+    more = priorities.size() > said.size();
+  }
   for (std::size_t i = 0; i < elaborated.size(); ++i) start(i);
 }
 
@@ -215,8 +222,9 @@ void Interpreter::synchronise(std::size_t port, const std::vector<std::vector<Pa
       }
     together = std::move(longer);
   }
-  for (const auto& parts : together)
-    if (!parts.empty()) result.push_back(combine(parts, store));
+  const auto takes = [](const Path* part) { return part->takes; };
+  for (const auto& parts : together) // what nobody sends nobody gets
+    if (!std::ranges::all_of(parts, takes)) result.push_back(combine(parts, store));
 }
 
 bool Interpreter::goesBefore(const Firing& high, const Firing& low) const {

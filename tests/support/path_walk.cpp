@@ -59,12 +59,15 @@ void PathWalk::step(const Statement& statement, Path path, Tasks tasks) {
   case StatementKind::Any: return any(statement, path, tasks, 0);
   case StatementKind::Send:
     choosePort(statement, path);
-    for (const auto& value : statement.values) {
-      Store one = in(path).value(value);
+    for (std::size_t i = 0; i < statement.values.size(); ++i) {
+      Store one = in(path).value(statement.values[i], &valueTypes(statement.name).at(i));
       path.message.insert(path.message.end(), one.begin(), one.end());
     }
     break;
-  case StatementKind::Receive: choosePort(statement, path); return any(statement, path, tasks, 0);
+  case StatementKind::Receive:
+    choosePort(statement, path);
+    path.takes = true;
+    return any(statement, path, tasks, 0);
   default: throw ModelError("a statement that the offline models do not have");
   }
   walk(std::move(path), std::move(tasks));
@@ -73,6 +76,11 @@ void PathWalk::step(const Statement& statement, Path path, Tasks tasks) {
 void PathWalk::choosePort(const Statement& statement, Path& path) {
   if (path.port) throw ModelError("two communications on one path");
   path.port = model.elaborated[instance].ports.at(statement.name);
+}
+
+const std::vector<fiacre::Type>& PathWalk::valueTypes(const std::string& port) const {
+  const auto& ports = model.elaborated[instance].process->ports;
+  return std::ranges::find(ports, port, &fiacre::Port::name)->values;
 }
 
 void PathWalk::assign(const Statement& statement, Path& path) {
@@ -143,13 +151,12 @@ void PathWalk::any(const Statement& statement, const Path& path, const Tasks& ta
     return walk(std::move(taken), tasks);
   }
   Place place = in(taken).place(statement.targets[target]).value();
-  auto [low, high] = boundsOf(model, *place.type);
-  for (auto value = low; value <= high; ++value) {
-    taken.store[place.offset] = value;
+  for (const Store& value : valuesOf(model, *place.type)) {
+    std::ranges::copy(value, taken.store.begin() + static_cast<std::ptrdiff_t>(place.offset));
     taken.message = path.message;
     taken.choices = path.choices;
-    if (statement.kind == StatementKind::Any) taken.choices.push_back(value);
-    if (statement.kind == StatementKind::Receive) taken.message.push_back(value);
+    auto& noted = statement.kind == StatementKind::Any ? taken.choices : taken.message;
+    noted.insert(noted.end(), value.begin(), value.end());
     any(statement, taken, tasks, target + 1);
   }
 }

@@ -14,7 +14,8 @@ struct Path {
   std::vector<std::int64_t> choices; ///< of each `any`: a value is a transition, as in a net
   std::optional<fiacre::Interval> wait;
   std::optional<std::size_t> port;
-  Store message; ///< what was sent or received, in order
+  Store message;      ///< what was sent or received, in order
+  bool takes = false; ///< it was received
   std::vector<std::string> tags;
   std::vector<fiacre::OriginId> origins;
   std::optional<std::size_t> target; ///< the state where it ends
@@ -47,6 +48,7 @@ private:
   void leave(const fiacre::Statement& statement, Path& path);
   void select(const fiacre::Statement& statement, const Path& path, const Tasks& tasks);
   void choosePort(const fiacre::Statement& statement, Path& path);
+  [[nodiscard]] const std::vector<fiacre::Type>& valueTypes(const std::string& port) const;
 
   [[nodiscard]] Evaluation in(Path& path) const;
 

@@ -33,8 +33,7 @@ public:
     a = seeing(pattern.operands.at(0));
     if (pattern.operands.size() > 1) b = seeing(pattern.operands[1]);
     if (pattern.kind == PatternKind::Always) a = negation(a);
-    if (pattern.until) return std::nullopt;
-    auto violated = pattern.before ? before() : from(begin());
+    auto violated = pattern.until ? parts() : pattern.before ? before() : from(begin());
     if (!violated) return std::nullopt;
     return !*violated;
   }
@@ -238,6 +237,46 @@ private:
       const auto inTime = both(open, both(b, during(when)));
       return !until(asked, both(open, negation(inTime)), end).empty();
     }
+    default: return std::nullopt;
+    }
+  }
+
+  /// Whether points within a part count: where its end has to come, only if it does.
+  [[nodiscard]] bool counts(const Points& points, const Predicate& end) const {
+    return !(pattern.between ? until(points, negation(end), end) : points).empty();
+  }
+
+  /// Whether a part may go by without what is wanted, from these points on.
+  [[nodiscard]] bool lacks(const Points& start, const Predicate& good, const Interval& when,
+                           const Predicate& end) const {
+    const auto allowed = both(negation(end), negation(both(good, during(when))));
+    if (!until(start, allowed, end).empty()) return true;
+    if (pattern.between) return false;
+    if (when.upper) return !until(start, allowed, both(allowed, behind(when))).empty();
+    return canStay(start, allowed);
+  }
+
+  /// From each point where what `after` names is seen to the next where what `until` names is.
+  [[nodiscard]] std::optional<bool> parts() const {
+    const auto when = times();
+    if (!when || pattern.before) return std::nullopt;
+    const auto end = seeing(*pattern.until);
+    const auto open = negation(end);
+    const auto begun = both(seeing(*pattern.after), open);
+    const auto start = restarted(until({{0, {}}}, anything(), begun));
+    switch (pattern.kind) {
+    case PatternKind::Absent:
+    case PatternKind::Always:
+      return counts(until(start, open, both(open, both(a, during(*when)))), end);
+    case PatternKind::Present: return lacks(start, a, *when, end);
+    case PatternKind::LeadsTo: {
+      const auto asked = restarted(until(start, open, both(open, a)));
+      const auto tooEarly =
+          until(asked, both(open, negation(b)), both(open, both(b, ahead(*when))));
+      return (pattern.first && counts(tooEarly, end)) || lacks(asked, b, *when, end);
+    }
+    case PatternKind::Precedes:
+      return counts(until(start, both(open, negation(a)), both(open, both(b, negation(a)))), end);
     default: return std::nullopt;
     }
   }

@@ -50,9 +50,10 @@ public:
   Program build() {
     declareTypes();
     declareShared();
-    std::size_t ports = random.below(3);
+    std::size_t ports = random.below(rich ? 4 : 3);
     for (std::size_t i = 0; i < ports; ++i) addPort("p" + std::to_string(i));
-    if (rich && ports == 2) component.priorities = {{{"p0"}, {"p1"}}};
+    if (rich && ports >= 2 && random.chance(60)) component.priorities = {{{"p0"}, {"p1"}}};
+    if (rich && ports == 3) component.priorities.push_back({{"p1"}, {"p2"}});
     std::size_t count = 2 + random.below(3);
     for (std::size_t i = 0; i < count; ++i) addProcess(i);
     program.components.push_back(component);
@@ -104,6 +105,7 @@ private:
     program.types.push_back({"letter_type", letterType(), {}});
     program.types.push_back({"line_type", queue(2, range(0, 2)), {}});
     program.types.push_back({"cells_type", array(3, range(0, 2)), {}});
+    program.types.push_back({"box_type", queue(2, named("letter_type")), {}});
     component.variables.push_back({"letter", named("letter_type"), name("nothing"), {}});
     component.variables.push_back({"line", named("line_type"), Expr{.kind = ExprKind::Queue}, {}});
     component.variables.push_back(
@@ -139,7 +141,11 @@ private:
   Statement dataChange() {
     const Expr line = name("line");
     const Expr level = name("level");
-    switch (random.below(6)) {
+    switch (random.below(7)) {
+    case 5:
+      return {.kind = StatementKind::Assign,
+              .targets = {index(name("cells"), level), index(name("cells"), number(1))},
+              .values = {index(name("cells"), number(1)), index(name("cells"), level)}};
     case 0:
       return ifThen(
           negation(unary(Op::Full, line)),
@@ -178,7 +184,65 @@ private:
   void addPort(std::string text) {
     Port added{.name = std::move(text)};
     if (random.chance(70)) added.interval = interval();
+    if (rich && random.chance(60)) {
+      added.values = random.pick(std::vector<std::vector<Type>>{
+          {range(0, 2)}, {named("letter_type")}, {boolean(), range(0, 2)}});
+      added.in = added.out = true;
+    }
     component.ports.push_back(added);
+  }
+
+  /// What a process keeps of what comes over ports.
+  void declareMail(Process& process) {
+    if (std::ranges::all_of(process.ports, [](const auto& port) { return port.values.empty(); }))
+      return;
+    process.variables.push_back({"got", range(0, 2), number(0), {}});
+    process.variables.push_back({"seen", boolean(), truth(false), {}});
+    process.variables.push_back({"mail", named("letter_type"), name("nothing"), {}});
+    local.push_back({name("got"), Sort::Number});
+    local.push_back({name("seen"), Sort::Bool});
+    if (random.chance(25))
+      process.variables.push_back({"box", named("box_type"), Expr{.kind = ExprKind::Queue}, {}});
+  }
+
+  /// A value to send.
+  Expr sent(const Type& type) {
+    if (type.kind == TypeKind::Bool)
+      return random.pick(std::vector<Expr>{name("flag"), name("seen"), truth(true)});
+    if (type.kind == TypeKind::Range)
+      return random.pick(std::vector<Expr>{name("level"), name("got"), number(1),
+                                           index(name("cells"), name("level"))});
+    return random.pick(std::vector<Expr>{name("letter"), name("mail"), name("nothing"),
+                                         call("some", {name("level")}),
+                                         call("other", {name("flag")})});
+  }
+
+  /// `p!x` or `p?y`, and what is done with what came.
+  void communicate(const Port& by, const Process& process, std::vector<Statement>& steps) {
+    const bool sends = random.chance(50);
+    Statement made{.kind = sends ? StatementKind::Send : StatementKind::Receive, .name = by.name};
+    for (const auto& type : by.values) {
+      if (sends) {
+        made.values.push_back(sent(type));
+        continue;
+      }
+      made.targets.push_back(name(type.kind == TypeKind::Bool    ? "seen"
+                                  : type.kind == TypeKind::Range ? "got"
+                                                                 : "mail"));
+    }
+    if (!sends && random.chance(30)) made.values.push_back(test(local));
+    steps.push_back(std::move(made));
+    if (sends) return;
+    const bool hasBox =
+        std::ranges::find(process.variables, "box", &Variable::name) != process.variables.end();
+    if (hasBox && random.chance(60))
+      steps.push_back(ifElse(unary(Op::Full, name("box")),
+                             assign(name("mail"), unary(Op::First, name("box"))),
+                             assign(name("box"), binary(Op::Enqueue, name("box"), name("mail")))));
+    if (random.chance(30))
+      steps.push_back({.kind = StatementKind::Case,
+                       .values = {name("mail"), call("some", {name("got")}), name("any")},
+                       .children = {assign(name("seen"), truth(true)), null()}});
   }
 
   Interval interval() {
@@ -242,6 +306,7 @@ private:
       made.variables.push_back({"count", range(0, 2), number(0), {}});
       local.push_back({name("count"), Sort::Number});
     }
+    if (rich) declareMail(made);
     std::size_t states = 2 + random.below(3);
     for (std::size_t i = 0; i < states; ++i) made.states.push_back({"s" + std::to_string(i), 0});
     for (std::size_t i = 0; i < states; ++i)
@@ -264,7 +329,7 @@ private:
   }
 
   static bool isSilent(const Statement& statement) {
-    return statement.kind != StatementKind::Send &&
+    return statement.kind != StatementKind::Send && statement.kind != StatementKind::Receive &&
            std::ranges::all_of(statement.children, isSilent);
   }
 
@@ -273,7 +338,11 @@ private:
     bool onPort = !process.ports.empty() && random.chance(30);
     if (random.chance(caution)) steps.push_back(on(test(local)));
     if (onPort) {
-      steps.push_back(port(random.pick(process.ports).name));
+      const Port& by = random.pick(process.ports);
+      if (by.values.empty())
+        steps.push_back(port(by.name));
+      else
+        communicate(by, process, steps);
     } else if (random.chance(90)) {
       steps.push_back({.kind = StatementKind::Wait, .interval = interval()});
     }

@@ -81,3 +81,15 @@ TEST_CASE("an error has a trace with its dates; what is asked beside it is answe
                    "component main is par * in P end");
   CHECK(model.error() == "x := x + 1: `P_1.x` would get the value 3, outside of 0..2");
 }
+
+TEST_CASE("what is sent has to be of the port's type, whoever takes it") {
+  const auto model = [](const std::string& receiver) {
+    return Text("process S [p: out 0..3] is states a, b var x: nat := 5 from a p ! x; to b\n" +
+                receiver);
+  };
+  const std::string why = "p ! x: what goes over the port gets a value outside of 0..3";
+  CHECK(model("component main is port p: 0..3 par * in S[p] end").error() == why);
+  CHECK(model("process R [p: in 0..3] is states a, b var y: nat from a p ? y; to b\n"
+              "component main is port p: 0..3 par * in S[p] || R[p] end")
+            .error() == why);
+}

@@ -225,3 +225,48 @@ TEST_CASE("a pattern may ask for one value of a constructor, and stand in a func
       "component main is par * in P end");
   CHECK(model.reaches("main/1/value (x = 7 and y = 9 and z = 3)"));
 }
+
+TEST_CASE("several assignments at once exchange the cells of an array, whatever the indices are") {
+  const auto model = process("states a, b var x: array 3 of 0..3 := [1, 2, 3], i, j: 0..2 "
+                             "from a i, j := any; x[i], x[j] := x[j], x[i]; to b");
+  CHECK_FALSE(model.reaches("main/1/value (x[0] + x[1] + x[2] <> 6)"));
+  CHECK(model.reaches("main/1/value (x[0] = 3 and x[2] = 1)"));
+  CHECK(model.reaches("main/1/value (x[1] = 3 and x[2] = 2)"));
+  const auto both = process("states a, b var x: array 2 of 0..3, i: 0..1 := 1 "
+                            "from a x[0], x[i] := 2, 3; to b");
+  CHECK(both.reaches("main/1/value (x[0] = 2 and x[1] = 3)"));
+  const auto first = process("states a var x: array 2 of 0..3 := [1, 2], i: 0..1 := 1 "
+                             "init x[i], x[0] := x[0], x[i]; to a from a wait [1,1]; to a");
+  CHECK(first.isTrue("always main/1/value (x[0] = 2 and x[1] = 1)"));
+}
+
+TEST_CASE("what two senders agree on is known, though nothing else looks at it") {
+  const Text model("process S [p: out 0..3] is states a, b var x: 0..3 := 0 from a p ! x; to b\n"
+                   "process T [p: out 0..3] is states a, b var x: 0..3 := 2 "
+                   "from a select p ! x; to b [] on x > 0; wait [1,1]; x := x - 1; to a end\n"
+                   "component main is port p: 0..3 par * in S[p] || T[p] end");
+  CHECK(model.reaches("main/1/state b"));
+  CHECK(model.isTrue("absent (main/1/state b) within [0,1]"));
+}
+
+TEST_CASE("priorities are passed on, in one chain and in several") {
+  const auto reaches = [](const std::string& priorities) {
+    return Text("process P [p, q, r: sync] is states a, b, c "
+                "from a select p; to b [] r; to c end\n"
+                "component main is port p, q, r: sync priority " +
+                priorities + " par * in P[p, q, r] end")
+        .reaches("main/1/state c");
+  };
+  CHECK_FALSE(reaches("p > q > r"));
+  CHECK_FALSE(reaches("q > r, p > q"));
+  CHECK(reaches("p > q"));
+}
+
+TEST_CASE("a formula that has no value in a state does not hold there") {
+  const auto model = process("states a, b var x: 0..3 := 1, q: short := {||} "
+                             "from a x := 0; to b");
+  CHECK(model.isTrue("absent main/1/value (10 / x < 2)"));
+  CHECK(model.isFalse("always main/1/value (10 / x > 2)"));
+  CHECK(model.isTrue("absent main/1/value (first q = 0)"));
+  CHECK(model.isFalse("absent main/1/value (not (x = 1))"));
+}

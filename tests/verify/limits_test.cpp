@@ -1,4 +1,7 @@
+#include "fiacre/parse.h"
 #include "tests/support/models.h"
+#include "tests/support/text_model.h"
+#include "verify/state_graph.h"
 
 #include <catch2/catch.hpp>
 
@@ -97,4 +100,73 @@ TEST_CASE("Patterns without a meaning are answered with unknown, and the reason"
   auto answer = counters(1, 1).answer(asked);
   CHECK(answer.truth == Truth::Unknown);
   CHECK_THAT(answer.reason, Catch::Contains("has no meaning"));
+}
+
+namespace {
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("What would be too large is refused before it is built") {
+  const auto process = [](const std::string& choices) {
+    return test::processText("states a, b var x: 0..3 from a " + choices + "to b").refusal();
+  };
+  CHECK_THAT(process(repeated("select x := 0 [] x := 1 end; ", 40)),
+             Catch::Contains("more than 10000 paths"));
+  CHECK_THAT(process(repeated("if x = 0 then x := 1 else if x = 1 then to b end end; ", 30)),
+             Catch::Contains("too many choices"));
+  std::string sends = "p ! 0; to b";
+  for (const char* value : {"1", "2", "3"}) sends += std::string(" [] p ! ") + value + "; to b";
+  const test::Text senders("process S [p: out 0..3] is states a, b from a select " + sends +
+                           " end\ncomponent main is port p: 0..3 par * in S[p]" +
+                           repeated(" || S[p]", 9) + " end");
+  CHECK_THAT(senders.refusal(), Catch::Contains("too many synchronisations on `p`"));
+}
+
+TEST_CASE("Priorities that go round are refused, through components as well") {
+  const test::Text model("process P [p, q: sync] is states a from a select p; to a [] q; to a end\n"
+                         "component inner [p, q: sync] is priority q > p par * in P[p, q] end\n"
+                         "component main is port p, q: sync priority p > q "
+                         "par * in inner[p, q] end");
+  CHECK_THAT(model.refusal(), Catch::Contains("has priority over itself"));
+}
+
+TEST_CASE("A formula of LTL that is too large leaves its own question open, and no other") {
+  std::string fair = "main/1/value (x = 1)";
+  for (int i = 0; i < 14; ++i)
+    fair = "([] <> (main/1/value (x = " + std::to_string(i % 4) + " and y = " + std::to_string(i) +
+           "))) and (" + fair + ")";
+  const auto read = fiacre::parse("process P is states a, b var x: 0..3, y: 0..20 from a to b\n"
+                                  "component main is par * in P end\n"
+                                  "property large is ltl not (" +
+                                  fair + ") property small is absent main/1/state b\nmain");
+  REQUIRE(read.problems.empty());
+  const auto result = verify::verify(read.program, read.provenance, {{0}, {1}}, {});
+  REQUIRE(result.has_value());
+  CHECK(result->answers[0].truth == Truth::Unknown);
+  CHECK_THAT(result->answers[0].reason, Catch::Contains("too large"));
+  CHECK(result->answers[1].truth == Truth::False);
+}
+
+TEST_CASE(
+    "There are no state classes where what goes first has to wait; without time it goes first") {
+  const auto read = fiacre::parse("process P [p, q: sync] is states a, b, c "
+                                  "from a select p; to b [] q; to c end\n"
+                                  "component main is port p: sync in [2,3], q: sync in [0,4] "
+                                  "priority p > q par * in P[p, q] end\nmain");
+  REQUIRE(read.problems.empty());
+  for (auto kind : {verify::GraphKind::Classes, verify::GraphKind::Markings}) {
+    const auto graph = verify::stateGraph(read.program, kind, {});
+    REQUIRE_FALSE(graph.has_value());
+    CHECK_THAT(graph.error().message, Catch::Contains("--graph-of untimed"));
+  }
+  CHECK_FALSE(verify::countClasses(read.program, {}).has_value());
+  const auto untimed = verify::stateGraph(read.program, verify::GraphKind::Untimed, {});
+  REQUIRE(untimed.has_value());
+  CHECK(untimed->counts.markings == 2); // a, and b by p
 }

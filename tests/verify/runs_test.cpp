@@ -122,3 +122,20 @@ TEST_CASE("a violation of LTL has a trace with a stem and a loop") {
   CHECK(*trace.loop >= 1);
   CHECK(*trace.loop < trace.steps.size());
 }
+
+TEST_CASE("times within the parts of a run count from their beginning, or from what asks") {
+  const std::string part = " between (main/1/tag asks) and (enter (main/1/state quiet))";
+  CHECK(dialogue().isTrue("present " + kAnswers + part + " within [2,3]"));
+  CHECK(dialogue().isFalse("present " + kAnswers + part + " within [0,2]"));
+  CHECK(dialogue().isTrue("absent " + kAnswers + part + " within [0,2["));
+  CHECK(dialogue().isFalse("absent " + kAnswers + part + " within [0,2]"));
+  CHECK(dialogue().isTrue("(main/1/tag asks) leadsto " + kAnswers + part + " within [2,3]"));
+  const std::string last = " after (main/1/tag asks) until (main/1/value false)";
+  CHECK(dialogue().isFalse("present (main/1/state quiet)" + last + " within ]0,5]"));
+  CHECK(dialogue().isTrue("present (main/1/state quiet)" + last + " within [6,7]"));
+}
+
+TEST_CASE("`lasting` behind something counts from there on") {
+  CHECK(dialogue().isTrue("present (main/1/state quiet) lasting 1 after (main/1/state answered)"));
+  CHECK(dialogue().isFalse("present (main/1/state quiet) lasting 2 after (main/1/state answered)"));
+}
