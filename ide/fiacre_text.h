@@ -47,6 +47,9 @@ public:
   };
   [[nodiscard]] std::vector<Use> uses(syntax::Offset at, bool withDeclaration) const;
 
+  /// For each name of the text, in its order: which of them declares it, kNowhere where none does.
+  [[nodiscard]] const std::vector<std::size_t>& meanings() const { return declarations; }
+
   /// The declaration and the comment above it.
   [[nodiscard]] std::optional<Hover> hover(syntax::Offset at) const;
   [[nodiscard]] std::vector<FiacreEntry> outline() const;

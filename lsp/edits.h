@@ -3,12 +3,21 @@
 #include "lsp/convert.h"
 #include "syntax/edit.h"
 
+#include <filesystem>
+#include <map>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace proskill::lsp {
 
 /// The protocol's `TextEdit[]` for edits of one file.
 [[nodiscard]] Json textEdits(const Converter& convert, analysis::FileId file,
                              std::span<const syntax::TextEdit> edits);
+
+/// A `WorkspaceEdit` that writes one text at places of files, in either of the protocol's two ways.
+[[nodiscard]] Json
+workspaceEdit(const std::map<std::filesystem::path, std::vector<syntax::Range>>& places,
+              const std::string& text, const Request& request);
 
 } // namespace proskill::lsp

@@ -1,6 +1,7 @@
 #include "lsp/feature_fiacre.h"
 
 #include "ide/fiacre_file.h"
+#include "ide/fiacre_rename.h"
 #include "ide/fiacre_text.h"
 #include "lsp/convert.h"
 #include "lsp/edits.h"
@@ -102,6 +103,28 @@ Answer references(const Request& request) {
   return result;
 }
 
+Answer prepareRename(const Request& request) {
+  auto at = cursor(request);
+  if (!at) return std::unexpected(at.error());
+  const auto found = ide::renameableInFiacre(at->view.text(), at->at);
+  if (!found) return std::unexpected(RpcError{ErrorCode::RequestFailed, found.error()});
+  return Json{{"range", Converter(at->view, request).range(at->view.file, *found)},
+              {"placeholder", at->view.text().substr(found->begin, found->end - found->begin)}};
+}
+
+Answer rename(const Request& request) {
+  auto at = cursor(request);
+  if (!at) return std::unexpected(at.error());
+  const auto& name = memberAt(request.params, {"newName"});
+  if (!name.is_string())
+    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`newName` is missing"});
+  const auto text = name.get<std::string>();
+  auto places = ide::renameInFiacre(at->view.text(), at->at, text);
+  if (!places) return std::unexpected(RpcError{ErrorCode::RequestFailed, places.error()});
+  const auto& path = at->view.program().files[at->view.file].path;
+  return workspaceEdit({{path, std::move(*places)}}, text, request);
+}
+
 /// 3 says that a place gives the name its meaning, 2 that it reads it.
 Answer documentHighlight(const Request& request) {
   auto at = cursor(request);
@@ -173,8 +196,10 @@ Handler forFiacre(const std::string& method) {
       {"textDocument/foldingRange", foldingRange},
       {"textDocument/formatting", formatting},
       {"textDocument/hover", hover},
+      {"textDocument/prepareRename", prepareRename},
       {"textDocument/rangeFormatting", rangeFormatting},
       {"textDocument/references", references},
+      {"textDocument/rename", rename},
       {"textDocument/semanticTokens/full", nullptr},
       {"textDocument/semanticTokens/full/delta", nullptr},
       {"textDocument/semanticTokens/range", nullptr},

@@ -1,6 +1,6 @@
 #include "ide/rename.h"
 #include "lsp/convert.h"
-#include "lsp/uri.h"
+#include "lsp/edits.h"
 
 namespace proskill::lsp {
 
@@ -18,27 +18,6 @@ Answer prepareRename(const Request& request) {
               {"placeholder", at->view.index().symbols()[found->symbol].name}};
 }
 
-/// One file's edits, in the protocol's two ways to write them.
-void addEdits(Json& result, const std::filesystem::path& path,
-              const std::vector<syntax::Range>& ranges, const std::string& text,
-              const Request& request) {
-  const auto view = request.snapshot.view(path);
-  const Converter convert(view, request);
-  Json edits = Json::array();
-  for (auto range : ranges)
-    edits.push_back({{"range", convert.range(view.file, range)}, {"newText", text}});
-  const auto uri = convert.uri(view.file);
-  if (!request.client.documentChanges) {
-    result["changes"][uri] = std::move(edits);
-    return;
-  }
-  const auto open = request.snapshot.open().find(path);
-  const Json version =
-      open == request.snapshot.open().end() ? Json(nullptr) : Json(open->second.version);
-  result["documentChanges"].push_back(
-      {{"textDocument", {{"uri", uri}, {"version", version}}}, {"edits", std::move(edits)}});
-}
-
 Answer rename(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
@@ -47,11 +26,7 @@ Answer rename(const Request& request) {
     return std::unexpected(RpcError{ErrorCode::InvalidParams, "`newName` is missing"});
   auto plan = ide::rename(request.snapshot, at->view, at->at, name.get_ref<const std::string&>());
   if (!plan) return std::unexpected(refused(plan.error()));
-  Json result = request.client.documentChanges ? Json{{"documentChanges", Json::array()}}
-                                               : Json{{"changes", Json::object()}};
-  for (const auto& [path, ranges] : plan->places)
-    addEdits(result, path, ranges, plan->text, request);
-  return result;
+  return workspaceEdit(plan->places, plan->text, request);
 }
 
 Answer linkedEditing(const Request& request) {

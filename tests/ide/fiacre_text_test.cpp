@@ -1,3 +1,4 @@
+#include "ide/fiacre_rename.h"
 #include "ide/fiacre_text.h"
 
 #include "tests/support/marked_source.h"
@@ -227,4 +228,44 @@ TEST_CASE("every name of the examples of Fiacre is declared") {
       CHECK(fiacre.definition(mention.begin).has_value());
     }
   }
+}
+
+namespace {
+
+/// The text after renaming what stands at the first `^`, or why not.
+std::string renamed(std::string text, std::string_view to) {
+  const auto mark = text.find('^');
+  text.erase(mark, 1);
+  const auto places = ide::renameInFiacre(text, static_cast<syntax::Offset>(mark), to);
+  if (!places) return "refused: " + places.error();
+  for (auto i = places->size(); i-- > 0;)
+    text.replace((*places)[i].begin, (*places)[i].end - (*places)[i].begin, to);
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("renaming follows a name through its process, and paths to it") {
+  CHECK(renamed("process P is states a, b from a to ^b process Q is states b from b to b "
+                "component m is par P || Q end property p is absent m/1/state b m",
+                "c") == "process P is states a, c from a to c process Q is states b from b to b "
+                        "component m is par P || Q end property p is absent m/1/state c m");
+  CHECK(
+      renamed("type t is union ^up | down end process P (v: t) is states a from a on v = up; to a",
+              "lit") ==
+      "type t is union lit | down end process P (v: t) is states a from a on v = lit; to a");
+}
+
+TEST_CASE("renaming is refused where a name would mean something else, or nothing") {
+  const std::string two = "process P is states ^a, b var x: nat from a x := 1; to b from b to a P";
+  CHECK_THAT(renamed(two, "b"), Catch::Contains("refused"));
+  CHECK(renamed(two, "from") == "refused: `from` means something to Fiacre");
+  CHECK_THAT(renamed(two, "1a"), Catch::Contains("is no name"));
+  CHECK_THAT(renamed("process P is states a var x: nat from a to a ^ P", "c"),
+             Catch::Contains("no name here"));
+  // A field that two records have: which of them is meant says the type alone.
+  CHECK_THAT(renamed("type r is record ^f: nat end type s is record f: nat end "
+                     "process P is states a var x: r, y: s from a x.f := 1; y.f := 1; to a P",
+                     "g"),
+             Catch::Contains("the model would be wrong"));
 }

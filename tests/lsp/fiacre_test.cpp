@@ -97,3 +97,19 @@ TEST_CASE("a model has definitions, references, an outline and a layout in edito
   CHECK(session.result("textDocument/semanticTokens/full", document)["data"].size() % 5 == 0);
   CHECK_FALSE(session.result("textDocument/foldingRange", document).empty());
 }
+
+TEST_CASE("a name of a model is renamed wherever it means the same, and nothing else is") {
+  Session session;
+  session.initialize();
+  session.open(kUri, kModel);
+  const auto name = session.at("textDocument/prepareRename", kUri, 4, 7);
+  CHECK(name["placeholder"] == "b");
+  CHECK(name["range"] == test::rangeOf(4, 7, 8));
+  const auto made = session.at("textDocument/rename", kUri, 4, 7, {{"newName", "c"}});
+  const auto& edits =
+      made.contains("changes") ? made["changes"][kUri] : made["documentChanges"][0]["edits"];
+  REQUIRE(edits.size() == 3);
+  CHECK(edits[0]["range"] == test::rangeOf(1, 10, 11));
+  CHECK(edits[2]["range"] == test::rangeOf(6, 5, 6));
+  CHECK(edits[2]["newText"] == "c");
+}
