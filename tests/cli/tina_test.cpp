@@ -205,3 +205,36 @@ TEST_CASE("verify --backend both reports a model that the tools refuse, and a tr
         Catch::Contains("violated, but no trace: no state of Tina's graph shows the violation"));
   }
 }
+
+TEST_CASE("what is added to a program goes to Tina, and comes back, as what it has itself") {
+  Scene scene;
+  scene.tools.formulas("op p = [] - x;\np;\nop q = [] - y;\nq;\n");
+  scene.tools.verdicts("FALSE\nFALSE\n");
+  const std::vector<std::string> added{
+      "--property",
+      "broken",
+      "--format",
+      "json",
+      "--properties",
+      scene.files.write("more.fcr",
+                        "property broken is absent model/value (lamp = Broken)\nassert broken\n"),
+      "--environment",
+      scene.files.write("nobody.fcr", "process nobody is\nstates idle\n")};
+  const auto verify = [&](std::vector<std::string> words) {
+    words.insert(words.end(), added.begin(), added.end());
+    return scene.verify(words);
+  };
+  const auto kept = scene.files.path("kept");
+  const auto tina = verify({"--backend", "tina", "--keep", kept});
+  INFO(tina.err);
+  CHECK(tina.exitCode == 1);
+  const auto asked = contents(kept + "/model.fcr");
+  CHECK_THAT(asked, Catch::Contains("property broken is") && Catch::Contains("process nobody is"));
+  const auto report = Json::parse(tina.out);
+  REQUIRE(report["properties"].size() == 2);
+  const auto& row = report["properties"][1];
+  CHECK(row["name"] == "broken");
+  CHECK(row["verdict"] == "violated");
+  CHECK(row["trace"]["steps"].back()["location"]["file"] == scene.program);
+  CHECK(verify({"--backend", "both"}).exitCode == 1);
+}
