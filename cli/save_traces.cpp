@@ -21,7 +21,9 @@ std::optional<std::string> writeFile(const std::filesystem::path& path, const st
 
 std::string json(const VerifyReport& report, const ide::VerdictRow& row) {
   using Json = nlohmann::ordered_json;
-  Json trace{{"name", row.check->name}, {"verdict", ide::toString(row.verdict)}};
+  Json trace{{"name", row.check->name},
+             {"words", row.check->words},
+             {"verdict", ide::toString(row.verdict)}};
   trace.update(lsp::traceJson(report.program, *row.trace));
   return trace.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -202,6 +202,7 @@ TEST_CASE("traces are saved as JSON and text") {
   verify({path, "--save-traces", files.path("deep/traces")});
   auto base = files.path("deep/traces/lamp.no_forbidden_transition");
   auto trace = Json::parse(contents(base + ".json"));
+  CHECK(trace["words"] == "`lamp` makes no forbidden move");
   CHECK(trace["verdict"] == "violated");
   CHECK(!trace["steps"].empty());
   CHECK(contents(base + ".txt").find("Off → Broken") != std::string::npos);

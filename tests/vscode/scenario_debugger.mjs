@@ -77,18 +77,18 @@ export const scenarios = {
     await editor.openFile('lift/lift.proskill');
     await editor.press('F5');
     await page.locator('.debug-toolbar').waitFor();
-    const stack = page.locator('.debug-call-stack .monaco-list-row');
     await expect('the first line', () => stopped(page), 30_000);
-    for (const [step, actor] of [['call_from_1 occurs', 'call_from_1'], ['key_turned occurs', 'key_turned']]) {
+    const values = page.locator('.debug-variables .monaco-list-row');
+    for (const [step, after, before] of [['call_from_2 occurs', /^wanted\s*=\s*2/, /^wanted\s*=\s*1/], ['key_turned occurs', /^mode\s*=\s*Off/]]) {
       await editor.command('Debug: Step Into Target');
       const row = editor.quickInput().locator(`.monaco-list-row[aria-label^="${step}"]`);
       await row.waitFor();
-      if (actor === 'key_turned') await editor.picture('simulation-steps');
+      if (!before) await editor.picture('simulation-steps');
       await row.click();
-      await stack.filter({ hasText: actor }).first().waitFor();
-      if (actor === 'call_from_1') {
+      await values.filter({ hasText: after }).first().waitFor();
+      if (before) {
         await page.locator('.debug-toolbar .codicon-debug-step-back').click();
-        await stack.filter({ hasText: actor }).filter({ hasText: 'occurs' }).first().waitFor({ state: 'detached' });
+        await values.filter({ hasText: before }).first().waitFor();
       }
     }
     await editor.picture('simulation-stepped');

@@ -81,6 +81,20 @@ export const scenarios = {
       equal(`the old name in ${name}`, /\(energy |\benergy\)/.test(readFileSync(join(root, `rover/${name}.proskill`), 'utf8')), false);
   },
 
+  /** A model by hand: its colours, its comments, a mistake in it, and what a name is. */
+  async models({ editor, page }) {
+    await editor.openFile('fiacre/fischer.fcr');
+    await page.locator('.view-line span[class^="mtk"]', { hasText: /^process$/ }).first().waitFor();
+    await editor.goTo(1);
+    await editor.press('Control+Home', 'Control+/');
+    await page.locator('.view-line').first().filter({ hasNotText: '//' }).waitFor();
+    await editor.squiggles().first().waitFor();
+    await editor.picture('models-mistake');
+    await editor.press('Control+z');
+    await editor.squiggles().first().waitFor({ state: 'detached' });
+    await editor.command('View: Close Editor');
+  },
+
   /** The server is killed: it comes back, and so do its problems. */
   async killed({ editor, server }) {
     await editor.openFile('drone/drone.proskill');

@@ -77,6 +77,17 @@ export const scenarios = {
     await frame.locator('.comparing', { hasText: /Compared with .* differ/ }).waitFor();
     await editor.picture('filters-compared');
     await frame.locator('button[title="End the comparison"]').click();
+    for (const [theme, name] of [['Light Modern', 'light'], ['Dark High Contrast', 'contrast']]) {
+      await editor.theme(theme);
+      await frame.locator(`body.vscode-${name === 'light' ? 'light' : 'high-contrast'}`).waitFor();
+      await expect('buttons that are on in the colour of the current step', () => frame.evaluate(() => {
+        const [on, step] = ['.button[aria-pressed="true"]', '.step.current'].map((it) => getComputedStyle(document.querySelector(it)).backgroundColor);
+        return on === step;
+      }));
+      await editor.picture(`filters-${name}`);
+    }
+    await editor.theme('Dark Modern');
+    await frame.locator('body.vscode-dark').waitFor();
   },
 
   /** Saved as JSON, text and SVG; the JSON is opened again, and so is what `proskill verify` saves. */
@@ -99,6 +110,7 @@ export const scenarios = {
       await openFromFile(world, file);
       frame = await editor.panel('.trace-view');
       await frame.locator('#step-0.current').waitFor();
+      equal(`the words of ${file}`, (await frame.locator('.trace-head h2').textContent()).includes('takes at least 60 s'), true);
       equal(`steps of ${file}`, (await count(frame)).trim(), `1 of ${json.steps.length}`);
       await expect('the text of the first step, beside it', async () => (await editor.markedLines('drone.proskill'))[0] === 161);
     }

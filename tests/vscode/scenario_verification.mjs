@@ -41,7 +41,13 @@ export const scenarios = {
     await property.hover();
     await property.locator('.codicon-testing-run-icon').first().click();
     await property.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 60_000 });
-    await editor.picture('testing-failed');
+    const program = row(page, 'drone.proskill (').first();
+    await program.hover();
+    await program.locator('.codicon-testing-run-icon').first().click();
+    await row(page, 'can run').first().locator('.codicon-testing-passed-icon').waitFor({ timeout: 60_000 });
+    await property.locator('.codicon-testing-failed-icon').first().waitFor();
+    await page.locator('.codelens-decoration', { hasText: '10 violated' }).first().waitFor();
+    await editor.picture('testing-all');
   },
 
   /** Its trace is opened, and stepped through by keys: the marked lines are those of the steps. */
@@ -71,8 +77,16 @@ export const scenarios = {
       await page.keyboard.press('ArrowDown');
     }
     console.log(`        ${compared} of ${trace.steps.length} steps compared with their lines`);
+    // Where it is not to follow, the text stays where it is.
+    const caret = () => page.locator('.monaco-editor[data-uri$="drone.proskill"] .active-line-number').first().textContent();
+    const line = await caret();
+    await page.keyboard.press('f');
     await page.keyboard.press('Home');
     await frame.locator('#step-0.current').waitFor();
+    await expect('the mark at the first step', async () => (await editor.markedLines('drone.proskill'))[0] === trace.steps[0].location.begin.line);
+    equal('the caret', await caret(), line);
+    await page.keyboard.press('f');
+    await expect('the text at the first step', async () => (await caret()) === String(trace.steps[0].location.begin.line));
   },
 
   /** The Fiacre text beside it: the transition of the step is marked. */
