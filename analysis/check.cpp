@@ -1,27 +1,53 @@
 #include "analysis/checks.h"
+#include "analysis/reuse.h"
 #include "analysis/stop.h"
 
 namespace proskill::analysis {
 
 namespace {
 
-constexpr void (*kChecks[])(Context&) = {
-    checkStateVariables, checkEvents,     checkResources,  checkSkills, checkBodies,
-    checkControl,        checkProperties, checkDuplicates, checkFields, checkIntervals,
-    checkRecursion,      checkParallel,   checkStart};
+struct Check {
+  void (*run)(Context&);
+  bool ofDefinitions; ///< looks at one after the other, by the context's scope
+};
+
+constexpr Check kChecks[] = {
+    {checkStateVariables, true}, {checkEvents, true},      {checkResources, true},
+    {checkSkills, true},         {checkBodies, true},      {checkControl, true},
+    {checkProperties, true},     {checkDuplicates, false}, {checkFields, true},
+    {checkIntervals, true},      {checkRecursion, false},  {checkParallel, false},
+    {checkStart, false}};
+
+Analysis analyse(const Program& program, const Earlier* earlier) {
+  SymbolTable symbols(program);
+  const auto reuse = earlier ? Reuse::find(*earlier, program, symbols) : std::nullopt;
+  Findings all(program.diagnostics);
+  std::vector<Occurrence> occurrences;
+  std::vector<Found> ofDefinitions;
+  for (const Check& check : kChecks) {
+    stopIfAsked();
+    Findings findings;
+    Context context{program, symbols, findings, occurrences};
+    if (check.ofDefinitions && reuse) {
+      findings.add(reuse->found()[ofDefinitions.size()]);
+      context.scope = reuse->scope();
+    }
+    check.run(context);
+    auto found = std::move(findings).asFound();
+    all.add(found);
+    if (check.ofDefinitions) ofDefinitions.push_back(std::move(found));
+  }
+  return {reuse ? reuse->index(std::move(symbols), std::move(occurrences))
+                : Index(std::move(symbols), std::move(occurrences)),
+          std::move(all).inOrder(), std::move(ofDefinitions)};
+}
 
 } // namespace
 
-Analysis analyse(const Program& program) {
-  SymbolTable symbols(program);
-  Findings findings(program.diagnostics);
-  std::vector<Occurrence> occurrences;
-  Context context{program, symbols, findings, occurrences};
-  for (auto check : kChecks) {
-    stopIfAsked();
-    check(context);
-  }
-  return {Index(std::move(symbols), std::move(occurrences)), std::move(findings).inOrder()};
+Analysis analyse(const Program& program) { return analyse(program, nullptr); }
+
+Analysis analyse(const Program& program, const Earlier& earlier) {
+  return analyse(program, &earlier);
 }
 
 std::vector<syntax::Diagnostic> check(const Program& program) {

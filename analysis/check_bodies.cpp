@@ -117,7 +117,7 @@ private:
 } // namespace
 
 void checkBodies(Context& context) {
-  forEachBody(context.program, context.symbols, [&](const Body& body) {
+  context.eachBody([&](const Body& body) {
     BodyCheck check(context, body);
     forEachStatement(body.block, [&](const Statement& statement) { check.check(statement); });
   });

@@ -76,8 +76,7 @@ private:
 } // namespace
 
 void checkControl(Context& context) {
-  forEachBody(context.program, context.symbols,
-              [&](const Body& body) { Control(context, body).check(); });
+  context.eachBody([&](const Body& body) { Control(context, body).check(); });
 }
 
 } // namespace proskill::analysis

@@ -5,8 +5,9 @@
 namespace proskill::analysis {
 
 void checkEvents(Context& context) {
-  for (const auto& event : context.program.events.all)
+  context.each(context.program.events, [&](const auto& event) {
     Expressions(context, event.file).effects(event->effects);
+  });
 }
 
 } // namespace proskill::analysis

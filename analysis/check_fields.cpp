@@ -91,14 +91,16 @@ public:
   }
 
   void check() {
-    for (const auto& it : context.program.stateVariables.all) stateVariable(it);
-    for (const auto& it : context.program.events.all)
-      fields("event", it, kEvent).require({":effects"});
-    for (const auto& it : context.program.resources.all) fields("resource", it, kResource);
-    for (const auto& it : context.program.properties.all) fields("property", it, kProperty);
-    for (const auto& it : context.program.environments.all)
+    const auto& program = context.program;
+    context.each(program.stateVariables, [&](const auto& it) { stateVariable(it); });
+    context.each(program.events,
+                 [&](const auto& it) { fields("event", it, kEvent).require({":effects"}); });
+    context.each(program.resources, [&](const auto& it) { fields("resource", it, kResource); });
+    context.each(program.properties, [&](const auto& it) { fields("property", it, kProperty); });
+    context.each(program.environments, [&](const auto& it) {
       fields("environment", it, kEnvironment).require({":body"});
-    for (const auto& it : context.program.skills.all) skill(it);
+    });
+    context.each(program.skills, [&](const auto& it) { skill(it); });
   }
 
 private:

@@ -34,18 +34,19 @@ void checkInterval(Context& context, FileId file, const Interval& interval) {
 } // namespace
 
 void checkIntervals(Context& context) {
-  for (const auto& skill : context.program.skills.all)
+  context.each(context.program.skills, [&](const auto& skill) {
     if (skill->timeInterval) checkInterval(context, skill.file, *skill->timeInterval);
-  forEachBody(context.program, context.symbols, [&](const Body& body) {
+  });
+  context.eachBody([&](const Body& body) {
     forEachStatement(body.block, [&](const syntax::Statement& statement) {
       if (statement.kind == syntax::StatementKind::WaitTime)
         checkInterval(context, body.file, statement.duration);
     });
   });
-  for (const auto& property : context.program.properties.all) {
+  context.each(context.program.properties, [&](const auto& property) {
     if (property->within) checkInterval(context, property.file, *property->within);
     if (property->forDuration) checkInterval(context, property.file, *property->forDuration);
-  }
+  });
 }
 
 } // namespace proskill::analysis

@@ -65,7 +65,7 @@ private:
 
 void checkParallel(Context& context) {
   Parallel parallel(context);
-  forEachBody(context.program, context.symbols, [&](const Body& body) {
+  context.eachBody([&](const Body& body) {
     forEachStatement(body.block, [&](const Statement& statement) {
       if (statement.kind == StatementKind::Parallel) parallel.check(statement, body.file);
     });

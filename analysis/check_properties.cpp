@@ -5,12 +5,12 @@
 namespace proskill::analysis {
 
 void checkProperties(Context& context) {
-  for (const auto& property : context.program.properties.all) {
+  context.each(context.program.properties, [&](const auto& property) {
     Expressions expressions(context, property.file, Atoms::Property);
     for (const syntax::Expr& operand : property->operands) expressions.condition(operand);
     if (property->after) expressions.condition(*property->after);
     if (property->before) expressions.condition(*property->before);
-  }
+  });
 }
 
 } // namespace proskill::analysis

@@ -34,8 +34,8 @@ void checkTaken(Context& context, const Definition<syntax::Skill>& skill) {
 } // namespace
 
 void checkResources(Context& context) {
-  for (const auto& resource : context.program.resources.all) checkCapacity(context, resource);
-  for (const auto& skill : context.program.skills.all) checkTaken(context, skill);
+  context.each(context.program.resources, [&](const auto& it) { checkCapacity(context, it); });
+  context.each(context.program.skills, [&](const auto& skill) { checkTaken(context, skill); });
 }
 
 } // namespace proskill::analysis

@@ -37,9 +37,8 @@ void checkSkill(Context& context, const Definition<syntax::Skill>& skill, Symbol
 } // namespace
 
 void checkSkills(Context& context) {
-  const auto& all = context.program.skills.all;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    checkSkill(context, all[i], context.symbols.topLevel(SymbolKind::Skill, i));
+  context.each(SymbolKind::Skill, context.program.skills,
+               [&](const auto& skill, SymbolId symbol) { checkSkill(context, skill, symbol); });
 }
 
 } // namespace proskill::analysis

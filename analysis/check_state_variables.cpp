@@ -83,9 +83,10 @@ private:
 } // namespace
 
 void checkStateVariables(Context& context) {
-  const auto& all = context.program.stateVariables.all;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    StateVariables(context, all[i], context.symbols.topLevel(SymbolKind::StateVariable, i)).check();
+  context.each(SymbolKind::StateVariable, context.program.stateVariables,
+               [&](const auto& variable, SymbolId symbol) {
+                 StateVariables(context, variable, symbol).check();
+               });
 }
 
 } // namespace proskill::analysis

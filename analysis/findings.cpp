@@ -36,7 +36,14 @@ bool isAboutArguments(syntax::Code code) {
 
 } // namespace
 
+void Findings::add(const Found& more) {
+  auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append(found.diagnostics, more.diagnostics);
+  append(found.notCalls, more.notCalls);
+}
+
 void Findings::dropForgotten() {
+  auto& [diagnostics, notCalls] = found;
   std::ranges::sort(notCalls, {}, place);
   auto forgotten = [&](const syntax::Diagnostic& it) {
     if (!isAboutArguments(it.code)) return false;
@@ -50,9 +57,9 @@ void Findings::dropForgotten() {
 
 std::vector<syntax::Diagnostic> Findings::inOrder() && {
   dropForgotten();
-  std::ranges::stable_sort(diagnostics, {},
+  std::ranges::stable_sort(found.diagnostics, {},
                            [](const syntax::Diagnostic& it) { return place(it.location); });
-  return std::move(diagnostics);
+  return std::move(found.diagnostics);
 }
 
 } // namespace proskill::analysis

@@ -26,20 +26,31 @@ private:
   syntax::Diagnostic& diagnostic;
 };
 
+/// What a check has found.
+struct Found {
+  std::vector<syntax::Diagnostic> diagnostics;
+  std::vector<syntax::Location> notCalls; ///< what the parser says of their arguments is no matter
+};
+
 /// Collects what the checks find.
 class Findings {
 public:
-  explicit Findings(std::vector<syntax::Diagnostic> known) : diagnostics(std::move(known)) {}
+  Findings() = default;
+  explicit Findings(std::vector<syntax::Diagnostic> known) : found{std::move(known), {}} {}
 
   /// `arguments` are for the message of the code, in its order.
   template <class... Arguments>
   Finding report(syntax::Code code, syntax::Location at, const Arguments&... arguments) {
-    diagnostics.push_back(syntax::makeDiagnostic(code, at, arguments...));
-    return Finding(diagnostics.back());
+    found.diagnostics.push_back(syntax::makeDiagnostic(code, at, arguments...));
+    return Finding(found.diagnostics.back());
   }
 
   /// What is said about the form of this call's arguments is taken back: it is no call.
-  void forgetArguments(syntax::Location call) { notCalls.push_back(call); }
+  void forgetArguments(syntax::Location call) { found.notCalls.push_back(call); }
+
+  void add(const Found& more);
+  /// All of them as they were reported.
+  [[nodiscard]] Found asFound() && { return std::move(found); }
 
   /// All of them in the order of the files and of their texts.
   [[nodiscard]] std::vector<syntax::Diagnostic> inOrder() &&;
@@ -47,8 +58,7 @@ public:
 private:
   void dropForgotten();
 
-  std::vector<syntax::Diagnostic> diagnostics;
-  std::vector<syntax::Location> notCalls;
+  Found found;
 };
 
 } // namespace proskill::analysis

@@ -19,7 +19,37 @@ Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences)
   for (SymbolId id = 0; id < all.size(); ++id)
     if (!all[id].name.empty()) places.push_back({id, all[id].at, Role::Definition});
   std::ranges::stable_sort(places, {}, place);
+  group();
+}
 
+Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences, const Index& before,
+             FileId file, const syntax::Replacement& edit)
+    : table(std::move(symbols)) {
+  auto isIn = [&](const Location& at, syntax::Range range) {
+    return at.file == file && range.contains(at.range.begin);
+  };
+  const auto& all = table.all();
+  for (SymbolId id = 0; id < all.size(); ++id)
+    if (!all[id].name.empty() && isIn(all[id].at, edit.after()))
+      occurrences.push_back({id, all[id].at, Role::Definition});
+  std::ranges::stable_sort(occurrences, {}, place);
+
+  places.reserve(before.places.size() + occurrences.size());
+  auto old = before.places.begin();
+  const auto first = std::tuple(file, edit.begin);
+  for (; old != before.places.end() && std::tuple(old->at.file, old->at.range.begin) < first; ++old)
+    places.push_back(*old);
+  places.insert(places.end(), occurrences.begin(), occurrences.end());
+  for (; old != before.places.end(); ++old) {
+    if (isIn(old->at, edit.before())) continue;
+    places.push_back(*old);
+    if (old->at.file == file) places.back().at.range = *edit.moved(old->at.range);
+  }
+  group();
+}
+
+void Index::group() {
+  const auto& all = table.all();
   groupStart.assign(all.size() + 1, 0);
   for (const Occurrence& it : places) ++groupStart[it.symbol + 1];
   for (std::size_t i = 1; i < groupStart.size(); ++i) groupStart[i] += groupStart[i - 1];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/findings.h"
 #include "analysis/symbols.h"
 
 #include <cstdint>
@@ -30,6 +31,11 @@ class Index {
 public:
   /// \pre `occurrences` are of `symbols`; definitions are added here.
   Index(SymbolTable symbols, std::vector<Occurrence> occurrences);
+  /// After an edit that left the symbols what they were: as `before`, with what stands in the text
+  /// that was replaced noted anew.
+  /// \pre `occurrences` are of `symbols` and in the new text; definitions are added here
+  Index(SymbolTable symbols, std::vector<Occurrence> occurrences, const Index& before, FileId file,
+        const syntax::Replacement& edit);
 
   [[nodiscard]] const SymbolTable& symbols() const { return table; }
   /// All of them, by file and place.
@@ -40,6 +46,8 @@ public:
   [[nodiscard]] std::vector<Occurrence> occurrencesOf(SymbolId symbol) const;
 
 private:
+  void group();
+
   SymbolTable table;
   std::vector<Occurrence> places;
   std::vector<std::uint32_t> bySymbol;   ///< indices into `places`, grouped by symbol
@@ -50,7 +58,19 @@ private:
 struct Analysis {
   Index index;
   std::vector<syntax::Diagnostic> diagnostics; ///< those of loading included, in the files' order
+  /// What was found by looking at one definition after the other, a check each: what `analyse`
+  /// takes over after an edit.
+  std::vector<Found> ofDefinitions{};
 };
 [[nodiscard]] Analysis analyse(const Program& program);
+
+/// A program before an edit.
+struct Earlier {
+  const Program& program;
+  const Analysis& analysis;
+};
+/// Gives what `analyse(program)` gives, mostly at the cost of the definitions that the edit
+/// touched.
+[[nodiscard]] Analysis analyse(const Program& program, const Earlier& earlier);
 
 } // namespace proskill::analysis

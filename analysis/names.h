@@ -3,10 +3,21 @@
 #include "analysis/findings.h"
 #include "analysis/index.h"
 #include "analysis/types.h"
+#include "analysis/walk.h"
 
 #include <vector>
 
 namespace proskill::analysis {
+
+/// Which definitions a check looks at: after an edit, those that were read anew.
+struct Scope {
+  bool isAll = true;
+  Location within{}; ///< where not all: those that begin here
+
+  [[nodiscard]] bool holds(FileId file, syntax::Offset begin) const {
+    return isAll || (file == within.file && within.range.contains(begin));
+  }
+};
 
 /// What every check sees: the program, its names, and where to put what it finds.
 struct Context {
@@ -14,6 +25,29 @@ struct Context {
   const SymbolTable& symbols;
   Findings& findings;
   std::vector<Occurrence>& occurrences;
+  Scope scope{};
+
+  /// Calls `visit(definition)` for those of a table that are to be looked at.
+  template <class Node, class Visit> void each(const Table<Node>& table, Visit&& visit) const {
+    for (const Definition<Node>& it : table.all)
+      if (scope.holds(it.file, it.form->range.begin)) visit(it);
+  }
+  /// The same with the definition's symbol: `visit(definition, symbol)`.
+  template <class Node, class Visit>
+  void each(SymbolKind kind, const Table<Node>& table, Visit&& visit) const {
+    for (std::size_t i = 0; i < table.all.size(); ++i)
+      if (scope.holds(table.all[i].file, table.all[i].form->range.begin))
+        visit(table.all[i], symbols.topLevel(kind, i));
+  }
+  /// Calls `visit(body)` for each body of theirs.
+  template <class Visit> void eachBody(Visit&& visit) const {
+    each(SymbolKind::Skill, program.skills, [&](const auto& skill, SymbolId symbol) {
+      if (skill->body) visit(Body{*skill->body, skill.file, symbol});
+    });
+    each(SymbolKind::Environment, program.environments, [&](const auto& it, SymbolId symbol) {
+      visit(Body{it->body, it.file, symbol});
+    });
+  }
 
   [[nodiscard]] const std::string& text(FileId file) const {
     return program.files[file].document.text();

@@ -21,17 +21,4 @@ struct Body {
   SymbolId owner;
 };
 
-/// Calls `visit` on each body of a program.
-template <class Visit>
-void forEachBody(const Program& program, const SymbolTable& symbols, Visit&& visit) {
-  const auto& skills = program.skills.all;
-  for (std::size_t i = 0; i < skills.size(); ++i)
-    if (skills[i]->body)
-      visit(Body{*skills[i]->body, skills[i].file, symbols.topLevel(SymbolKind::Skill, i)});
-  const auto& environments = program.environments.all;
-  for (std::size_t i = 0; i < environments.size(); ++i)
-    visit(Body{environments[i]->body, environments[i].file,
-               symbols.topLevel(SymbolKind::Environment, i)});
-}
-
 } // namespace proskill::analysis

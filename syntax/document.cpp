@@ -47,6 +47,17 @@ void append(Iterator from, std::size_t count, Offset by, std::vector<Item>& to) 
   for (std::size_t i = 0; i < count; ++i, ++from) shift(to.emplace_back(*from), by);
 }
 
+/// How many items two lists begin with, and end with, that are the same; each counts once.
+template <class A, class B, class Same>
+std::pair<std::size_t, std::size_t> commonEnds(const A& a, const B& b, Same&& same) {
+  const std::size_t most = std::min(a.size(), b.size());
+  std::size_t front = 0;
+  while (front < most && same(a[front], b[front])) ++front;
+  std::size_t back = 0;
+  while (back < most - front && same(a[a.size() - 1 - back], b[b.size() - 1 - back])) ++back;
+  return {front, back};
+}
+
 } // namespace
 
 struct Document::State {
@@ -69,6 +80,16 @@ struct Document::State {
     for (Range range : ranges) texts.push_back(textOf(range));
     auto regions = readRegions(texts);
     for (std::size_t i = 0; i < ranges.size(); ++i) add(ranges[i], std::move(regions[i]));
+  }
+
+  /// Where a piece begins; the end of the text for what is behind the last one.
+  [[nodiscard]] Offset beginOf(std::size_t piece) const {
+    return piece < pieces.size() ? pieces[piece].range.begin : static_cast<Offset>(text.size());
+  }
+
+  /// Whether what stands there is what was read: nothing was put in, left out, or complained of.
+  [[nodiscard]] bool isReadAsIs(const Piece& piece) const {
+    return piece.diagnostics == 0 && piece.parsed->text == textOf(piece.range);
   }
 
   void add(Range range, Region region) {
@@ -140,13 +161,7 @@ Document Document::edit(Range range, std::string_view text) const {
   auto same = [&](const Piece& piece, Range now) {
     return state->textOf(piece.range) == next->textOf(now);
   };
-  std::size_t most = std::min(ranges.size(), pieces.size());
-  std::size_t front = 0;
-  while (front < most && same(pieces[front], ranges[front])) ++front;
-  std::size_t back = 0;
-  while (back < most - front &&
-         same(pieces[pieces.size() - 1 - back], ranges[ranges.size() - 1 - back]))
-    ++back;
+  auto [front, back] = commonEnds(pieces, ranges, same);
 
   Shares shares;
   for (std::size_t i = 0; i < front; ++i) {
@@ -179,6 +194,27 @@ std::vector<Stretch> Document::stretches() const {
     result.push_back({piece.range, &piece.parsed->tree, readAsIs});
   }
   return result;
+}
+
+Change Document::changeFrom(const Document& before) const {
+  const auto& old = before.state->pieces;
+  const auto& now = state->pieces;
+  auto [front, back] =
+      commonEnds(old, now, [](const Piece& a, const Piece& b) { return a.parsed == b.parsed; });
+  Change change;
+  auto& stretches = change.stretches;
+  stretches = {state->beginOf(front), before.state->beginOf(old.size() - back),
+               state->beginOf(now.size() - back)};
+  if (old.size() != now.size()) return change;
+  for (std::size_t i = front; i < now.size() - back; ++i)
+    if (!before.state->isReadAsIs(old[i]) || !state->isReadAsIs(now[i])) return change;
+  const auto oldText = before.state->textOf(stretches.before());
+  const auto newText = state->textOf(stretches.after());
+  auto edit = replacementOf(oldText, newText);
+  if (!isLayout(oldText, newText, edit)) return change;
+  for (Offset* at : {&edit.begin, &edit.oldEnd, &edit.newEnd}) *at += stretches.begin;
+  change.layout = edit;
+  return change;
 }
 
 std::string Document::dump() const {

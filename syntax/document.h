@@ -1,6 +1,7 @@
 #pragma once
 
 #include "syntax/ast.h"
+#include "syntax/change.h"
 #include "syntax/diagnostic.h"
 #include "syntax/tree.h"
 
@@ -45,6 +46,8 @@ public:
   [[nodiscard]] std::vector<Stretch> stretches() const;
   /// Whether this is a copy of the other, or it of this. Two parses of one text are not the same.
   [[nodiscard]] bool isSameAs(const Document& other) const { return state == other.state; }
+  /// How this came from another document: cheap where it was edited, whatever the number of edits.
+  [[nodiscard]] Change changeFrom(const Document& before) const;
   /// The concrete trees as one S-expression with ranges, for tests and for debugging.
   [[nodiscard]] std::string dump() const;
 

@@ -52,7 +52,7 @@ public:
     if (!valid) return {};
     System system(program);
     Solver solver(system);
-    analysis::Findings findings({});
+    analysis::Findings findings;
     Report made{program, solver, index.index, findings};
     report = &made;
     found = checkFlow(program, index.index);

@@ -1,9 +1,7 @@
-#include "tests/support/random_source.h"
+#include "tests/support/random_edits.h"
 #include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>
-
-#include <array>
 
 using namespace proskill;
 using syntax::Document;
@@ -39,47 +37,15 @@ std::string everything(const Document& document) {
   return all;
 }
 
-struct Edit {
-  Range range;
-  std::string text;
-};
-
-class Editor {
-public:
-  explicit Editor(unsigned seed) : random(seed) {}
-
-  /// Small slips, and pieces of the text itself moved about.
-  Edit next(const std::string& text) {
-    static constexpr std::array<std::string_view, 22> kSlips = {
-        "(",    ")", "\"", ";", "\n",   "\n(defskill x",           "\n(defsv", "$", ":", ".",
-        "[",    "]", "^",  "é", "\xff", std::string_view("\0", 1), "\r\n",     " ", "x", "1",
-        "))))", "//"};
-    auto begin = pick(text.size() + 1);
-    auto end = std::min(text.size(), begin + (pick(3) == 0 ? pick(40) : pick(3)));
-    std::string put;
-    if (pick(4) == 0) {
-      put = text.substr(pick(text.size() + 1), pick(60));
-    } else if (pick(3) != 0) {
-      put = kSlips[pick(kSlips.size())];
-    }
-    return {{static_cast<syntax::Offset>(begin), static_cast<syntax::Offset>(end)}, put};
-  }
-
-  std::size_t pick(std::size_t bound) { return random.below(bound); }
-
-private:
-  test::RandomSource random;
-};
-
 } // namespace
 
 TEST_CASE("after any edit the document equals a fresh parse, and undo restores it") {
   unsigned seed = 1;
   for (const auto& program : test::allPrograms()) {
-    Editor editor(seed++);
+    test::RandomEdits edits(seed++);
     Document document = Document::parse(program);
     for (int i = 0; i < 300; ++i) {
-      Edit edit = editor.next(document.text());
+      auto edit = edits.slip(document.text());
       Document edited = document.edit(edit.range, edit.text);
       INFO("edit " << i << " at " << edit.range.begin << "-" << edit.range.end << ": "
                    << edit.text);
@@ -92,7 +58,7 @@ TEST_CASE("after any edit the document equals a fresh parse, and undo restores i
       REQUIRE(undone.text() == document.text());
       REQUIRE(everything(undone) == everything(document));
       // Mistakes pile up for a while, then the text is sound again.
-      document = editor.pick(12) == 0 ? Document::parse(program) : edited;
+      document = edits.pick(12) == 0 ? Document::parse(program) : edited;
     }
   }
 }

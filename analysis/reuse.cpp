@@ -1,0 +1,145 @@
+#include "analysis/reuse.h"
+
+#include <algorithm>
+
+namespace proskill::analysis {
+
+namespace {
+
+using syntax::Diagnostic;
+using syntax::Form;
+using syntax::Range;
+using syntax::Replacement;
+
+/// Moves what points into a file that was edited.
+struct Move {
+  FileId file;
+  Replacement edit;
+
+  /// \return it has a new place
+  bool operator()(Location& at) const {
+    if (at.file != file) return true;
+    const auto range = edit.moved(at.range);
+    if (range) at.range = *range;
+    return range.has_value();
+  }
+  bool operator()(Diagnostic& diagnostic) const {
+    auto move = [this](auto& it) { return (*this)(it.location); };
+    return (*this)(diagnostic.location) && std::ranges::all_of(diagnostic.related, move) &&
+           std::ranges::all_of(diagnostic.fixes, move);
+  }
+};
+
+bool touches(Location at, FileId file, Range range) {
+  return at.file == file && at.range.begin <= range.end && range.begin <= at.range.end;
+}
+
+/// Its text, or that of a fix, may quote what was edited.
+bool quotes(const Diagnostic& diagnostic, FileId file, Range range) {
+  return touches(diagnostic.location, file, range) ||
+         std::ranges::any_of(diagnostic.fixes, [&](const syntax::Fix& fix) {
+           return touches(fix.location, file, range);
+         });
+}
+
+std::vector<const Form*> formsIn(const syntax::Document& document, Range range) {
+  std::vector<const Form*> result;
+  for (const Form& form : document.forms())
+    if (range.contains(form.range.begin)) result.push_back(&form);
+  return result;
+}
+
+bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
+  return a.name.text == b.name.text && a.type.text == b.type.text;
+}
+
+/// What others see of a skill beside its name and those of its parts.
+bool looksSame(const syntax::Skill& a, const syntax::Skill& b) {
+  return a.monitor == b.monitor && a.interrupt.has_value() == b.interrupt.has_value() &&
+         std::ranges::equal(a.inputs, b.inputs, isSameInput);
+}
+
+/// Whether nobody else sees a difference, the names aside.
+bool looksSame(const Form* a, const Form* b) {
+  if (a->node.index() != b->node.index()) return false;
+  if (const auto* skill = std::get_if<syntax::Skill>(&a->node))
+    return looksSame(*skill, std::get<syntax::Skill>(b->node));
+  return std::holds_alternative<syntax::Property>(a->node) ||
+         std::holds_alternative<syntax::Environment>(a->node);
+}
+
+bool isSameSymbol(const Symbol& a, const Symbol& b) {
+  return a.kind == b.kind && a.owner == b.owner && a.definition == b.definition && a.name == b.name;
+}
+
+} // namespace
+
+std::optional<FileChange> changeBetween(const Program& before, const Program& now) {
+  const bool sameFiles = before.extent == now.extent &&
+                         std::ranges::equal(before.files, now.files, {}, &File::path, &File::path);
+  if (!sameFiles) return std::nullopt;
+  std::optional<FileId> changed;
+  for (FileId file = 0; file < now.files.size(); ++file) {
+    if (before.files[file].document.isSameAs(now.files[file].document)) continue;
+    if (changed) return std::nullopt;
+    changed = file;
+  }
+  const FileId file = changed.value_or(0);
+  return FileChange{file, now.files[file].document.changeFrom(before.files[file].document)};
+}
+
+std::optional<std::vector<Diagnostic>> movedByLayout(const std::vector<Diagnostic>& diagnostics,
+                                                     const FileChange& edit) {
+  if (!edit.change.layout) return std::nullopt;
+  const Move move{edit.file, *edit.change.layout};
+  auto result = diagnostics;
+  for (Diagnostic& each : result)
+    if (quotes(each, edit.file, edit.change.stretches.before()) || !move(each)) return std::nullopt;
+  return result;
+}
+
+std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
+                                 const SymbolTable& symbols) {
+  const auto edit = changeBetween(earlier.program, now);
+  if (!edit ||
+      !std::ranges::equal(earlier.analysis.index.symbols().all(), symbols.all(), isSameSymbol))
+    return std::nullopt;
+  const auto& [file, change] = *edit;
+  auto keeping = [&](const Replacement& replaced, bool isLayout) -> std::optional<Reuse> {
+    Reuse reuse(earlier.analysis.index, file, replaced, isLayout);
+    for (const Found& found : earlier.analysis.ofDefinitions)
+      if ((isLayout && !movedByLayout(found.diagnostics, *edit)) || !reuse.keep(found))
+        return std::nullopt;
+    return reuse;
+  };
+  if (change.layout)
+    if (auto reuse = keeping(*change.layout, true)) return reuse;
+  const auto& replaced = change.stretches;
+  const bool same =
+      std::ranges::equal(formsIn(earlier.program.files[file].document, replaced.before()),
+                         formsIn(now.files[file].document, replaced.after()),
+                         [](const Form* a, const Form* b) { return looksSame(a, b); });
+  return same ? keeping(replaced, false) : std::nullopt;
+}
+
+/// \return all that is kept has a new place
+bool Reuse::keep(const Found& found) {
+  const Move move{file, edit};
+  const auto isGone = [&](const Location& at) {
+    return !isLayout && at.file == file && edit.before().contains(at.range.begin);
+  };
+  Found& now = kept.emplace_back();
+  for (const Diagnostic& each : found.diagnostics)
+    if (!isGone(each.location) && !move(now.diagnostics.emplace_back(each))) return false;
+  for (const Location& each : found.notCalls)
+    if (!isGone(each) && !move(now.notCalls.emplace_back(each))) return false;
+  return true;
+}
+
+Scope Reuse::scope() const { return {false, {file, isLayout ? Range{} : edit.after()}}; }
+
+Index Reuse::index(SymbolTable symbols, std::vector<Occurrence> occurrences) const {
+  return {std::move(symbols), std::move(occurrences), before, file, edit};
+}
+
+} // namespace proskill::analysis

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "syntax/source.h"
+
+#include <optional>
+#include <string_view>
+
+/// How one text became another.
+namespace proskill::syntax {
+
+/// A stretch of a text that was put in the place of another: what stands before it stays, what
+/// stands behind it moves.
+struct Replacement {
+  Offset begin = 0;
+  Offset oldEnd = 0;
+  Offset newEnd = 0;
+
+  [[nodiscard]] Range before() const { return {begin, oldEnd}; }
+  [[nodiscard]] Range after() const { return {begin, newEnd}; }
+  /// Where a range of the old text stands now; nothing where it begins or ends in what is gone.
+  [[nodiscard]] std::optional<Range> moved(Range range) const;
+
+  friend bool operator==(const Replacement&, const Replacement&) = default;
+};
+
+/// What changed between two documents.
+struct Change {
+  Replacement stretches; ///< that were read anew; nothing outside of them is other than before
+  /// Where only comments and white space differ, what of them: every word is still there, and the
+  /// place of each is that which `moved` gives.
+  std::optional<Replacement> layout;
+};
+
+/// The shortest replacement that makes one text of the other.
+[[nodiscard]] Replacement replacementOf(std::string_view before, std::string_view now);
+
+/// Whether the texts have the same words, each where the replacement moves it.
+/// \pre the replacement makes one of the other
+[[nodiscard]] bool isLayout(std::string_view before, std::string_view now, const Replacement& edit);
+
+} // namespace proskill::syntax

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "tests/support/random_source.h"
+
+#include "syntax/edit.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace proskill::test {
+
+/// Edits as a person makes them, at random places of a text.
+class RandomEdits {
+public:
+  explicit RandomEdits(std::uint64_t seed) : random(seed) {}
+
+  /// Small slips, and pieces of the text itself moved about.
+  syntax::TextEdit slip(const std::string& text) {
+    static constexpr std::array<std::string_view, 22> kSlips = {
+        "(",    ")", "\"", ";", "\n",   "\n(defskill x",           "\n(defsv", "$", ":", ".",
+        "[",    "]", "^",  "é", "\xff", std::string_view("\0", 1), "\r\n",     " ", "x", "1",
+        "))))", "//"};
+    auto begin = pick(text.size() + 1);
+    auto end = std::min(text.size(), begin + (pick(3) == 0 ? pick(40) : pick(3)));
+    std::string put;
+    if (pick(4) == 0) {
+      put = text.substr(pick(text.size() + 1), pick(60));
+    } else if (pick(3) != 0) {
+      put = kSlips[pick(kSlips.size())];
+    }
+    return edit(begin, end, put);
+  }
+
+  /// White space and comments at the end of a line; seldom a word that changes the program.
+  syntax::TextEdit touch(const std::string& text) {
+    static constexpr std::array<std::string_view, 8> kTouches = {
+        " ", "\n", " ; note", "\n; note", "\n\n", " ; (not code", "\n  ; \"nor this", " x"};
+    const auto at = std::min(text.find('\n', pick(text.size() + 1)), text.size());
+    const auto comment = text.rfind(';', at);
+    const auto line = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    const bool hasComment =
+        comment != std::string::npos && (line == std::string::npos || comment > line);
+    if (hasComment && pick(3) == 0) return edit(comment, at, "");
+    return edit(at, at, kTouches[pick(kTouches.size())]);
+  }
+
+  std::size_t pick(std::size_t bound) { return random.below(bound); }
+
+private:
+  static syntax::TextEdit edit(std::size_t begin, std::size_t end, std::string_view put) {
+    return {{static_cast<syntax::Offset>(begin), static_cast<syntax::Offset>(end)},
+            std::string(put)};
+  }
+
+  RandomSource random;
+};
+
+} // namespace proskill::test
