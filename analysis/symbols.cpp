@@ -40,6 +40,11 @@ std::size_t SymbolTable::Hash::operator()(const Key& key) const {
 }
 
 SymbolTable::SymbolTable(const Program& program) {
+  // About four values, tags and inputs to each: growing the tables one by one costs a third of all.
+  const auto count = 5 * (program.stateVariables.all.size() + program.skills.all.size());
+  symbols.reserve(count);
+  byName.reserve(count);
+  byPlace.reserve(count);
   defineAll(SymbolKind::StateVariable, program.stateVariables);
   defineAll(SymbolKind::Event, program.events);
   defineAll(SymbolKind::Skill, program.skills);

@@ -11,21 +11,22 @@ constexpr void (*kChecks[])(Report&) = {
     checkMoves,       checkPreconditions, checkStatuses,       checkWaits,         checkTests,
     checkUnreachable, checkInvariants,    checkPostconditions, checkInterrupts,    checkUnused,
     checkValues,      checkResults,       checkBranches,       checkResourceOrder, checkProgress,
-    checkDurations,   checkTicks,         checkStyle};
+    checkDurations,   checkTicks};
 
 } // namespace
 
-std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& index) {
-  return checkFlow(Flow(program), index);
+std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& index, bool style) {
+  return checkFlow(Flow(program), index, style);
 }
 
-std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index) {
-  Findings findings({});
+std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index, bool style) {
+  Findings findings;
   Report report{flow.system.program(), flow.solver, index, findings};
   for (auto check : kChecks) {
     stopIfAsked();
     check(report);
   }
+  if (style) checkStyle(report);
   return std::move(findings).inOrder();
 }
 

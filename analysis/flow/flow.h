@@ -20,7 +20,10 @@ struct Flow {
 
 /// What is wrong with the values, the flow and the time of a program: PS05xx to PS11xx, in the
 /// order of the files. \pre the program has no errors of form, names or types.
-[[nodiscard]] std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& index);
-[[nodiscard]] std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index);
+/// \param style false: without the hints of PS11xx, which cost a while in a large program
+[[nodiscard]] std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& index,
+                                                        bool style = true);
+[[nodiscard]] std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index,
+                                                        bool style = true);
 
 } // namespace proskill::analysis::flow

@@ -34,6 +34,12 @@ bool weigh(Diagnostic& diagnostic, const Settings& settings) {
 
 } // namespace
 
+bool wantsStyle(const Settings& settings) {
+  return settings.style || std::ranges::any_of(settings.severities, [](const auto& entry) {
+           return syntax::info(entry.first).id.starts_with("PS11");
+         });
+}
+
 bool hasFlow(const Program& program, const Analysis& analysis) {
   return program.extent == Extent::Whole && std::ranges::none_of(analysis.diagnostics, isError);
 }
@@ -47,8 +53,16 @@ std::vector<Diagnostic> inspect(const Program& program, const Analysis& analysis
 
 std::vector<Diagnostic> inspect(const Program& program, const Analysis& analysis,
                                 const Settings& settings, const Flow* flow) {
+  return weighed(program, analysis,
+                 flow ? checkFlow(*flow, analysis.index, wantsStyle(settings))
+                      : std::vector<Diagnostic>(),
+                 settings);
+}
+
+std::vector<Diagnostic> weighed(const Program& program, const Analysis& analysis,
+                                const std::vector<Diagnostic>& ofFlow, const Settings& settings) {
   std::vector<Diagnostic> all = analysis.diagnostics;
-  if (flow) std::ranges::move(checkFlow(*flow, analysis.index), std::back_inserter(all));
+  all.insert(all.end(), ofFlow.begin(), ofFlow.end());
   std::erase_if(all, [&](Diagnostic& each) { return !weigh(each, settings); });
   return withoutIgnored(program, std::move(all));
 }

@@ -27,6 +27,14 @@ inspect(const Program& program, const Analysis& analysis, const Settings& settin
                                                       const Settings& settings, const Flow* flow);
 [[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
                                                       const Settings& settings = {});
+/// The same where `checkFlow` has been asked already.
+[[nodiscard]] std::vector<syntax::Diagnostic> weighed(const Program& program,
+                                                      const Analysis& analysis,
+                                                      const std::vector<syntax::Diagnostic>& ofFlow,
+                                                      const Settings& settings);
+
+/// Whether `settings` may have any of the hints of style told.
+[[nodiscard]] bool wantsStyle(const Settings& settings);
 
 /// The program is whole, and has no errors that would make its flow mean nothing.
 [[nodiscard]] bool hasFlow(const Program& program, const Analysis& analysis);

@@ -57,6 +57,15 @@ private:
     return found == usage.writes.end() ? nullptr : &found->second;
   }
 
+  /// Of a process, by node.
+  [[nodiscard]] std::vector<const Write*> writesOf(ProcessId id, std::size_t nodes) const {
+    std::vector<const Write*> result(nodes, nullptr);
+    for (auto it = usage.writes.lower_bound({id, 0});
+         it != usage.writes.end() && it->first.first == id; ++it)
+      result[it->first.second] = &it->second;
+    return result;
+  }
+
   [[nodiscard]] static bool takes(const Write& write) { return (write.from & write.to).empty(); }
   [[nodiscard]] bool frees(const Write& write) const {
     return !takes(write) && !(write.to & free).empty();
@@ -71,21 +80,22 @@ private:
       return;
     }
     std::vector<bool> held(process.graph->nodes.size(), true);
+    const std::vector<const Write*> made = writesOf(id, held.size());
     held[0] = false;
     for (bool changed = true; changed;) {
       changed = false;
       for (NodeId node = 0; node < held.size(); ++node)
         for (const Edge& edge : (*process.graph)[node].edges) {
           if (edge.target == kNoNode) continue;
-          const Write* made = edge.sets ? write(id, node) : nullptr;
-          bool after = made && takes(*made) ? true : held[node] && !(made && frees(*made));
+          const Write* set = edge.sets ? made[node] : nullptr;
+          bool after = set && takes(*set) ? true : held[node] && !(set && frees(*set));
           if (after || !held[edge.target]) continue;
           held[edge.target] = false;
           changed = true;
         }
     }
     for (NodeId node = 0; node < held.size(); ++node)
-      if (const Write* made = write(id, node)) isLock &= held[node] || !frees(*made);
+      if (made[node]) isLock &= held[node] || !frees(*made[node]);
     holds[id] = std::move(held);
   }
 
@@ -138,16 +148,19 @@ private:
 
 void collect(const System& system, ProcessId id, std::map<VariableId, Usage>& usages) {
   const Process& process = system[id];
-  State unknown = unknownState(system, process);
+  const auto matters = [&](const Assignment& each) {
+    return each.source && !system.variables()[each.variable].domain.isNumeric();
+  };
   for (NodeId node = 0; node < process.actions.size(); ++node) {
     const Action& action = process.actions[node];
-    State before = unknown;
+    if (std::ranges::none_of(action.assignments, matters)) continue;
+    State before = unknownState(system, process);
     bool guarded = process.graph && (*process.graph)[node].kind != NodeKind::InvariantFailure;
     if (guarded) refineAll(before, action.conditions, true);
     if (!before.reachable) continue;
     for (const Assignment& each : action.assignments) {
+      if (!matters(each)) continue;
       const Domain& domain = system.variables()[each.variable].domain;
-      if (!each.source || domain.isNumeric()) continue;
       Write made{each.slot ? before.values[*each.slot] : domain.all(), {}};
       for (const Move& move : moves(each, domain, before)) made.to |= move.to;
       usages[each.variable].writes[{id, node}] = made;

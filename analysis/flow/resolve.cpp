@@ -47,6 +47,53 @@ Condition simplified(Condition condition) {
   return member;
 }
 
+Comparison mirrored(Comparison comparison) {
+  switch (comparison) {
+  case Comparison::Less: return Comparison::Greater;
+  case Comparison::LessEqual: return Comparison::GreaterEqual;
+  case Comparison::Greater: return Comparison::Less;
+  case Comparison::GreaterEqual: return Comparison::LessEqual;
+  default: return comparison;
+  }
+}
+
+/// Whether it holds between some number of the span, and the number.
+bool mayHold(Comparison comparison, Span span, std::int64_t number) {
+  switch (comparison) {
+  case Comparison::Equal: return span.first <= number && number <= span.last;
+  case Comparison::NotEqual: return span != Span{number, number};
+  case Comparison::Less: return span.first < number;
+  case Comparison::LessEqual: return span.first <= number;
+  case Comparison::Greater: return span.last > number;
+  case Comparison::GreaterEqual: return span.last >= number;
+  }
+  return true;
+}
+
+/// Whether it fails between some number of the span, and the number.
+bool mayFail(Comparison comparison, Span span, std::int64_t number) {
+  switch (comparison) {
+  case Comparison::Equal: return mayHold(Comparison::NotEqual, span, number);
+  case Comparison::NotEqual: return mayHold(Comparison::Equal, span, number);
+  case Comparison::Less: return mayHold(Comparison::GreaterEqual, span, number);
+  case Comparison::LessEqual: return mayHold(Comparison::Greater, span, number);
+  case Comparison::Greater: return mayHold(Comparison::LessEqual, span, number);
+  case Comparison::GreaterEqual: return mayHold(Comparison::Less, span, number);
+  }
+  return true;
+}
+
+/// Most comparisons are of a variable with a value: what `simplified` gives, without the detour.
+Condition withNumber(Comparison comparison, const Term& variable, std::int64_t number) {
+  Condition member{.kind = Condition::Kind::Member, .slot = variable.slot};
+  const Domain& domain = *variable.domain;
+  for (unsigned index = 0; index < domain.size(); ++index) {
+    if (mayHold(comparison, domain.at(index), number)) member.holds |= ValueSet::of(index);
+    if (mayFail(comparison, domain.at(index), number)) member.fails |= ValueSet::of(index);
+  }
+  return member;
+}
+
 std::optional<Comparison> comparisonOf(ExprKind kind) {
   switch (kind) {
   case ExprKind::Equal: return Comparison::Equal;
@@ -115,8 +162,16 @@ Condition Resolver::compare(Comparison comparison, const Expr& left, const Expr&
   // The first that is a variable with words tells what the other word means.
   const Domain* leftWords = wordsOf(left);
   const Domain* rightWords = leftWords ? nullptr : wordsOf(right);
+  Term first = term(left, rightWords, slots);
+  Term second = term(right, leftWords, slots);
+  using enum Term::Kind;
+  if (first.kind == Variable && second.kind == Number)
+    return withNumber(comparison, first, second.number);
+  if (first.kind == Number && second.kind == Variable)
+    return withNumber(mirrored(comparison), second, first.number);
   Condition condition{.kind = Condition::Kind::Compare, .comparison = comparison};
-  condition.terms = {term(left, rightWords, slots), term(right, leftWords, slots)};
+  condition.terms.push_back(std::move(first));
+  condition.terms.push_back(std::move(second));
   for (const Term& each : condition.terms) {
     if (each.kind == Term::Kind::Unknown) return {};
     collectSlots(each, condition.slots);
