@@ -33,6 +33,23 @@ syntax::TextEdit atWords(std::string_view text, syntax::TextEdit edit) {
   return edit;
 }
 
+/// The stretches of a text that edits touch, with their neighbours: how these are laid out does not
+/// depend on the rest. \pre there is an edit
+syntax::Range surroundings(const syntax::Document& document,
+                           const std::vector<syntax::TextEdit>& edits) {
+  const auto first = edits.front().range.begin;
+  const auto last =
+      std::ranges::max(edits, {}, [](const auto& it) { return it.range.end; }).range.end;
+  const auto stretches = document.stretches();
+  auto begin =
+      std::ranges::find_if(stretches, [&](const auto& it) { return it.range.end >= first; });
+  auto end = std::ranges::find_if(stretches, [&](const auto& it) { return it.range.begin > last; });
+  if (begin != stretches.begin()) --begin;
+  return {begin == stretches.end() ? 0 : begin->range.begin,
+          end == stretches.end() ? static_cast<syntax::Offset>(document.text().size())
+                                 : end->range.end};
+}
+
 } // namespace
 
 const syntax::Form* ActionContext::form() const {
@@ -46,9 +63,14 @@ const syntax::Form* ActionContext::form() const {
 void addLaidOut(const ActionContext& context, Actions& actions, std::string title, ActionKind kind,
                 std::vector<syntax::TextEdit> edits) {
   std::ranges::sort(edits, {}, [](const auto& edit) { return edit.range.begin; });
-  const auto& before = context.view.text();
-  auto changed = difference(before, syntax::applyEdits(before, edits));
-  auto document = context.view.document().edit(changed.range, changed.text);
+  const auto within = surroundings(context.view.document(), edits);
+  const auto before = context.textOf(within);
+  for (auto& edit : edits) {
+    edit.range.begin -= within.begin;
+    edit.range.end -= within.begin;
+  }
+  const auto document = syntax::Document::parse(syntax::applyEdits(before, edits));
+  auto changed = difference(before, document.text());
   syntax::Range touched{changed.range.begin,
                         changed.range.begin + static_cast<syntax::Offset>(changed.text.size())};
   for (const auto& form : document.forms()) {
@@ -58,10 +80,10 @@ void addLaidOut(const ActionContext& context, Actions& actions, std::string titl
   }
   auto after = syntax::applyEdits(document.text(), syntax::formatRange(document, touched));
   if (after == before) return;
-  actions.push_back({std::move(title),
-                     kind,
-                     context.view.owner,
-                     {{context.view.file, atWords(before, difference(before, after))}}});
+  auto edit = atWords(before, difference(before, after));
+  edit.range = {edit.range.begin + within.begin, edit.range.end + within.begin};
+  actions.push_back(
+      {std::move(title), kind, context.view.owner, {{context.view.file, std::move(edit)}}});
 }
 
 Actions actions(const Snapshot& snapshot, const std::filesystem::path& file,
