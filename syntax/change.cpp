@@ -82,7 +82,7 @@ bool isLayout(std::string_view before, std::string_view now, const Replacement& 
     auto moved = edit.moved({begin, begin + static_cast<Offset>(word.size())});
     if (!moved || moved->begin != fresh.begin()) return false;
   }
-  return old.atEnd() && fresh.atEnd() && old.isApart() == fresh.isApart();
+  return old.atEnd() && fresh.atEnd();
 }
 
 } // namespace proskill::syntax

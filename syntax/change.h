@@ -35,7 +35,7 @@ struct Change {
 [[nodiscard]] Replacement replacementOf(std::string_view before, std::string_view now);
 
 /// Whether the texts have the same words, each where the replacement moves it.
-/// \pre the replacement makes one of the other
+/// \pre the replacement makes one of the other; what follows them begins a line
 [[nodiscard]] bool isLayout(std::string_view before, std::string_view now, const Replacement& edit);
 
 } // namespace proskill::syntax

@@ -205,9 +205,11 @@ Change Document::changeFrom(const Document& before) const {
   auto& stretches = change.stretches;
   stretches = {state->beginOf(front), before.state->beginOf(old.size() - back),
                state->beginOf(now.size() - back)};
-  if (old.size() != now.size()) return change;
-  for (std::size_t i = front; i < now.size() - back; ++i)
-    if (!before.state->isReadAsIs(old[i]) || !state->isReadAsIs(now[i])) return change;
+  auto areReadAsIs = [front, back](const State& state) {
+    const auto middle = std::span(state.pieces).first(state.pieces.size() - back).subspan(front);
+    return std::ranges::all_of(middle, [&](const Piece& it) { return state.isReadAsIs(it); });
+  };
+  if (!areReadAsIs(*before.state) || !areReadAsIs(*state)) return change;
   const auto oldText = before.state->textOf(stretches.before());
   const auto newText = state->textOf(stretches.after());
   auto edit = replacementOf(oldText, newText);
