@@ -11,6 +11,10 @@
 #include <memory>
 #include <mutex>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace proskill::cli {
 
 namespace {
@@ -44,6 +48,14 @@ private:
   std::ofstream file;
 };
 
+/// What one thread has allocated another one frees, and each of many heaps would keep the most that
+/// it ever held.
+void shareHeaps() {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, 2);
+#endif
+}
+
 int serve(lsp::Connection& connection, lsp::ServerOptions options) {
   lsp::Server server(connection, std::make_shared<DiskFileSystem>(DiskFileSystem::Reads::OnlyFiles),
                      std::move(options));
@@ -51,6 +63,7 @@ int serve(lsp::Connection& connection, lsp::ServerOptions options) {
 }
 
 int run(const Arguments& arguments) {
+  shareHeaps();
   std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
   lsp::ServerOptions options;
   options.version = PROSKILL_VERSION;

@@ -1,5 +1,7 @@
 #include "ide/snapshot.h"
 
+#include "analysis/reuse.h"
+
 #include "ide/fiacre_file.h"
 
 #include <algorithm>
@@ -51,6 +53,11 @@ bool isCurrent(const AnalysedProgram& analysed, const OpenTexts& before, const O
   });
 }
 
+bool isOpen(const AnalysedProgram& analysed, const OpenTexts& texts) {
+  return std::ranges::any_of(analysed.program.files,
+                             [&](const analysis::File& file) { return texts.contains(file.path); });
+}
+
 /// Of a model in Fiacre, which defines nothing, the text alone.
 analysis::Program loaded(const Overlay& files, const fs::path& root) {
   if (!isFiacre(root)) return analysis::load(files, root);
@@ -59,10 +66,34 @@ analysis::Program loaded(const Overlay& files, const fs::path& root) {
 
 } // namespace
 
-AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings)
+AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings,
+                                 const AnalysedProgram* earlier)
     : program(std::move(loaded)),
-      analysis(analysis::analyse(program)),
-      settings(std::move(settings)) {}
+      analysis(earlier ? analysis::analyse(program, {earlier->program, earlier->analysis})
+                       : analysis::analyse(program)),
+      settings(std::move(settings)) {
+  if (earlier) takeFlowFindings(*earlier);
+}
+
+/// White space and comments do not change what flows where.
+void AnalysedProgram::takeFlowFindings(const AnalysedProgram& earlier) {
+  if (!earlier.knowsFlowFindings) return;
+  const auto edit = analysis::changeBetween(earlier.program, program);
+  auto moved = edit ? analysis::movedByLayout(earlier.knownFlowFindings, *edit) : std::nullopt;
+  if (!moved) return;
+  std::call_once(flowFindingsOnce, [&] { knownFlowFindings = std::move(*moved); });
+  knowsFlowFindings = true;
+}
+
+const std::vector<syntax::Diagnostic>& AnalysedProgram::flowFindings() const {
+  std::call_once(flowFindingsOnce, [this] {
+    if (const auto* known = flow())
+      knownFlowFindings =
+          analysis::flow::checkFlow(*known, analysis.index, analysis::flow::wantsStyle(settings));
+    knowsFlowFindings = true;
+  });
+  return knownFlowFindings;
+}
 
 const analysis::flow::Flow* AnalysedProgram::flow() const {
   std::call_once(flowOnce, [this] {
@@ -78,7 +109,7 @@ const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
     const auto& root = program.files.front();
     knownFindings = isFiacre(root.path)
                         ? readFiacre(root.path, root.document.text()).diagnostics
-                        : analysis::flow::inspect(program, analysis, settings, flow());
+                        : analysis::flow::weighed(program, analysis, flowFindings(), settings);
   });
   return knownFindings;
 }
@@ -93,10 +124,20 @@ Snapshot::Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts o
 std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open, Includes nowIncludes) const {
   auto next = std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes), settings);
   std::lock_guard lock(mutex);
-  for (const auto& [root, entry] : entries)
-    if (entry->program && isCurrent(*entry->program, texts, next->texts))
+  for (const auto& [root, entry] : entries) {
+    const auto& last = entry->program ? entry->program : entry->earlier;
+    if (!last) continue;
+    if (entry->program && isCurrent(*last, texts, next->texts))
       next->entries[root] = entry;
+    else if (isOpen(*last, next->texts))
+      next->entries.try_emplace(root, std::make_shared<Entry>()).first->second->earlier = last;
+  }
   return next;
+}
+
+std::vector<std::shared_ptr<const AnalysedProgram>> Snapshot::takeReplaced() const {
+  const std::lock_guard lock(mutex);
+  return std::exchange(replaced, {});
 }
 
 std::vector<fs::path> Snapshot::roots() const {
@@ -137,18 +178,22 @@ View Snapshot::view(const fs::path& file) const { return views(file).front(); }
 
 std::shared_ptr<const AnalysedProgram> Snapshot::program(const fs::path& root) const {
   std::shared_ptr<Entry> entry;
+  std::shared_ptr<const AnalysedProgram> earlier;
   {
     std::lock_guard lock(mutex);
     auto& slot = entries[root];
     if (!slot) slot = std::make_shared<Entry>();
     entry = slot;
+    earlier = entry->earlier;
   }
   std::call_once(entry->once, [&] {
-    auto whole = std::make_shared<const AnalysedProgram>(loaded(Overlay(*disk, texts), root),
-                                                         settings ? settings(root)
-                                                                  : analysis::flow::Settings{});
+    auto whole = std::make_shared<const AnalysedProgram>(
+        loaded(Overlay(*disk, texts), root), settings ? settings(root) : analysis::flow::Settings{},
+        earlier.get());
     std::lock_guard lock(mutex);
     entry->program = std::move(whole);
+    entry->earlier.reset();
+    if (earlier) replaced.push_back(std::move(earlier));
   });
   return entry->program;
 }

@@ -28,7 +28,10 @@ using OpenTexts = std::map<std::filesystem::path, OpenText>;
 /// by whoever asks first.
 class AnalysedProgram {
 public:
-  AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings);
+  /// \param earlier the program before some edits, null where it is not known: what still holds of
+  ///        it is not computed again
+  AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings,
+                  const AnalysedProgram* earlier = nullptr);
   AnalysedProgram(const AnalysedProgram&) = delete;
   AnalysedProgram& operator=(const AnalysedProgram&) = delete;
 
@@ -47,6 +50,12 @@ private:
   mutable std::once_flag flowOnce;
   mutable std::unique_ptr<const analysis::flow::Flow> knownFlow;
   mutable std::atomic<const analysis::flow::Flow*> readyFlow = nullptr;
+  [[nodiscard]] const std::vector<syntax::Diagnostic>& flowFindings() const;
+  void takeFlowFindings(const AnalysedProgram& earlier);
+
+  mutable std::once_flag flowFindingsOnce;
+  mutable std::vector<syntax::Diagnostic> knownFlowFindings;
+  mutable std::atomic<bool> knowsFlowFindings = false; ///< set last
   mutable std::once_flag findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;
 };
@@ -79,8 +88,12 @@ public:
   Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open, Includes includes,
            SettingsOf settings = nullptr);
 
-  /// The same moment after an edit: programs that the edit does not touch are kept.
+  /// The same moment after an edit: programs that the edit does not touch are kept, and of the
+  /// others what still holds of them.
   [[nodiscard]] std::shared_ptr<const Snapshot> with(OpenTexts open, Includes includes) const;
+  /// Programs before the edits, which were needed until those after them were analysed. To destroy
+  /// them takes a while: nobody should wait for it. Each is given once.
+  [[nodiscard]] std::vector<std::shared_ptr<const AnalysedProgram>> takeReplaced() const;
 
   [[nodiscard]] const OpenTexts& open() const { return texts; }
   /// Every file that is open or in the workspace, in their order.
@@ -104,6 +117,7 @@ private:
   struct Entry {
     std::once_flag once;
     std::shared_ptr<const AnalysedProgram> program;
+    std::shared_ptr<const AnalysedProgram> earlier; ///< until it is analysed; may be null
   };
 
   std::shared_ptr<const analysis::FileSystem> disk;
@@ -112,6 +126,7 @@ private:
   SettingsOf settings;
   mutable std::mutex mutex;
   mutable std::map<std::filesystem::path, std::shared_ptr<Entry>> entries;
+  mutable std::vector<std::shared_ptr<const AnalysedProgram>> replaced;
 };
 
 /// What a document includes, resolved against its own path.

@@ -21,7 +21,7 @@ std::optional<std::uint32_t> coordinate(const Json& position, const char* name) 
 
 Json Converter::position(analysis::FileId file, syntax::Offset at) const {
   const auto& document = program.files[file].document;
-  auto position = toEditor(document.text(), document.lines(), at, encoding);
+  auto position = toEditor(document.text(), document.lines(), at, encoding, line);
   return {{"line", position.line}, {"character", position.character}};
 }
 
@@ -36,7 +36,7 @@ Json Converter::location(analysis::Location location) const {
 void Converter::write(JsonWriter& json, analysis::FileId file, syntax::Range range) const {
   const auto& document = program.files[file].document;
   auto point = [&](const char* name, syntax::Offset at) {
-    const auto position = toEditor(document.text(), document.lines(), at, encoding);
+    const auto position = toEditor(document.text(), document.lines(), at, encoding, line);
     json.key(name).open('{').member("line", position.line);
     json.member("character", position.character).close('}');
   };

@@ -9,7 +9,7 @@
 /// Between bytes in files and the protocol's positions in URIs.
 namespace proskill::lsp {
 
-/// The protocol's shapes for places in one program.
+/// The protocol's shapes for places in one program. For one thread.
 class Converter {
 public:
   Converter(const ide::View& view, const Request& request)
@@ -34,6 +34,7 @@ private:
   const analysis::Program& program;
   const ide::OpenTexts& texts;
   Encoding encoding;
+  mutable std::uint32_t line = 0; ///< of the last place: the next one is mostly near
 };
 
 /// A request's text, by its `textDocument`. A URI that is no file gets a path that no file has.

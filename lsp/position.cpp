@@ -35,7 +35,13 @@ Character characterAt(std::string_view text, Encoding encoding) {
 
 EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
                         Encoding encoding) {
-  auto [line, column] = lines.position(at);
+  std::uint32_t line = 0;
+  return toEditor(text, lines, at, encoding, line);
+}
+
+EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
+                        Encoding encoding, std::uint32_t& line) {
+  const auto column = lines.position(at, line).column;
   if (encoding == Encoding::Utf8) return {line, column};
   auto before = text.substr(at - column, column);
   if (std::ranges::all_of(before, isAscii)) return {line, column};

@@ -21,6 +21,9 @@ struct EditorPosition {
 /// Bytes that are no UTF-8 count as one character each, as editors show them.
 [[nodiscard]] EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines,
                                       syntax::Offset at, Encoding encoding);
+/// The same, sooner where the place is in a line near to `line`, which it sets to its own.
+[[nodiscard]] EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines,
+                                      syntax::Offset at, Encoding encoding, std::uint32_t& line);
 /// A column beyond its line is the line's end; a line beyond the text is the text's end; a place
 /// within a character is the character's start.
 [[nodiscard]] syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,

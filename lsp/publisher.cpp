@@ -21,6 +21,11 @@ template <class Pointer> bool isSame(const Pointer& a, const Pointer& b) {
 void Publisher::changed(std::chrono::milliseconds debounce) {
   ++revision;
   running.cancel();
+  {
+    // Whoever has changed the texts holds the old ones, and forgets them when nobody waits.
+    const std::lock_guard lock(mutex);
+    latest.reset();
+  }
   dueAt = std::chrono::steady_clock::now() + debounce;
 }
 
@@ -29,13 +34,27 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
   retract(*snapshot, enabled);
   if (!enabled) return;
   running = {};
+  {
+    const std::lock_guard lock(mutex);
+    latest = snapshot;
+  }
   for (const auto& [path, text] : snapshot->open())
     scheduler.post(Priority::Background,
-                   [this, snapshot, path = path, asked = revision.load(), wanted = running] {
+                   [this, path = path, asked = revision.load(), wanted = running] {
                      if (wanted.isCancelled()) return;
                      const analysis::StopWhen stop([&] { return wanted.isCancelled(); });
-                     publish(*snapshot, path, asked);
+                     publishLatest(path, asked);
                    });
+}
+
+/// What waits holds no texts: of those that a fast typist leaves behind there would be many.
+void Publisher::publishLatest(const Path& path, std::uint64_t asked) {
+  std::shared_ptr<const ide::Snapshot> snapshot;
+  {
+    const std::lock_guard lock(mutex);
+    snapshot = latest;
+  }
+  if (snapshot && snapshot->open().contains(path)) publish(*snapshot, path, asked);
 }
 
 /// An empty list for each text that is open no longer, or for all.
@@ -65,16 +84,24 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
     for (const auto& view : snapshot.views(path)) now.owners.emplace_back(view.owner);
     if (isTold(path, now)) return;
     auto list = diagnosticsOf(snapshot, path, client, *now.verdicts);
-    const std::lock_guard lock(mutex);
+    std::unique_lock lock(mutex);
     if (asked != revision) return;
     peer.notify(kMethod,
                 {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}});
     told[path] = std::move(now);
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
+    lock.unlock();
+    prepare(snapshot, path);
   } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
   } catch (const std::exception& error) {
     onFailure(kMethod, {{"uri", text.uri}}, error.what());
   }
+}
+
+/// The flow, which an edit of a comment alone spares the diagnostics.
+void Publisher::prepare(const ide::Snapshot& snapshot, const Path& path) {
+  (void)snapshot.takeReplaced();
+  for (const auto& view : snapshot.views(path)) (void)view.owner->flow();
 }
 
 } // namespace proskill::lsp

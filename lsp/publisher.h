@@ -45,8 +45,11 @@ public:
   /// The main thread's. \param enabled false: what was told is taken back
   void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
 
-private:
   using Path = std::filesystem::path;
+  /// What may be asked next about a text, when nobody waits. Any thread.
+  static void prepare(const ide::Snapshot& snapshot, const Path& path);
+
+private:
   using Owners = std::vector<std::weak_ptr<const ide::AnalysedProgram>>;
 
   /// What the client was last told of a text.
@@ -59,6 +62,7 @@ private:
   };
 
   void retract(const ide::Snapshot& snapshot, bool enabled);
+  void publishLatest(const Path& path, std::uint64_t asked);
   void publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked);
   [[nodiscard]] bool isTold(const Path& path, const Told& now);
 
@@ -73,6 +77,7 @@ private:
   Cancellation running;                   ///< of what was posted for the last revision
   std::mutex mutex; ///< of what follows, and of looking at the revision and sending
   std::map<Path, Told> told;
+  std::shared_ptr<const ide::Snapshot> latest; ///< to be published; null once it is stale
 };
 
 } // namespace proskill::lsp

@@ -235,8 +235,11 @@ void Server::handleText(const Message& message) {
   if (message.method == "textDocument/didChange") refuseStale(message);
   changed();
   verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
-  // Whole programs may go with the old snapshot: not here, where the next edit would wait for it.
-  scheduler.post(Priority::Background, [before = std::move(before)] {});
+  // Whole programs may go with the old snapshot: not here, where the next edit would wait for it,
+  // unless edits come faster than they can be forgotten.
+  constexpr long kMostRetiring = 3;
+  if (retiring.use_count() <= kMostRetiring)
+    scheduler.post(Priority::Background, [before = std::move(before), retiring = retiring] {});
 }
 
 /// What was asked about the text before the edit, and is asked again by the client.
@@ -265,6 +268,7 @@ void Server::dispatch(Received& received, const Method& method) {
         std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
                                    memberAt(message.params, {"partialResultToken"}));
     answer(message, method, request);
+    settle(message, snapshot);
   });
 }
 
@@ -296,6 +300,16 @@ void Server::answer(const Message& message, const Method& method, const Request&
                       : "error: " + result.error().message,
             latency);
   reply(message, std::move(result), *request.progress);
+}
+
+/// What can wait until the answer is sent.
+void Server::settle(const Message& message, const std::shared_ptr<const ide::Snapshot>& snapshot) {
+  if (auto replaced = snapshot->takeReplaced(); !replaced.empty())
+    scheduler.post(Priority::Background, [replaced = std::move(replaced)] {});
+  if (message.method != "textDocument/diagnostic") return;
+  if (auto path = documentPath(message.params))
+    scheduler.post(Priority::Background,
+                   [snapshot, path = *path] { Publisher::prepare(*snapshot, path); });
 }
 
 void Server::reply(const Message& message, Answer result, Progress& progress) {

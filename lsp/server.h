@@ -59,6 +59,7 @@ private:
   [[nodiscard]] Answer execute(const Json& params);
   void answer(const Message& message, const Method& method, const Request& request);
   void reply(const Message& message, Answer result, Progress& progress);
+  void settle(const Message& message, const std::shared_ptr<const ide::Snapshot>& snapshot);
   void changed();
   [[nodiscard]] std::chrono::milliseconds debounce() const;
   void textsChanged();
@@ -103,7 +104,8 @@ private:
   std::optional<int> parent;                ///< process whose end is ours
   std::optional<Time> parentDue;            ///< when to look for it
   Time started = std::chrono::steady_clock::now();
-  std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
+  std::atomic<std::uint64_t> errors{0};                     ///< requests that met a bug
+  std::shared_ptr<int> retiring = std::make_shared<int>(0); ///< shared by old snapshots that wait
   Verification verification;
   Publisher publisher;
   Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above

@@ -21,6 +21,18 @@ Position LineIndex::position(Offset at) const {
   return {line, at - starts[line]};
 }
 
+Position LineIndex::position(Offset at, std::uint32_t& line) const {
+  constexpr std::uint32_t kNear = 32;
+  const auto count = lineCount();
+  const auto first = line > kNear ? line - kNear : 0;
+  const auto last = std::min(count, line + kNear);
+  const bool isNear = first < last && starts[first] <= at && (last == count || at < starts[last]);
+  const auto begin = starts.begin() + (isNear ? first : 0);
+  const auto end = starts.begin() + (isNear ? last : count);
+  line = static_cast<std::uint32_t>(std::upper_bound(begin, end, at) - starts.begin() - 1);
+  return {line, at - starts[line]};
+}
+
 Offset LineIndex::offset(Position position) const {
   if (position.line >= starts.size()) return size;
   Offset end = position.line + 1 < starts.size() ? starts[position.line + 1] - 1 : size;

@@ -33,6 +33,8 @@ public:
   explicit LineIndex(std::string_view text);
 
   [[nodiscard]] Position position(Offset at) const;
+  /// The same, sooner where the place is in a line near to `line`, which it sets to its own.
+  [[nodiscard]] Position position(Offset at, std::uint32_t& line) const;
   /// Past the end of its line, or of the text: that end.
   [[nodiscard]] Offset offset(Position position) const;
   [[nodiscard]] std::uint32_t lineCount() const;
