@@ -21,4 +21,21 @@ export const scenarios = {
     equal('marks of code that are shown as they are', await steps.filter({ hasText: '`' }).count(), 0);
     await editor.command('View: Close All Editors');
   },
+
+  /** A click on the status bar says what can be done; each line of it is a command that there is. */
+  async menu({ editor, page }) {
+    await editor.status().click();
+    const rows = editor.quickInput().locator('.monaco-list-row');
+    await rows.filter({ hasText: 'Begin a new program' }).waitFor();
+    await editor.picture('menu-open');
+    await rows.filter({ hasText: 'Begin a new program' }).click();
+    await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
+    await editor.type('(defsv a :states (X Y) :init Z)');
+    await editor.squiggles().first().waitFor();
+    await expect('an empty text', async () => {
+      await editor.press('Control+z');
+      return !(await page.locator('.tab.active.dirty').count());
+    });
+    await editor.command('View: Close All Editors');
+  },
 };

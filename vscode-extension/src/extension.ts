@@ -91,7 +91,11 @@ async function statusMenu(server: Client): Promise<void> {
     { label: '$(play) Verify the program', command: 'proskill.verify' },
     { label: '$(type-hierarchy) Show the automaton', command: 'proskill.showAutomaton' },
     { label: '$(list-ordered) Open a trace', command: 'proskill.openTrace' },
+    { label: '$(debug-alt) Replay a trace in the debugger', command: 'proskill.debugTrace' },
     { label: '$(beaker) Show the properties', command: 'workbench.view.testing.focus' },
+    { label: '$(code) Show the Fiacre model', command: 'proskill.showModel' },
+    { label: '$(folder-opened) Open a trace from a file', command: 'proskill.openTraceFile' },
+    { label: '$(new-file) Begin a new program', command: 'proskill.newProgram' },
     { label: '$(debug-restart) Restart the server', command: 'proskill.restartServer' },
     { label: '$(output) Show the output', command: 'proskill.showOutput' },
   ];
