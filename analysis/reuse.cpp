@@ -34,11 +34,12 @@ bool touches(Location at, FileId file, Range range) {
   return at.file == file && at.range.begin <= range.end && range.begin <= at.range.end;
 }
 
-/// Its text, or that of a fix, may quote what was edited.
-bool quotes(const Diagnostic& diagnostic, FileId file, Range range) {
-  return touches(diagnostic.location, file, range) ||
+/// Its text may quote what was edited; a fix may look at the white space and the comments around
+/// it, too.
+bool quotes(const Diagnostic& diagnostic, const FileChange& edit) {
+  return touches(diagnostic.location, edit.file, edit.change.layout->before()) ||
          std::ranges::any_of(diagnostic.fixes, [&](const syntax::Fix& fix) {
-           return touches(fix.location, file, range);
+           return touches(fix.location, edit.file, edit.change.stretches.before());
          });
 }
 
@@ -94,7 +95,7 @@ std::optional<std::vector<Diagnostic>> movedByLayout(const std::vector<Diagnosti
   const Move move{edit.file, *edit.change.layout};
   auto result = diagnostics;
   for (Diagnostic& each : result)
-    if (quotes(each, edit.file, edit.change.stretches.before()) || !move(each)) return std::nullopt;
+    if (quotes(each, edit) || !move(each)) return std::nullopt;
   return result;
 }
 
