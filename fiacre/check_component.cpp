@@ -146,11 +146,14 @@ void checkStructure(const Program& program, const Declarations& known, const Rep
     if (contains(component, component.name, known, seen))
       report.at("component " + component.name)("the component contains itself");
   }
+  const auto model = report.at("model");
+  if (program.main.empty())
+    return model("its name is missing: that of a component stands at the end");
   const auto main = interfaceOf(program.main, known);
   if (!main)
-    report(fmt::format("there is no main component `{}`", program.main));
+    model(fmt::format("there is no main component `{}`", program.main));
   else if (!main->ports.empty() || !main->parameters.empty())
-    report(fmt::format("the main component `{}` wants ports or arguments", program.main));
+    model(fmt::format("the main component `{}` wants ports or arguments", program.main));
 }
 
 } // namespace proskill::fiacre

@@ -83,8 +83,8 @@ Range rangeOf(const fiacre::Problem& problem, const fiacre::Provenance& provenan
     return name.empty() ? range : narrowed(text, range, name);
   }
   const Range whole{0, static_cast<Offset>(text.size())};
-  const Range declared =
-      problem.place.empty() ? whole : narrowed(text, whole, lastWord(problem.place));
+  const bool ofAll = problem.place.empty() || problem.place == "model";
+  const Range declared = ofAll ? whole : narrowed(text, whole, lastWord(problem.place));
   return declared == whole ? Range{0, 0} : declared;
 }
 

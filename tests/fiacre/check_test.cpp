@@ -382,13 +382,17 @@ TEST_CASE("instances get the ports and the arguments of their process") {
 
 TEST_CASE("the components hang together") {
   CHECK(changed([](Program& p) {
+          p.main.clear();
+          p.properties = {};
+        }) == Found{"model: its name is missing: that of a component stands at the end"});
+  CHECK(changed([](Program& p) {
           p.main = "nobody";
           p.properties = {};
-        }) == Found{": there is no main component `nobody`"});
+        }) == Found{"model: there is no main component `nobody`"});
   CHECK(changed([](Program& p) {
           p.main = "worker";
           p.properties = {};
-        }) == Found{": the main component `worker` wants ports or arguments"});
+        }) == Found{"model: the main component `worker` wants ports or arguments"});
   CHECK(changed([](Program& p) { p.components[0].instances.push_back({.process = "main"}); }) ==
         Found{"component main: the component contains itself"});
   CHECK(changed([](Program& p) {
