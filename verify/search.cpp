@@ -46,6 +46,8 @@ std::optional<Evidence> findStuck(const System& system, const Reductions& reduct
   return Evidence{explorer.pathTo(stuck->node), stuck->clocks};
 }
 
+} // namespace
+
 void add(Exploration& to, const Exploration& more) {
   to.classes += more.classes;
   to.markings += more.markings;
@@ -56,8 +58,6 @@ void add(Exploration& to, const Exploration& more) {
   to.complete = to.complete && more.complete;
   if (to.stopped.empty()) to.stopped = more.stopped;
 }
-
-} // namespace
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
                     const Reductions& reductions, Forgetting forgetting, LimitWatch& limits) {

@@ -28,6 +28,9 @@ struct SearchResult {
   std::optional<Unsupported> failure;
 };
 
+/// Counts one more exploration of the same system. \param more the later one: its time is of both
+void add(Exploration& to, const Exploration& more);
+
 /// Looks for all goals: one exploration, and one more, with finer zones, where the first could not
 /// tell whether time can stop.
 [[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,

@@ -71,17 +71,6 @@ Watching watch(const System& compiled, const System& whole, const Goal& goal,
   return {answerOf(goal, found.evidence, found.statistics, witness), found.statistics, {}};
 }
 
-void add(Exploration& to, const Exploration& more) {
-  to.classes += more.classes;
-  to.markings += more.markings;
-  to.domains += more.domains;
-  to.transitions += more.transitions;
-  to.bytes = std::max(to.bytes, more.bytes);
-  to.seconds = more.seconds;
-  to.complete = to.complete && more.complete;
-  if (to.stopped.empty()) to.stopped = more.stopped;
-}
-
 } // namespace
 
 std::expected<Result, Unsupported> verify(const fiacre::Program& program,
