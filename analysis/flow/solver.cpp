@@ -18,11 +18,7 @@ Solver::Solver(const System& system) : model(system), moves(system.variables()) 
   prepare();
   prepareEvents();
   startRoots();
-  while (!queue.empty()) {
-    ProcessId next = queue.begin()->second;
-    queue.erase(queue.begin());
-    run(next);
-  }
+  while (!queue.empty()) run(queue.take());
   summarise();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/flow/interference.h"
+#include "analysis/flow/lift.h"
 #include "analysis/flow/system.h"
 
 #include <set>
@@ -77,7 +78,7 @@ private:
   void closeAgain(ProcessId process);
   [[nodiscard]] bool isClosed(ProcessId process, NodeId node) const;
   void wake(ProcessId process, NodeId node);
-  void schedule(ProcessId process) { queue.emplace(model.rank(process), process); }
+  void schedule(ProcessId process) { queue.add(model.rank(process), process); }
 
   void run(ProcessId process);
   void step(ProcessId process, NodeId node);
@@ -127,7 +128,7 @@ private:
   std::vector<std::set<Slot>> grown;              ///< slots that are to be closed again
   std::vector<bool> interrupted;
   std::vector<bool> stopped;
-  std::set<std::pair<std::size_t, ProcessId>> queue; ///< those who are called first
+  Lift queue;
   std::size_t mostCases = 0;
   std::vector<ValueSet> everything;
   std::vector<const Relation*> byAnyone; ///< of each variable
