@@ -46,6 +46,7 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::False: return {TypeKind::Boolean, kNoSymbol};
   case ExprKind::Parameter: return parameter(argument.name);
   case ExprKind::Symbol:
+    if (!wanted.known()) return {}; // it may be a value of the type, which is told to be unknown
     if (wanted.kind != TypeKind::Value) break;
     names.use(SymbolKind::Value, argument.name, Role::Mention, wanted.of);
     return wanted;

@@ -61,6 +61,9 @@ struct Analysis {
   /// What was found by looking at one definition after the other, a check each: what `analyse`
   /// takes over after an edit.
   std::vector<Found> ofDefinitions{};
+  /// Some names mean nothing. Whether that is one mistake or several is known of all definitions
+  /// together, so that nothing is taken over then.
+  bool hasUnknownNames = false;
 };
 [[nodiscard]] Analysis analyse(const Program& program);
 

@@ -72,37 +72,25 @@ void Names::note(SymbolId symbol, const Name& name, Role role) {
 }
 
 void Names::unknown(SymbolKind kind, const Name& name, SymbolId owner) {
-  Suggestion suggestion(name.text);
-  offerAll(suggestion, kind, owner);
-  if (kind == SymbolKind::Skill)
-    for (std::string_view word : kStatementWords) suggestion.offer(word);
-  if (owner == kNoSymbol) return reportGlobal(unknownCode(kind), name, suggestion);
-  context.findings
-      .report(unknownCode(kind), {file, name.range}, name.text, context.symbols[owner].name)
-      .suggest(suggestion);
-}
-
-void Names::reportGlobal(Code code, const Name& name, const Suggestion& suggestion) {
-  auto finding = context.findings.report(code, {file, name.range}, name.text);
-  finding.suggest(suggestion);
-  if (context.program.extent == Extent::Fragment) finding.severity(syntax::Severity::Hint);
-}
-
-void Names::offerAll(Suggestion& suggestion, SymbolKind kind, SymbolId owner) const {
-  for (SymbolId member : context.symbols.members(kind, owner))
-    suggestion.offer(context.symbols[member].name);
+  context.unknown.add(
+      {.code = unknownCode(kind),
+       .text = name.text,
+       .at = {file, name.range},
+       .owner = owner,
+       .kinds = {kind},
+       .words = kind == SymbolKind::Skill ? kStatementWords : std::span<const std::string_view>()});
 }
 
 void Names::useResult(const Name& tag, SymbolId skill) {
   if (!tag || tag.text == kNoResult) return;
   if (const SymbolId symbol = context.symbols.findResult(tag.text, skill); symbol != kNoSymbol)
     return note(symbol, tag, Role::Mention);
-  Suggestion suggestion(tag.text);
-  for (SymbolKind kind : {SymbolKind::SuccessTag, SymbolKind::FailureTag, SymbolKind::InvariantTag})
-    offerAll(suggestion, kind, skill);
-  context.findings
-      .report(Code::UnknownTag, {file, tag.range}, tag.text, context.symbols[skill].name)
-      .suggest(suggestion);
+  context.unknown.add(
+      {.code = Code::UnknownTag,
+       .text = tag.text,
+       .at = {file, tag.range},
+       .owner = skill,
+       .kinds = {SymbolKind::SuccessTag, SymbolKind::FailureTag, SymbolKind::InvariantTag}});
 }
 
 void Names::useStatus(const Name& word, std::span<const std::string_view> allowed) {
@@ -117,10 +105,11 @@ void Names::useLabelAnywhere(const Name& label) {
   const auto labels = context.symbols.labels(label.text);
   for (SymbolId symbol : labels) note(symbol, label, Role::Mention);
   if (!labels.empty()) return;
-  Suggestion suggestion(label.text);
-  for (const Symbol& symbol : context.symbols.all())
-    if (symbol.kind == SymbolKind::Label) suggestion.offer(symbol.name);
-  reportGlobal(Code::UnknownLabel, label, suggestion);
+  context.unknown.add({.code = Code::UnknownLabel,
+                       .text = label.text,
+                       .at = {file, label.range},
+                       .kinds = {SymbolKind::Label},
+                       .anywhere = true});
 }
 
 Type Names::useType(const Name& name) {
@@ -130,10 +119,11 @@ Type Names::useType(const Name& name) {
   const bool isVariable = variable != kNoSymbol && (type.of == variable || !type.known());
   if (isVariable) note(variable, name, Role::Mention);
   if (type.known() || isVariable) return type;
-  Suggestion suggestion(name.text);
-  for (std::string_view word : basicTypeWords()) suggestion.offer(word);
-  offerAll(suggestion, SymbolKind::StateVariable, kNoSymbol);
-  reportGlobal(Code::UnknownType, name, suggestion);
+  context.unknown.add({.code = Code::UnknownType,
+                       .text = name.text,
+                       .at = {file, name.range},
+                       .kinds = {SymbolKind::StateVariable},
+                       .words = basicTypeWords()});
   return {};
 }
 

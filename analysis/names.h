@@ -3,6 +3,7 @@
 #include "analysis/findings.h"
 #include "analysis/index.h"
 #include "analysis/types.h"
+#include "analysis/unknown_names.h"
 #include "analysis/walk.h"
 
 #include <vector>
@@ -25,6 +26,7 @@ struct Context {
   const SymbolTable& symbols;
   Findings& findings;
   std::vector<Occurrence>& occurrences;
+  UnknownNames& unknown;
   Scope scope{};
 
   /// Calls `visit(definition)` for those of a table that are to be looked at.
@@ -98,9 +100,6 @@ public:
 
 private:
   void unknown(SymbolKind kind, const syntax::Name& name, SymbolId owner);
-  /// Something that a root may define that is not known here is a hint only.
-  void reportGlobal(syntax::Code code, const syntax::Name& name, const Suggestion& suggestion);
-  void offerAll(Suggestion& suggestion, SymbolKind kind, SymbolId owner) const;
 
   Context& context;
   FileId file;

@@ -282,6 +282,7 @@ struct Include {
 /// A form at the top level that is none of the language's; it is diagnosed.
 struct UnknownForm {
   Name head;
+  Name name; ///< the word behind it: what it would have defined
 };
 
 struct Form {

@@ -179,7 +179,9 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
   }
   if (!isDamaged(*head))
     builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head));
-  return isWord(*head) ? UnknownForm{builder.nameOf(*head)} : UnknownForm{};
+  if (!isWord(*head)) return {};
+  const Node* name = parts.take();
+  return {builder.nameOf(*head), name && isWord(*name) ? builder.nameOf(*name) : Name{}};
 }
 
 Form formOf(Builder& builder, const Node& node) {

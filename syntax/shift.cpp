@@ -22,7 +22,7 @@ auto members(Interrupt& x) { return std::tie(x.effects, x.range); }
 auto members(Argument& x) { return std::tie(x.name, x.value, x.range); }
 auto members(Block& x) { return std::tie(x.statements, x.range); }
 auto members(Arm& x) { return std::tie(x.keyword, x.condition, x.body); }
-auto members(UnknownForm& x) { return std::tie(x.head); }
+auto members(UnknownForm& x) { return std::tie(x.head, x.name); }
 auto members(Include& x) { return std::tie(x.path); }
 auto members(Event& x) { return std::tie(x.name, x.fields, x.effects); }
 auto members(Resource& x) { return std::tie(x.name, x.fields, x.capacity); }

@@ -1,0 +1,183 @@
+#include "analysis/unknown_names.h"
+
+#include "analysis/names.h"
+#include "syntax/codes.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+#include <utility>
+
+namespace proskill::analysis {
+
+namespace {
+
+using syntax::Code;
+using syntax::Diagnostic;
+
+constexpr std::size_t kMostRelated = 10;
+
+/// Because of these a program has definitions that are not known.
+bool hidesDefinitions(Code code) {
+  return code == Code::UnreadableFile || code == Code::TextTooLong || code == Code::FormTooLarge ||
+         code == Code::NestedTooDeep || code == Code::MissingPath;
+}
+
+/// Because of these a definition has parts that are not known.
+bool hidesParts(Code code) {
+  return code == Code::UnknownField || code == Code::MalformedValue ||
+         code == Code::MalformedName || code == Code::MalformedOutcome ||
+         code == Code::MissingValue || code == Code::MissingTag;
+}
+
+/// A candidate for what was meant.
+struct Near {
+  std::string_view word;
+  SymbolId symbol = kNoSymbol; ///< none: a word of the language
+};
+
+class Reporter {
+public:
+  explicit Reporter(Context& context) : context(context), mentioned(context.symbols.all().size()) {
+    for (const Occurrence& it : context.occurrences) mentioned[it.symbol] = true;
+    for (const Diagnostic& it : context.program.diagnostics) {
+      definitionsHidden |= hidesDefinitions(it.code);
+      if (hidesParts(it.code)) hidden.push_back(it.location);
+    }
+    for (const File& file : context.program.files)
+      for (const syntax::Form& form : file.document.forms())
+        if (const auto* unread = std::get_if<syntax::UnknownForm>(&form.node))
+          unreadNames.insert(unread->name.text);
+  }
+
+  void report(const std::vector<UnknownName>& uses) {
+    const Near near = nearest(uses.front(), false);
+    if (near.word.empty() && isConsequence(uses.front())) return;
+    if (uses.size() > 1) {
+      const Near definition = nearest(uses.front(), true);
+      if (definition.symbol != kNoSymbol && !isNearer(near, definition, uses.front()))
+        return reportDefinition(uses, definition.symbol);
+      if (near.word.empty()) return reportMissing(uses);
+    }
+    for (const UnknownName& use : uses) {
+      Finding finding = reportUse(use);
+      if (!near.word.empty()) suggest(finding, near.word, use.at);
+    }
+  }
+
+private:
+  Finding reportUse(const UnknownName& use) {
+    const bool global = use.owner == kNoSymbol;
+    Finding finding = global ? context.findings.report(use.code, use.at, use.text)
+                             : context.findings.report(use.code, use.at, use.text,
+                                                       context.symbols[use.owner].name);
+    if (global && isFragment()) finding.severity(syntax::Severity::Hint);
+    return finding;
+  }
+
+  static void suggest(Finding& finding, std::string_view word, Location at) {
+    finding.fix(fmt::format("did you mean `{}`?", word), at, std::string(word));
+  }
+
+  void reportMissing(const std::vector<UnknownName>& uses) {
+    Finding finding = reportUse(uses.front());
+    addUses(finding, uses);
+  }
+
+  void reportDefinition(const std::vector<UnknownName>& uses, SymbolId definition) {
+    const Symbol& symbol = context.symbols[definition];
+    Finding finding = reportUse(uses.front());
+    finding.related(symbol.at, fmt::format("is this meant, `{}`?", symbol.name));
+    addUses(finding, uses);
+    if (!isFragment())
+      finding.fix(fmt::format("call it `{}` where it is defined", uses.front().text), symbol.at,
+                  std::string(uses.front().text));
+  }
+
+  static void addUses(Finding& finding, const std::vector<UnknownName>& uses) {
+    const std::size_t more = uses.size() - std::min(uses.size(), kMostRelated + 1);
+    const std::size_t end = uses.size() - more;
+    for (std::size_t i = 1; i < end; ++i)
+      finding.related(uses[i].at, more > 0 && i + 1 == end
+                                      ? fmt::format("used here too, and {} more times", more)
+                                      : "used here too");
+  }
+
+  [[nodiscard]] bool isFragment() const { return context.program.extent == Extent::Fragment; }
+
+  template <class Visit> void forEachCandidate(const UnknownName& use, Visit visit) const {
+    for (SymbolKind kind : use.kinds) {
+      for (SymbolId id : context.symbols.members(kind, use.owner)) visit(id);
+      if (!use.anywhere) continue;
+      for (SymbolId id = 0; id < context.symbols.all().size(); ++id)
+        if (context.symbols[id].kind == kind) visit(id);
+    }
+  }
+
+  /// The word that is nearest, if any is near: of all, or of those that nobody mentions.
+  [[nodiscard]] Near nearest(const UnknownName& use, bool unmentioned) const {
+    Suggestion suggestion(use.text);
+    Near found;
+    forEachCandidate(use, [&](SymbolId id) {
+      if (unmentioned && mentioned[id]) return;
+      suggestion.offer(context.symbols[id].name);
+      if (suggestion.best() != found.word) found = {suggestion.best(), id};
+    });
+    if (unmentioned) return found;
+    for (std::string_view word : use.words) suggestion.offer(word);
+    return suggestion.best() == found.word ? found : Near{suggestion.best()};
+  }
+
+  static bool isNearer(const Near& a, const Near& b, const UnknownName& use) {
+    const std::size_t limit = use.text.size();
+    return editDistance(use.text, a.word, limit) < editDistance(use.text, b.word, limit);
+  }
+
+  /// Something that was told already hides what the name means.
+  [[nodiscard]] bool isConsequence(const UnknownName& use) const {
+    if (use.owner == kNoSymbol)
+      return definitionsHidden || unreadNames.contains(use.text) || isUnnamed(use);
+    const Symbol& owner = context.symbols[use.owner];
+    return std::ranges::any_of(hidden, [&](const Location& at) {
+      return at.file == owner.at.file && owner.extent.begin <= at.range.begin &&
+             at.range.end <= owner.extent.end;
+    });
+  }
+
+  /// One of its kind has no name.
+  [[nodiscard]] bool isUnnamed(const UnknownName& use) const {
+    bool unnamed = false;
+    forEachCandidate(use, [&](SymbolId id) { unnamed |= context.symbols[id].name.empty(); });
+    return unnamed;
+  }
+
+  Context& context;
+  std::vector<bool> mentioned; ///< of each symbol
+  bool definitionsHidden = false;
+  std::vector<Location> hidden;           ///< where parts of definitions were not read
+  std::set<std::string_view> unreadNames; ///< of definitions that were not read
+};
+
+/// A type may be a state variable: both are about one name.
+Code codeOfKey(Code code) { return code == Code::UnknownType ? Code::UnknownStateVariable : code; }
+
+} // namespace
+
+void UnknownNames::add(UnknownName name) {
+  auto& same = uses[{codeOfKey(name.code), name.owner, name.text}];
+  same.push_back(std::move(name));
+}
+
+void UnknownNames::report(Context& context) const {
+  if (uses.empty()) return;
+  Reporter reporter(context);
+  for (const auto& [key, same] : uses) {
+    std::vector<UnknownName> inOrder = same;
+    std::ranges::stable_sort(inOrder, {}, [](const UnknownName& use) {
+      return std::pair(use.at.file, use.at.range.begin);
+    });
+    reporter.report(inOrder);
+  }
+}
+
+} // namespace proskill::analysis
