@@ -130,13 +130,15 @@ private:
       }
   }
 
-  /// A body watches the guards where it waits: what it sets before that may make them true.
+  /// A body watches the guards where it waits: what it sets before that may make them true, and
+  /// where it never waits nobody looks.
   [[nodiscard]] bool lasts(ProcessId id, const Condition& guard) const {
     const Process& process = report.system()[id];
     if (!report.system().skill(process).isComposite()) return true;
     if (!report.solver.started(id)) return false;
     std::set<NodeId> seen{0};
     std::vector<NodeId> next{0};
+    bool waits = false;
     while (!next.empty()) {
       NodeId node = next.back();
       next.pop_back();
@@ -144,6 +146,7 @@ private:
       if (each.kind == NodeKind::Outcome || each.kind == NodeKind::Fork) return false;
       if (each.waits()) {
         if (report.solver.mayHold(id, node, guard)) return false;
+        waits = true;
         continue;
       }
       for (const Edge& edge : each.edges) {
@@ -152,7 +155,7 @@ private:
         if (follows && seen.insert(edge.target).second) next.push_back(edge.target);
       }
     }
-    return true;
+    return waits;
   }
 
   Report& report;

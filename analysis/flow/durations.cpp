@@ -170,8 +170,8 @@ Durations::Date Durations::latestExit(const Unrolled& ways, const std::vector<Du
     for (NodeId node = 0; node < graph.nodes.size(); ++node) {
       if (!dates[node]) continue;
       Date leaving = sum(dates[node], times[node].most);
+      if (!leaving) return std::nullopt; // it may stay there, whether or not a way leads on
       for (const Edge& edge : graph[node].edges) {
-        if (!leaving) return std::nullopt;
         if (dates[edge.target] && *dates[edge.target] >= *leaving) continue;
         dates[edge.target] = leaving;
         changed = true;
