@@ -87,7 +87,8 @@ private:
   void reportDefinition(const std::vector<UnknownName>& uses, SymbolId definition) {
     const Symbol& symbol = context.symbols[definition];
     Finding finding = reportUse(uses.front());
-    finding.related(symbol.at, fmt::format("is this meant, `{}`?", symbol.name));
+    finding.related(symbol.at,
+                    fmt::format("`{}` is defined here, and nobody uses it", symbol.name));
     addUses(finding, uses);
     if (!isFragment())
       finding.fix(fmt::format("call it `{}` where it is defined", uses.front().text), symbol.at,

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 /// What is right and could read better.
 namespace proskill::analysis::flow {
@@ -24,27 +25,38 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
+/// The tags of a skill's ends are compared with one `.res`, whatever end they are of.
+SymbolKind family(SymbolKind kind) {
+  bool ends = kind == SymbolKind::FailureTag || kind == SymbolKind::InvariantTag;
+  return ends ? SymbolKind::SuccessTag : kind;
+}
+
 /// Names of one kind and owner that a reader may take for each other.
-void checkSimilarNames(Report& report) {
+/// \return those of which this was told
+std::set<const Symbol*> checkSimilarNames(Report& report) {
+  std::set<const Symbol*> told;
   std::map<std::tuple<SymbolKind, SymbolId, std::string>, const Symbol*> known;
   for (const Symbol& symbol : report.index.symbols().all()) {
     auto [place, isNew] =
-        known.try_emplace({symbol.kind, symbol.owner, lowered(symbol.name)}, &symbol);
+        known.try_emplace({family(symbol.kind), symbol.owner, lowered(symbol.name)}, &symbol);
     if (isNew || place->second->name == symbol.name) continue;
     report.findings.report(Code::SimilarNames, symbol.at, symbol.name, place->second->name)
         .related(place->second->at, "the other one");
+    told.insert({&symbol, place->second});
   }
+  return told;
 }
 
-bool isTopLevel(SymbolKind kind) {
-  return kind == SymbolKind::StateVariable || kind == SymbolKind::Event ||
-         kind == SymbolKind::Skill || kind == SymbolKind::Resource;
-}
-
-void checkNaming(Report& report) {
-  for (const Symbol& symbol : report.index.symbols().all())
-    if (isTopLevel(symbol.kind) && lowered(symbol.name) != symbol.name)
+/// Values have a capital, all else has none.
+void checkNaming(Report& report, const std::set<const Symbol*>& told) {
+  for (const Symbol& symbol : report.index.symbols().all()) {
+    if (symbol.name.empty() || told.contains(&symbol)) continue;
+    const bool isValue = symbol.kind == SymbolKind::Value;
+    if (isValue && std::islower(static_cast<unsigned char>(symbol.name.front())) != 0)
+      report.findings.report(Code::ValueWithoutCapital, symbol.at, symbol.name);
+    if (!isValue && lowered(symbol.name) != symbol.name)
       report.findings.report(Code::NameNotLowerCase, symbol.at, symbol.name);
+  }
 }
 
 /// `(= battery Good)` where `(battery Good)` says the same.
@@ -82,6 +94,12 @@ public:
     if (skill.body) visit(*skill.body);
   }
 
+  void visit(const syntax::Property& property) {
+    for (const Expr& operand : property.operands) visit(operand);
+    if (property.after) visit(*property.after);
+    if (property.before) visit(*property.before);
+  }
+
 private:
   /// A number reads well with `=`.
   static bool isValue(const Domain& domain, const Expr& value) {
@@ -101,12 +119,13 @@ private:
 } // namespace
 
 void checkStyle(Report& report) {
-  checkNaming(report);
-  checkSimilarNames(report);
+  checkNaming(report, checkSimilarNames(report));
   for (const auto& skill : report.program.skills.all)
     Equalities(report, skill.file).visit(*skill.node);
   for (const auto& environment : report.program.environments.all)
     Equalities(report, environment.file).visit(environment->body);
+  for (const auto& property : report.program.properties.all)
+    Equalities(report, property.file).visit(*property.node);
 }
 
 } // namespace proskill::analysis::flow

@@ -30,6 +30,7 @@ void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
   if (!never && !always) return;
   report.explain(id, nodeId);
   if (isBlamed(report, process, conditions)) return;
+  if (dependsOnUnreturned(report, id, nodeId, conditions.front(), never)) return;
   bool loops = node.statement->kind == StatementKind::While;
   Code code = always  ? Code::TestAlwaysHolds
               : loops ? Code::LoopNeverEntered

@@ -16,6 +16,7 @@ void checkWait(Report& report, ProcessId id, NodeId nodeId) {
   if (!report.solver.mayHold(id, nodeId, conditions.front())) {
     report.explain(id, nodeId);
     if (isBlamed(report, process, conditions)) return;
+    if (dependsOnUnreturned(report, id, nodeId, conditions.front(), true)) return;
     Finding finding = report.findings.report(syntax::Code::WaitNeverEnds, at);
     addValues(finding, report, process, before, conditions);
   } else if (!report.solver.mayFail(id, nodeId, conditions.front()) &&

@@ -20,6 +20,7 @@ void checkValues(Report& report);
 void checkResults(Report& report);
 void checkBranches(Report& report);
 void checkResourceOrder(Report& report);
+void checkSharedSkills(Report& report);
 void checkProgress(Report& report);
 void checkDurations(Report& report);
 void checkTicks(Report& report);

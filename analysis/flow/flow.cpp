@@ -7,11 +7,12 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-constexpr void (*kChecks[])(Report&) = {
-    checkMoves,       checkPreconditions, checkStatuses,       checkWaits,         checkTests,
-    checkUnreachable, checkInvariants,    checkPostconditions, checkInterrupts,    checkUnused,
-    checkValues,      checkResults,       checkBranches,       checkResourceOrder, checkProgress,
-    checkDurations,   checkTicks};
+constexpr void (*kChecks[])(Report&) = {checkMoves,      checkPreconditions,  checkStatuses,
+                                        checkWaits,      checkTests,          checkUnreachable,
+                                        checkInvariants, checkPostconditions, checkInterrupts,
+                                        checkUnused,     checkValues,         checkResults,
+                                        checkBranches,   checkResourceOrder,  checkSharedSkills,
+                                        checkProgress,   checkDurations,      checkTicks};
 
 } // namespace
 
@@ -22,6 +23,7 @@ std::vector<syntax::Diagnostic> checkFlow(const Program& program, const Index& i
 std::vector<syntax::Diagnostic> checkFlow(const Flow& flow, const Index& index, bool style) {
   Findings findings;
   Report report{flow.system.program(), flow.solver, index, findings};
+  noteUnreturned(report);
   for (auto check : kChecks) {
     stopIfAsked();
     check(report);

@@ -51,6 +51,9 @@ public:
     return found;
   }
 
+  /// Skills that are only called by who holds it.
+  [[nodiscard]] const std::set<ProcessId>& called() const { return inherits; }
+
 private:
   [[nodiscard]] const Write* write(ProcessId id, NodeId node) const {
     auto found = usage.writes.find({id, node});
@@ -176,12 +179,16 @@ std::vector<IdSet> exclusiveSkills(const System& system) {
   for (ProcessId id = 0; id < system.size(); ++id)
     if (system[id].analysed) collect(system, id, usages);
   std::vector<IdSet> exclusive(system.size());
+  IdSet called;
   for (const auto& [variable, usage] : usages) {
     stopIfAsked();
-    IdSet holders = Lock(system, usage).holders();
+    const Lock lock(system, usage);
+    IdSet holders = lock.holders();
+    for (ProcessId id : lock.called()) called.insert(id);
     forEach(holders, [&](std::size_t id) { exclusive[id].insertAll(holders); });
   }
-  for (ProcessId id = 0; id < system.size(); ++id) exclusive[id].erase(id);
+  for (ProcessId id = 0; id < system.size(); ++id)
+    if (!called.contains(id)) exclusive[id].erase(id);
   return exclusive;
 }
 

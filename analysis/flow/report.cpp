@@ -66,6 +66,64 @@ bool isBlamed(const Report& report, const Process& process,
       slots, [&](Slot slot) { return report.blamed.contains(process.slots[slot]); });
 }
 
+namespace {
+
+std::set<const syntax::Outcome*> returnedBy(const Report& report, ProcessId skill) {
+  std::set<const syntax::Outcome*> returned;
+  const Process& process = report.system()[skill];
+  for (NodeId node = 0; node < process.actions.size(); ++node)
+    if ((*process.graph)[node].kind == NodeKind::Outcome && report.solver.reachable(skill, node))
+      returned.insert((*process.graph)[node].outcome);
+  return returned;
+}
+
+void noteUnreturned(Report& report, std::size_t index) {
+  const ProcessId id = report.system().ofSkill(index);
+  const syntax::Skill& skill = *report.program.skills.all[index].node;
+  if (!skill.isComposite() || !report.solver.started(id)) return;
+  const auto returned = returnedBy(report, id);
+  const VariableId status = report.variables().of(VariableKind::Status, index);
+  const VariableId result = report.variables().of(VariableKind::Result, index);
+  ValueSet tags;
+  for (const auto& [outcomes, ends] : {std::pair(&skill.successes, Status::Success),
+                                       std::pair(&skill.failures, Status::Failure)}) {
+    bool any = false;
+    for (const syntax::Outcome& outcome : *outcomes) {
+      const Domain& domain = report.variables()[result].domain;
+      const auto tag = domain.numberOf(outcome.tag.text);
+      any |= returned.contains(&outcome);
+      if (tag && !returned.contains(&outcome)) tags |= domain.saturated({*tag, *tag});
+    }
+    any |= ends == Status::Success && returned.contains(nullptr);
+    if (!any && !outcomes->empty())
+      report.unreturned[status] |= ValueSet::of(static_cast<unsigned>(ends));
+  }
+  if (!tags.empty()) report.unreturned[result] = tags;
+}
+
+} // namespace
+
+void noteUnreturned(Report& report) {
+  for (std::size_t i = 0; i < report.program.skills.all.size(); ++i) noteUnreturned(report, i);
+}
+
+bool dependsOnUnreturned(const Report& report, ProcessId process, NodeId node,
+                         const Condition& condition, bool holds) {
+  std::set<Slot> slots;
+  collectSlots(condition, slots);
+  auto mayGoAnotherWay = [&](State state) {
+    bool widened = false;
+    for (Slot slot : slots) {
+      auto missing = report.unreturned.find(report.system()[process].slots[slot]);
+      if (missing == report.unreturned.end()) continue;
+      state.values[slot] |= missing->second;
+      widened = true;
+    }
+    return widened && (holds ? mayHold(state, condition) : mayFail(state, condition));
+  };
+  return std::ranges::any_of(report.solver.cases(process, node), mayGoAnotherWay);
+}
+
 void addValues(Finding& finding, Report& report, const Process& process, const State& state,
                const std::vector<Condition>& conditions) {
   std::set<Slot> slots;

@@ -4,6 +4,7 @@
 #include "analysis/flow/solver.h"
 #include "analysis/index.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -25,6 +26,9 @@ struct Report {
   std::set<VariableId> disputed{};
   /// Statuses and results of skills of which it was told that they cannot start.
   std::set<VariableId> blamed{};
+  /// Of statuses and results, the values of outcomes that the skill declares and never returns,
+  /// which is told where it is defined.
+  std::map<VariableId, ValueSet> unreturned{};
 
   [[nodiscard]] const System& system() const { return solver.system(); }
   [[nodiscard]] const Variables& variables() const { return solver.system().variables(); }
@@ -53,6 +57,12 @@ void blameSkill(Report& report, std::size_t skill);
 /// Some variable of the conditions has been blamed.
 [[nodiscard]] bool isBlamed(const Report& report, const Process& process,
                             const std::vector<Condition>& conditions);
+
+/// Fills `report.unreturned`.
+void noteUnreturned(Report& report);
+/// The condition of a node could hold, or fail, if the skills returned all that they declare.
+[[nodiscard]] bool dependsOnUnreturned(const Report& report, ProcessId process, NodeId node,
+                                       const Condition& condition, bool holds);
 
 /// What a fix puts between a statement and one that it adds behind it: the same indentation on a
 /// line of its own, where the statement begins its line; else a space.

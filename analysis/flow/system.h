@@ -68,7 +68,7 @@ public:
   [[nodiscard]] const IdSet& everybody() const { return allProcesses; }
   /// Those that may act between two steps of a process and are not called by it.
   [[nodiscard]] const IdSet& concurrent(ProcessId id) const { return others[id]; }
-  /// Skills that cannot be running while this one is.
+  /// Skills that cannot be running while this one is; itself, where it is never called while it is.
   [[nodiscard]] const IdSet& exclusive(ProcessId id) const { return excluded[id]; }
   /// Events happen at any time: no environment restricts them.
   [[nodiscard]] bool hasFreeEvents() const { return source.environments.all.empty(); }

@@ -1,28 +1,14 @@
 #include "tests/flow/analysed.h"
 
+#include "tests/support/texts.h"
+
 #include <stdexcept>
 
 namespace proskill::test {
 
-namespace {
-
 using namespace analysis::flow;
 
-class NoFiles : public analysis::FileSystem {
-public:
-  std::expected<std::string, std::string> read(const std::filesystem::path&) const override {
-    return std::unexpected("there are no files in this test");
-  }
-  std::filesystem::path canonical(const std::filesystem::path& path) const override { return path; }
-};
-
-} // namespace
-
-analysis::Program programOf(std::string text) {
-  return analysis::load(NoFiles(), "test.proskill", syntax::Document::parse(std::move(text)));
-}
-
-Analysed::Analysed(std::string text) : program(programOf(std::move(text))) {
+Analysed::Analysed(std::string text) : program(programOfText(std::move(text))) {
   system = std::make_unique<System>(program);
   solver = std::make_unique<Solver>(*system);
 }

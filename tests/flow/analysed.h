@@ -33,7 +33,4 @@ private:
   std::unique_ptr<analysis::flow::Solver> solver;
 };
 
-/// A program whose only file is `text`.
-[[nodiscard]] analysis::Program programOf(std::string text);
-
 } // namespace proskill::test

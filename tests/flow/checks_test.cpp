@@ -1,7 +1,6 @@
-#include "tests/flow/analysed.h"
-
 #include "analysis/flow/inspect.h"
 #include "tests/support/marked_source.h"
+#include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +22,7 @@ void expectTold(const Case& each) {
   INFO(marked.text);
   std::vector<std::string> found;
   std::vector<syntax::Range> places;
-  for (const auto& it : analysis::flow::inspect(test::programOf(marked.text), {})) {
+  for (const auto& it : analysis::flow::inspect(test::programOfText(marked.text), {})) {
     found.push_back(std::string(syntax::info(it.code).id));
     places.push_back(it.location.range);
     UNSCOPED_INFO(found.back() << " " << it.message);
@@ -34,7 +33,7 @@ void expectTold(const Case& each) {
 
 std::string codes(const std::string& program) {
   std::string all;
-  for (const auto& it : analysis::flow::inspect(test::programOf(program), {}))
+  for (const auto& it : analysis::flow::inspect(test::programOfText(program), {}))
     all += syntax::info(it.code).id;
   return all;
 }
@@ -207,4 +206,110 @@ TEST_CASE("A loop in which no time passes is told at its beginning") {
       {R"((defsv n :init 0 :min 0 :max 5)
 (defskill m :body ((while (< n 5) (set (n (+ n 1)))))))"},
   });
+}
+
+TEST_CASE("A wait that may never end leaves no bound, even where no way leads on") {
+  // Where a stop comes at once the mission takes no time; else it waits for its own result for
+  // ever.
+  CHECK(codes("(defsv v :states (Low Bad) :init Bad)\n(defevent stop :effects (v Low))\n"
+              "(defskill m :time_interval [1,3] :success done\n"
+              "  :body ((if (v Bad) (^ (= m.res done)))))")
+            .find("PS1001") == std::string::npos);
+}
+
+TEST_CASE("A skill that a monitor and the mission call is told once") {
+  expectAllTold({
+      {R"((defskill survey :action (survey))
+(defskill watch :monitor t :body ((^ 5) (survey)))
+(defskill mission :body ((survey) (^ 1) ([[survey]]))))",
+       "PS0905"},
+      {R"((defskill survey :action (survey))
+(defskill tour :body ((survey)))
+(defskill watch :monitor t :body ((^ 5) (survey)))
+(defskill mission :body ((tour) ([[survey]]))))",
+       "PS0905"},
+      {R"((defskill survey :action (survey))
+(defskill first :monitor t :body ((survey)))
+(defskill second :monitor t :body (([[survey]])))
+(defskill mission :body ((^ 1))))",
+       "PS0905"},
+      {R"((defskill survey :action (survey))
+(defskill watch :monitor t :body ((^ 5)))
+(defskill mission :body ((survey) (^ 1) (survey))))"},
+  });
+}
+
+TEST_CASE("A skill that is only called under a lock is free") {
+  const std::string lock = "(defsv zone :states (Free Taken) :init Free)\n"
+                           "(defskill survey :action (survey))\n";
+  const std::string calls = "((^ (zone Free) :effects (zone Taken)) (survey) (set (zone Free)))";
+  CHECK(codes(lock + "(defskill watch :monitor t :body " + calls + ")\n(defskill mission :body " +
+              calls + ")")
+            .find("PS0905") == std::string::npos);
+}
+
+TEST_CASE(
+    "An outcome that is never returned is told where it is declared, not at who asks for it") {
+  expectAllTold({
+      {R"((defskill s :success done :failure [[lost]] :body ((^ 1) (success done)))
+(defskill m :success done :failure lost
+  :body ((s) (if (= s.status failure) (failure lost)) (success done))))",
+       "PS0602"},
+      {R"((defsv v :states (A B) :init A)
+(defevent e :effects (v B))
+(defskill s :success done :failure (lost [[late]])
+  :body ((if (v B) (failure lost)) (^ 1) (success done)))
+(defskill m :body ((s) (if (= s.res late) (printf "late")) (^ (= s.res late)))))",
+       "PS0602"},
+  });
+  // A chain of skills, each of which asks how the next went, has one mistake.
+  std::string chain = "(defskill s30 :success done :failure lost :body ((^ 1) (success done)))\n";
+  for (int i = 29; i >= 0; --i)
+    chain += "(defskill s" + std::to_string(i) + " :success done :failure lost :body ((s" +
+             std::to_string(i + 1) + ") (if (= s" + std::to_string(i + 1) +
+             ".status failure) (failure lost)) (success done)))\n";
+  CHECK(codes(chain) == "PS0602");
+}
+
+TEST_CASE("Hints of style look at values, tags, and properties too") {
+  auto hints = [](const std::string& text) {
+    std::string all;
+    for (const auto& it : analysis::flow::inspect(test::programOfText(text), {.style = true}))
+      if (syntax::info(it.code).id.starts_with("PS11")) all += syntax::info(it.code).id;
+    return all;
+  };
+  const std::string mission = "(defskill mission :body ((^ (light On)) (set (light Off))))\n";
+  const std::string light = "(defsv light :states (Off On) :init Off)\n";
+  CHECK(hints(light + mission).empty());
+  CHECK(hints("(defsv light :states (Off On dim) :init Off)\n" + mission) == "PS1104");
+  CHECK(hints("(defsv light :states (Off On on) :init Off)\n" + mission) == "PS1102");
+  CHECK(hints(light + mission + "(defproperty p (never (and (= light On) (running mission))))") ==
+        "PS1103");
+  CHECK(hints(light + mission + "(defproperty Dark (never (light On)))") == "PS1101");
+  CHECK(hints(light + "(defskill mission :success Done :failure done :body ((^ (light On)) "
+                      "(if (light On) (failure done)) (success Done)))") == "PS1102");
+}
+
+TEST_CASE("Bounds are rounded to whole ticks, and a postcondition to what the outcome sets") {
+  auto mended = [](std::string text) {
+    for (const auto& it : analysis::flow::inspect(test::programOfText(text), {})) {
+      if (it.fixes.empty()) continue;
+      const auto& fix = it.fixes[0];
+      text.replace(fix.location.range.begin, fix.location.range.length(), fix.text);
+      return text;
+    }
+    return text;
+  };
+  CHECK(mended("(defskill m :body ((^ 0.333)))") == "(defskill m :body ((^ 0.33)))");
+  CHECK(mended("(defskill m :body ((^ ]0.125,1.001[)))") == "(defskill m :body ((^ ]0.13,1[)))");
+  CHECK(mended("(defskill m :body ((^ [0.125,...[)))") == "(defskill m :body ((^ [0.13,...[)))");
+  CHECK(mended("(defskill m :body ((^ 0.001)))") == "(defskill m :body ((^ 0.001)))");
+  const std::string light = "(defsv d :states (A B) :init A)\n";
+  const std::string rest = "(defskill m :body ((s) (set (d B)) (^ (d B))))";
+  auto skill = [&](const std::string& outcome) {
+    return light + "(defskill s :action (s) :success ok (" + outcome + "))\n" + rest;
+  };
+  CHECK(mended(skill(":postcondition (d B)")) == skill(":effects (d B) :postcondition (d B)"));
+  CHECK(mended(skill(":effects (d A) :postcondition (d B)")) ==
+        skill(":effects (d A) :postcondition (d A)"));
 }

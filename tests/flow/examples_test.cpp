@@ -1,6 +1,5 @@
-#include "tests/flow/analysed.h"
-
 #include "analysis/flow/inspect.h"
+#include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +12,7 @@ namespace {
 bool isOfFlow(const syntax::CodeInfo& info) { return info.id >= "PS0500" && info.id < "PS1300"; }
 
 std::vector<syntax::Diagnostic> found(const std::string& text) {
-  return analysis::flow::inspect(test::programOf(text), {.style = true});
+  return analysis::flow::inspect(test::programOfText(text), {.style = true});
 }
 
 } // namespace
@@ -45,7 +44,7 @@ TEST_CASE(
   for (const syntax::CodeInfo& info : syntax::allCodes()) {
     if (!isOfFlow(info)) continue;
     INFO(info.id << "\n" << info.example);
-    auto program = test::programOf(std::string(info.example));
+    auto program = test::programOfText(std::string(info.example));
     auto analysis = analysis::analyse(program);
     for (const auto& each : analysis.diagnostics) {
       INFO(each.message);

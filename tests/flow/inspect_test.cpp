@@ -1,7 +1,6 @@
-#include "tests/flow/analysed.h"
-
 #include "analysis/flow/inspect.h"
 #include "syntax/codes.h"
+#include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +12,7 @@ using syntax::Severity;
 namespace {
 
 std::string codes(const std::string& text, const Settings& settings = {}) {
-  auto program = test::programOf(text);
+  auto program = test::programOfText(text);
   std::string found;
   for (const auto& each : analysis::flow::inspect(program, settings))
     found += (found.empty() ? "" : " ") + std::string(syntax::info(each.code).id);
@@ -51,7 +50,7 @@ TEST_CASE("Errors of names cannot be ignored, and silence the flow") {
 TEST_CASE("Severities are those of the settings") {
   std::string text = kGrip + "(defskill mission :body ((grip)))";
   CHECK(codes(text, {.severities = {{Code::ResultIgnored, std::nullopt}}}) == "");
-  auto program = test::programOf(text);
+  auto program = test::programOfText(text);
   auto found = analysis::flow::inspect(
       program, Settings{.severities = {{Code::ResultIgnored, Severity::Error}}});
   REQUIRE(found.size() == 1);

@@ -3,9 +3,11 @@
 #include "analysis/flow/durations.h"
 #include "analysis/flow/flow.h"
 #include "analysis/flow/report.h"
+#include "codegen/build.h"
 #include "codegen/model.h"
 #include "syntax/codes.h"
-#include "tests/flow/analysed.h"
+#include "tests/flow/questions.h"
+#include "tests/support/texts.h"
 #include "verify/verify.h"
 
 #include <fmt/format.h>
@@ -25,12 +27,6 @@ using syntax::Diagnostic;
 
 constexpr std::uint64_t kMostClasses = 30'000;
 
-/// A question that is put to the engine as a property, and what the analysis says about it.
-struct Query {
-  std::string words;
-  bool possible = true;
-};
-
 /// What the engine has decided.
 struct Verdict {
   codegen::Check check;
@@ -42,7 +38,7 @@ class Judgement {
 public:
   explicit Judgement(const std::string& source)
       : text(source),
-        program(programOf(text)),
+        program(programOfText(text)),
         index(analysis::analyse(program)),
         valid(std::ranges::none_of(index.diagnostics, [](const Diagnostic& each) {
           return each.severity == syntax::Severity::Error;
@@ -57,10 +53,8 @@ public:
     report = &made;
     found = checkFlow(program, index.index);
     for (const Diagnostic& each : found) ++judged.codes[std::string(syntax::info(each.code).id)];
-    askAboutValues();
-    askAboutPairs();
-    for (const Diagnostic& each : found) askAbout(each);
-    if (!decide(text)) return {};
+    queries = questionsOf(made, found);
+    if (!decide(textWithQueries())) return {};
     judged.decided = true;
     for (const Verdict& verdict : verdicts) judge(verdict);
     for (const Diagnostic& each : found) judgeCertain(each);
@@ -69,145 +63,23 @@ public:
   }
 
 private:
-  // Questions ------------------------------------------------------------------------------------
-
-  void ask(const std::string& condition, bool possible) {
-    std::string name = fmt::format("query_{}", queries.size());
-    text += fmt::format("\n(defproperty {} (reachable {}))", name, condition);
-    queries.push_back({condition, possible});
-  }
-
-  void askAboutValues() {
-    const Variables& variables = report->variables();
-    for (VariableId id = 0; id < variables.size(); ++id) {
-      forEachValue(id, [&](unsigned value, const std::string& condition) {
-        ask(condition, report->solver.ever(id).contains(value));
-        if (variables[id].kind == VariableKind::StateVariable) askInside(id, value, condition);
-      });
-    }
-    askAtLabels();
-  }
-
-  template <class Visit> void forEachValue(VariableId id, Visit visit) {
-    const Variable& variable = report->variables()[id];
-    if (variable.kind == VariableKind::Running || variable.kind == VariableKind::Used) return;
-    for (unsigned value = 0; value < variable.domain.size(); ++value)
-      visit(value, fmt::format("(= {} {})", report->variables().name(id),
-                               report->variables().words(id, ValueSet::of(value))));
-  }
-
-  /// While a skill is running.
-  void askInside(VariableId id, unsigned value, const std::string& condition) {
-    const System& system = report->system();
-    for (std::size_t skill = 0; skill < program.skills.all.size(); ++skill) {
-      const Process& process = system[system.ofSkill(skill)];
-      auto slot = process.slots.find(id);
-      if (!process.analysed || !slot) continue;
-      bool possible = false;
-      for (NodeId node = 0; node < process.graph->nodes.size(); ++node) {
-        NodeKind kind = (*process.graph)[node].kind;
-        if (kind == NodeKind::Start || kind == NodeKind::End || kind == NodeKind::Refused) continue;
-        State state = report->solver.during(system.ofSkill(skill), node);
-        possible |= state.reachable && state.values[*slot].contains(value);
-      }
-      ask(fmt::format("(and (running {}) {})", program.skills.all[skill].name(), condition),
-          possible);
-    }
-  }
-
-  void askAtLabels() {
-    forEachNode(*report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
-      if (!each.statement || each.statement->kind != syntax::StatementKind::Label) return;
-      if (index.index.symbols().labels(each.statement->name.text).size() != 1) return;
-      NodeId next = each.edges.front().target;
-      askWhatFollows(id, node, next);
-      for (Slot slot = 0; slot < process.slots.size(); ++slot)
-        forEachValue(process.slots[slot], [&](unsigned value, const std::string& condition) {
-          bool possible = false;
-          for (NodeId at : {node, next}) {
-            State state = report->solver.during(id, at);
-            possible |= state.reachable && state.values[slot].contains(value);
-          }
-          ask(fmt::format("(and (at {}) {})", each.statement->name.text, condition), possible);
-        });
-    });
-  }
-
-  /// A label and what stands behind it: the same may be true at both.
-  void askWhatFollows(ProcessId id, NodeId label, NodeId next) {
-    const Process& process = report->system()[id];
-    const Node& node = (*process.graph)[next];
-    const std::string here = fmt::format("(at {})", (*process.graph)[label].statement->name.text);
-    if (node.kind == NodeKind::Wait || node.kind == NodeKind::Test) {
-      const Condition& condition = process.actions[next].conditions.front();
-      const syntax::Range range = node.conditions.front()->range;
-      const std::string words = text.substr(range.begin, range.length());
-      bool holds = false;
-      bool fails = false;
-      for (NodeId at : {label, next}) {
-        holds |= report->solver.mayHold(id, at, condition);
-        fails |= report->solver.mayFail(id, at, condition);
-      }
-      ask(fmt::format("(and {} {})", here, words), holds);
-      ask(fmt::format("(and {} (not {}))", here, words), fails);
-    }
-    ProcessId target = process.actions[next].target;
-    if (node.kind != NodeKind::Interrupt || target == kNoProcess) return;
-    const std::size_t skill = report->system()[target].definition;
-    auto slot = process.slots.find(report->variables().of(VariableKind::Running, skill));
-    bool runs = !slot;
-    for (NodeId at : {label, next})
-      if (slot && report->solver.reachable(id, at))
-        runs |= report->solver.before(id, at).values[*slot].contains(1);
-    ask(fmt::format("(and {} (running {}))", here, program.skills.all[skill].name()), runs);
-  }
-
-  /// Which skills may be running at once.
-  void askAboutPairs() {
-    const System& system = report->system();
-    for (std::size_t i = 0; i < program.skills.all.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        ProcessId a = system.ofSkill(i);
-        ProcessId b = system.ofSkill(j);
-        bool calls = system.activity(a).contains(b) || system.activity(b).contains(a);
-        bool beside = system.concurrent(a).contains(b) && !system.exclusive(a).contains(b) &&
-                      !system.exclusive(b).contains(a);
-        ask(fmt::format("(and (running {}) (running {}))", program.skills.all[i].name(),
-                        program.skills.all[j].name()),
-            calls || beside);
-      }
-  }
-
-  /// The words in backquotes.
-  static std::vector<std::string> quoted(const std::string& message) {
-    std::vector<std::string> words;
-    for (std::size_t at = message.find('`'); at != std::string::npos;
-         at = message.find('`', at + 1)) {
-      std::size_t end = message.find('`', at + 1);
-      words.push_back(message.substr(at + 1, end - at - 1));
-      at = end;
-    }
-    return words;
-  }
-
-  /// What a diagnostic itself says can never happen.
-  void askAbout(const Diagnostic& claim) {
-    const auto words = quoted(claim.message);
-    if (claim.code == Code::ImpossibleStatus)
-      ask(fmt::format("(= {}.status {})", words[0], words[1]), false);
-    if (claim.code == Code::ResourceHeldByCaller && words.size() == 3)
-      ask(fmt::format("(and (running {}) (running {}))", words[1], words[2]), false);
-    if (claim.code == Code::ContradictoryPreconditions)
-      ask(fmt::format("(running {})", words[1]), false);
+  [[nodiscard]] std::string textWithQueries() const {
+    std::string asked = text;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      if (queries[i].variable.empty())
+        asked += fmt::format("\n(defproperty query_{} (reachable {}))", i, queries[i].words);
+    return asked;
   }
 
   // Answers --------------------------------------------------------------------------------------
 
   bool decide(const std::string& source) {
     verdicts.clear();
-    analysis::Program asked = programOf(source);
+    analysis::Program asked = programOfText(source);
     auto model = codegen::generate(asked);
     if (!model) return false;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      if (!queries[i].variable.empty()) askOfModel(*model, i);
     std::vector<verify::Question> questions;
     for (const auto& check : model->checks) questions.push_back({check.property});
     verify::Options options;
@@ -222,6 +94,31 @@ private:
                           result->answers[i].truth == verify::Truth::False});
     }
     return true;
+  }
+
+  /// The name that the generator has given it: where another has it already, with a `_` behind it.
+  static std::string nameIn(const codegen::Model& model, const std::string& variable) {
+    std::string found = variable;
+    for (const fiacre::Variable& each : model.fiacre.components.back().variables)
+      if (each.name.starts_with(variable) &&
+          each.name.find_first_not_of('_', variable.size()) == std::string::npos)
+        found = each.name; // resources come last
+    return found;
+  }
+
+  /// A query that no property of ProSkill can say.
+  void askOfModel(codegen::Model& model, std::size_t query) const {
+    const std::string name = nameIn(model, queries[query].variable);
+    fiacre::Observable seen{
+        .kind = fiacre::ObservableKind::Value,
+        .value = codegen::equal(codegen::name(name), codegen::number(queries[query].value))};
+    fiacre::Property property{.name = fmt::format("query_{}", query)};
+    property.pattern.operands.push_back(std::move(seen));
+    model.checks.push_back({.name = queries[query].words,
+                            .kind = "property",
+                            .subject = property.name,
+                            .property = model.fiacre.properties.size()});
+    model.fiacre.properties.push_back(std::move(property));
   }
 
   [[nodiscard]] const Verdict* find(std::string_view kind, Location place) const {
@@ -252,6 +149,7 @@ private:
     if (kind == "invariant_may_fail") possible = reachesNode(verdict, NodeKind::InvariantFailure);
     if (kind == "can_be_interrupted") possible = reachesNode(verdict, NodeKind::Interrupted);
     if (kind == "never_refused") possible = mayBeRefused(verdict.place);
+    if (kind == "never_busy") possible = mayBeBusy(verdict.place);
     if (kind == "postcondition") possible = mayBreakPostcondition(verdict.place);
     if (kind == "no_forbidden_transition") possible = mayMoveWrongly(verdict.check.subject);
     if (kind == "no_undershoot" || kind == "no_overshoot") possible = mayMiss(verdict);
@@ -333,6 +231,37 @@ private:
           }
         });
     return possible;
+  }
+
+  [[nodiscard]] bool mayBeBusy(Location place) const {
+    ProcessId callee = kNoProcess;
+    forEachNode(*report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
+      if (each.kind == NodeKind::Call && report->at(id, node) == place)
+        callee = process.actions[node].target;
+    });
+    if (report->system()[callee].repeats) return true; // whoever uses the library may run it
+    auto names = [&](const Diagnostic& each) {
+      return within(each.location, place) ||
+             std::ranges::any_of(each.related, [&](const syntax::Related& related) {
+               return within(related.location, place);
+             });
+    };
+    for (const Diagnostic& each : found)
+      if (each.code == Code::CallMayWait && names(each)) return true;
+    return std::ranges::any_of(index.diagnostics, [&](const Diagnostic& each) {
+      return each.code == Code::MayBeRunning && leadsTo(each.location, callee);
+    });
+  }
+
+  /// The call whose first word stands there calls the skill, directly or not.
+  [[nodiscard]] bool leadsTo(Location head, ProcessId skill) const {
+    bool leads = false;
+    forEachNode(*report, [&](ProcessId, const Process& process, NodeId node, const Node& each) {
+      if (each.kind == NodeKind::Call &&
+          report->system().at(process, each.statement->head.range) == head)
+        leads |= report->system().activity(process.actions[node].target).contains(skill);
+    });
+    return leads;
   }
 
   [[nodiscard]] bool mayBreakPostcondition(Location place) const {
@@ -432,10 +361,54 @@ private:
       demand(claim, findOf("can_run", skill), fails);
       return;
     }
+    case Code::LoopWithoutTime:
+      demand(claim, insideEndlessLoop(claim.location), findOf("time_progress", "program"));
+      return;
     case Code::AlwaysTooShort: demandOfSkill(claim, "no_undershoot"); return;
     case Code::AlwaysTooLong: demandOfSkill(claim, "no_overshoot"); return;
     default: return;
     }
+  }
+
+  /// A statement in the body of the `while` or `do` whose first word stands at the place, if no way
+  /// that is known leads out of it: else somebody may end the loop at the instant at which it
+  /// spins.
+  [[nodiscard]] const Verdict* insideEndlessLoop(Location head) const {
+    const Verdict* inside = nullptr;
+    forEachReachedNode(
+        *report, [&](ProcessId id, const Process& process, NodeId, const Node& each) {
+          if (!each.statement || report->system().at(process, each.statement->head.range) != head)
+            return;
+          const Location loop = report->system().at(process, each.statement->range);
+          if (!spins(id, loop)) return;
+          for (const Verdict& verdict : verdicts)
+            if (verdict.check.kind == "reachable" && within(verdict.place, loop) &&
+                verdict.place != loop && (!inside || verdict.happens))
+              inside = &verdict;
+        });
+    return inside;
+  }
+
+  [[nodiscard]] bool spins(ProcessId id, Location loop) const {
+    const Process& process = report->system()[id];
+    bool spins = true;
+    forEachReachedNode(*report, [&](ProcessId other, const Process&, NodeId node,
+                                    const Node& each) {
+      if (other != id || !each.statement) return;
+      if (!within(report->system().at(process, each.statement->range), loop)) return;
+      spins &= !each.waits();
+      for (const Edge& edge : each.edges) {
+        if (edge.target == kNoNode) continue;
+        const syntax::Statement* next = (*process.graph)[edge.target].statement;
+        if (next && within(report->system().at(process, next->range), loop)) continue;
+        const auto& conditions = process.actions[node].conditions;
+        bool never = edge.guard == Guard::Holds   ? !report->solver.mayHold(id, node, conditions[0])
+                     : edge.guard == Guard::Fails ? !report->solver.mayFail(id, node, conditions[0])
+                                                  : false;
+        spins &= never;
+      }
+    });
+    return spins;
   }
 
   void demandOfSkill(const Diagnostic& claim, std::string_view kind) {
@@ -509,7 +482,16 @@ private:
     for (const auto& skill : program.skills.all)
       for (const auto& effect : skill->start.items)
         if (skill.at(effect.range) == place) return findOf("can_run", skill.name());
+    for (const auto& event : program.events.all)
+      for (const auto& effect : event->effects.items)
+        if (event.at(effect.range) == place) return occurs(event.name());
     return nullptr;
+  }
+
+  [[nodiscard]] const Verdict* occurs(std::string_view event) const {
+    auto asked = std::ranges::find(queries, fmt::format("(occurs {})", event), &Query::words);
+    if (asked == queries.end()) return nullptr;
+    return findOf("property", fmt::format("query_{}", asked - queries.begin()));
   }
 
   /// Of `set` alone: a wait with effects may be reached and never end.

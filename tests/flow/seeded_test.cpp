@@ -135,6 +135,11 @@ const Seed kSeeds[] = {
      "(defskill unstack :resources (tray) :body ((reach)))\n"
      "(defskill serve\n",
      "PS0903", "(reach)", "(success served)", "(// ((stack)) ((unstack)))\n     (success served)"},
+    {"rover/rover.proskill", "mission.proskill", "(defskill monitor_wheels",
+     "(defskill monitor_slope :monitor t\n"
+     "  :body ((^ (wheels Stuck)) (free_wheels) (if (/= free_wheels.status success) (^ 1))))\n"
+     "(defskill monitor_wheels",
+     "PS0905", "free_wheels))))"},
     // Style, and comments that ignore.
     {"drone/drone.proskill", "drone.proskill", "(defevent battery_to_low",
      "(defevent Battery_to_low", "PS1101", "Battery_to_low"},
@@ -142,6 +147,8 @@ const Seed kSeeds[] = {
      "PS1102", "Slipped"},
     {"drone/drone.proskill", "drone.proskill", "(~ (battery Critical))", "(~ (= battery Critical))",
      "PS1103", "(= battery Critical)"},
+    {"drone/drone.proskill", "drone.proskill", "InAirUnsafe Lost)", "InAirUnsafe lost)", "PS1104",
+     "lost)", "(flight_status Lost)", "(flight_status lost)"},
     {"drone/drone.proskill", "drone.proskill", "(^ 2)", "; proskill-ignore: PS0701\n(^ 2)",
      "PS1201", "PS0701"},
     {"drone/drone.proskill", "drone.proskill", "(^ 2)", "; proskill-ignore: it\n(^ 2)", "PS1202",
@@ -161,6 +168,14 @@ const Seed kMistakes[] = {
     {"rover/rover.proskill", "skills.proskill", "(- energy 1)", "(- enrgy 1)", "PS0202", "enrgy"},
     {"rover/rover.proskill", "mission.proskill", "(set (place Base))", "(set (place Bse))",
      "PS0203", "Bse"},
+    // Definitions that are misspelt: one mistake, however often they are used.
+    {"drone/drone.proskill", "drone.proskill", "(defskill landing", "(defskill lnding", "PS0201",
+     "landing"},
+    {"drone/drone.proskill", "drone.proskill", "(defsv motion", "(defsv moton", "PS0202", "motion"},
+    {"lift/lift.proskill", "building.proskill", "(defevent key_turned", "(defskil key_turned",
+     "PS0109", "defskil"},
+    {"arm/arm.proskill", "cell.proskill", ":states (Closed Open)", ":states (Closd Open)", "PS0203",
+     "Closed"},
     {"rover/rover.proskill", "world.proskill", "(defevent", "(defevnt", "PS0109", "defevnt"},
     {"rover/rover.proskill", "skills.proskill", "(wheels Free)", "(wheels 3)", "PS0302", "3"},
     {"lift/lift.proskill", "building.proskill", "(step)", "(step up 3)", "PS0208", "up"},
