@@ -46,7 +46,6 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::False: return {TypeKind::Boolean, kNoSymbol};
   case ExprKind::Parameter: return parameter(argument.name);
   case ExprKind::Symbol:
-    if (!wanted.known()) return {}; // it may be a value of the type, which is told to be unknown
     if (wanted.kind != TypeKind::Value) break;
     names.use(SymbolKind::Value, argument.name, Role::Mention, wanted.of);
     return wanted;
@@ -114,6 +113,8 @@ void Arguments::checkTypes(const Statement& call, SymbolId callee) {
     const Type wanted =
         input ? typeNamed(context.program, context.symbols, input->type.text) : Type{};
     if (!input && argument.value.kind != ExprKind::Parameter) continue;
+    // It may be a value of the input's type, which was told to be unknown.
+    if (!wanted.known() && argument.value.kind == ExprKind::Symbol) continue;
     const Type given = type(argument.value, wanted);
     if (fits(given, wanted)) continue;
     context.findings
