@@ -11,8 +11,8 @@ namespace proskill::test {
 /// each tag, some values, deadlocks and progress. The same seed gives the same program.
 [[nodiscard]] fiacre::Program randomModel(std::uint64_t seed);
 
-/// The same with a queue, a union with values, an index that varies, loops in processes, priorities
-/// between ports and `unless`.
+/// The same with a queue, a union with values, an index that varies, values over a port, loops in
+/// processes, priorities between ports and `unless`.
 [[nodiscard]] fiacre::Program randomModelWithData(std::uint64_t seed);
 
 } // namespace proskill::test
