@@ -48,11 +48,13 @@ async function passes(world, name, scenario) {
   }
 }
 
-/** The names of those that fail. */
+/** The names of those that fail twice: the editor is another program, and slow at times on a busy machine. A first failure is told. */
 async function play(world) {
   const failures = [];
   for (const [name, scenario] of Object.entries(scenarios)) {
     if (only.length && !only.includes(name)) continue;
+    if (await passes(world, name, scenario)) continue;
+    console.log(`again   ${name}`);
     if (!(await passes(world, name, scenario))) failures.push(name);
   }
   return failures;
