@@ -64,6 +64,24 @@ describe('the lift, in which two skills want the doors', () => {
     assert.match(await it.locator('.values tr').first().textContent(), /^cabin/);
   });
 
+  test('a watch is a condition with a value at each step, until it is taken away', async () => {
+    const change = property.trace.steps.flatMap((step) => step.changes).find((found) => !found.variable.includes('.'));
+    const text = `(${change.variable} ${change.after})`;
+    const field = it.getByRole('textbox', { name: /^Watch/ });
+    await field.fill(`(no${change.variable} ${change.after})`);
+    await field.press('Enter');
+    assert.equal(await it.getByRole('alert').textContent(), `there is no variable no${change.variable} in this trace`);
+    await field.fill(text);
+    await field.press('Enter');
+    assert.equal(await field.inputValue(), '');
+    const row = it.locator('.values tr').first();
+    assert.match(await row.textContent(), new RegExp(`^${text.replace(/[()]/g, '\\$&')}.*(true|false)$`));
+    assert.ok((await it.locator(`.lane[data-lane="${text}"] .lane-bar`).count()) > 1);
+    await shot(it, 'lift_watched');
+    await it.getByRole('button', { name: `Watch ${text} no longer` }).click();
+    assert.equal(await it.locator(`.lane[data-lane="${text}"]`).count(), 0);
+  });
+
   test('there is a lane for each who acts and each variable that changes, and a click on one goes to its step', async () => {
     const lanes = await it.locator('.lanes .lane').evaluateAll((all) => all.map((lane) => lane.dataset.lane));
     const actors = new Set(property.trace.steps.map((step) => step.actor));

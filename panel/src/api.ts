@@ -235,6 +235,8 @@ export interface Remembered {
   trace?: string;
   step?: number;
   pinned?: string[];
+  /** conditions whose value is shown at each step */
+  watches?: string[];
 }
 
 // ---- what the host tells the panel -----------------------------------------------------------

@@ -11,6 +11,7 @@ import { open } from '../src/model/parse.ts';
 import { ticks, windowOf } from '../src/model/time.ts';
 import { Values } from '../src/model/values.ts';
 import { Rows } from '../src/model/virtual.ts';
+import { watched, watchOf } from '../src/model/watch.ts';
 import { flight, step, trace } from './traces.ts';
 
 test('the values at a step are the first ones and all changes up to it', () => {
@@ -247,4 +248,51 @@ test('what is no trace is refused with a reason', () => {
   assert.throws(() => open('[]'), /neither/);
   assert.throws(() => open('{"a": 1}'), /neither/);
   assert.throws(() => open('{"initial": {}, "steps": [{}]}'), /step 1/);
+});
+
+test('a watch is asked of the values after each step', () => {
+  const at = (text: string): string[] => {
+    const values = new Values(watched(flight, [watchOf(text, flight)]));
+    return [-1, 2, 3, 5].map((index) => values.at(index).get(text)!);
+  };
+  assert.deepEqual(at('(battery Low)'), ['false', 'false', 'true', 'true']);
+  assert.deepEqual(at('(and (battery Low) (= takeoff.status failed_inv))'), ['false', 'false', 'false', 'true']);
+  assert.deepEqual(at('(| (battery Low) (< level 4))'), ['false', 'true', 'true', 'true']);
+  assert.deepEqual(at('(not (/= battery Good))'), ['true', 'true', 'false', 'false']);
+  assert.deepEqual(at('(>= (+ level 1) 5)'), ['true', 'false', 'false', 'false']);
+  assert.deepEqual(at('(- level 5)'), ['-1', '-2', '-2', '-2']);
+  assert.deepEqual(at('battery'), ['Good', 'Good', 'Low', 'Low']);
+});
+
+test('a watch is a variable like any other: it changes at steps, which are found by it, and has a lane', () => {
+  const text = '(battery Low)';
+  const seen = watched(flight, [watchOf(text, flight)]);
+  assert.deepEqual(seen.steps[3]!.changes.at(-1), { variable: text, before: 'false', after: 'true' });
+  assert.deepEqual(select(seen, { ...everything, variables: new Set([text]) }), [3]);
+  assert.deepEqual(lanesOf(seen).find((lane) => lane.name === text)!.bars.map((bar) => bar.label), ['false', 'true']);
+  assert.deepEqual(flight.steps[3]!.changes.length, 1, 'the trace itself stays as it is');
+  assert.equal(watched(flight, []), flight);
+});
+
+test('what is wrong with a watch is said', () => {
+  const wrong = (text: string): string => {
+    try {
+      watchOf(text, flight);
+      return 'nothing';
+    } catch (error) {
+      return (error as Error).message;
+    }
+  };
+  assert.equal(wrong('(batery Low)'), 'there is no variable `batery` in this trace');
+  assert.equal(wrong('(or (battery Good) (batery Low))'), 'there is no variable `batery` in this trace');
+  assert.equal(wrong('(battery Low'), 'a `)` is missing');
+  assert.equal(wrong('battery)'), 'a `(` is missing');
+  assert.equal(wrong(''), 'one condition is expected, as `(door Open)`');
+  assert.equal(wrong('(battery Low) (battery Low)'), 'one condition is expected, as `(door Open)`');
+  assert.equal(wrong('(< battery 3)'), '`battery` is no number');
+  assert.equal(wrong('(not (battery Low) (battery Low))'), '`not` takes one operand');
+  assert.equal(wrong('(= battery)'), '`=` takes two operands');
+  assert.equal(wrong('(and (battery Low) level)'), '`level` is no condition');
+  assert.equal(wrong('()'), '`()` is no condition');
+  assert.equal(wrong('nobody'), 'there is no variable `nobody` in this trace');
 });

@@ -47,8 +47,10 @@ class App {
     this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }));
     this.trace = new TraceView(this.host, saver, {
       stepped: () => this.stepped(), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
+      watches: (watches) => this.remember({ watches }),
     });
     this.trace.pin(this.remembered.pinned ?? []);
+    this.trace.remember(this.remembered.watches ?? []);
     this.again = button({ icon: 'again', title: 'Verify again', onclick: () => void this.host.request('verify', {}).catch((error: Error) => this.say(error.message)) });
     followTheme(() => void this.automaton.load(true));
     this.draw();

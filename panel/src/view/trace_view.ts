@@ -5,6 +5,7 @@ import { fileName, traceJson, traceText } from '../model/export.ts';
 import { search, select } from '../model/filter.ts';
 import { decimal } from '../model/time.ts';
 import { Values } from '../model/values.ts';
+import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
 import { h, isTyping, plural, prose } from './dom.ts';
 import { button, enable, icon, toggle } from './icons.ts';
 import { LanesView } from './lanes_view.ts';
@@ -19,6 +20,7 @@ export interface TraceEvents {
   stepped(): void;
   openFile(): void;
   pinned(names: string[]): void;
+  watches(texts: string[]): void;
 }
 
 /** A trace as a list of steps, values and lanes, in step with each other and with the source. */
@@ -43,12 +45,19 @@ export class TraceView {
   private compared: { other: Trace; pairs: Pair[] } | null = null;
   private valuesOf = new Values({ name: '', words: '', verdict: '', initial: {}, steps: [] });
   private others: Verdict[] = [];
+  /** as it was given, and the same with the watches that can be asked of it */
+  private given: Trace | null = null;
   trace: Trace | null = null;
+  private watches: Watch[] = [];
+  private watchTexts: string[] = [];
   current = -1;
 
   constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents) {
     this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) });
-    this.values = new ValuesView({ pinned: (names) => events.pinned(names), filter: (name) => this.toggleVariable(name) });
+    this.values = new ValuesView({
+      pinned: (names) => events.pinned(names), filter: (name) => this.toggleVariable(name),
+      watch: (text) => this.watch(text), unwatch: (text) => this.setWatches(this.watchTexts.filter((it) => it !== text)),
+    });
     this.lanes = new LanesView({ select: (index) => this.goTo(index) });
     this.field = h('input', {
       type: 'search', class: 'search', placeholder: 'Search steps', 'aria-label': 'Search steps: actors, words and values',
@@ -79,19 +88,59 @@ export class TraceView {
     this.values.pin(names);
   }
 
+  /** The watches of other days, before a trace is shown. */
+  remember(watches: readonly string[]): void {
+    this.watchTexts = [...watches];
+  }
+
+  /** What is wrong with the watch, or nothing, and it is there. */
+  private watch(text: string): string | null {
+    try {
+      watchOf(text, this.given!);
+    } catch (error) {
+      if (error instanceof WatchError) return error.message;
+      throw error;
+    }
+    if (!this.watchTexts.includes(text) && !(text in this.given!.initial)) this.setWatches([...this.watchTexts, text]);
+    return null;
+  }
+
+  private setWatches(texts: string[]): void {
+    this.watchTexts = texts;
+    this.filter.variables = new Set([...this.filter.variables].filter((name) => texts.includes(name) || name in this.given!.initial));
+    this.events.watches(texts);
+    this.ask();
+    this.lanes.show(this.trace!);
+    this.refresh();
+    this.goTo(this.current);
+  }
+
+  /** What this trace cannot be asked waits for another one. */
+  private ask(): void {
+    this.watches = this.watchTexts.flatMap((text) => {
+      try {
+        return [watchOf(text, this.given!)];
+      } catch {
+        return [];
+      }
+    });
+    this.trace = watched(this.given!, this.watches);
+    this.valuesOf = new Values(this.trace);
+  }
+
   /** Opens a trace at a step; without one at its last, which shows what the property is about. */
   show(trace: Trace, step = trace.steps.length - 1): void {
-    this.trace = trace;
+    this.given = trace;
+    this.ask();
     this.filter = { actors: new Set(), variables: new Set(), changing: false };
     this.compared = null;
     this.field.value = '';
     this.found = [];
-    this.valuesOf = new Values(trace);
     this.current = Math.min(Math.max(step, 0), trace.steps.length - 1);
     this.empty.hidden = true;
     this.body.hidden = false;
     this.drawHead();
-    this.lanes.show(trace);
+    this.lanes.show(this.trace!);
     this.refresh();
     this.goTo(this.current);
   }
@@ -157,7 +206,7 @@ export class TraceView {
   }
 
   private setComparison(other: Trace | null): void {
-    this.compared = other && { other, pairs: compare(this.trace!, other) };
+    this.compared = other && { other, pairs: compare(this.given!, other) };
     this.comparing.hidden = !other;
     if (other) {
       const count = this.compared!.pairs.filter(isDifferent).length;
@@ -185,7 +234,7 @@ export class TraceView {
   }
 
   private exportSections(): Section[] {
-    const trace = this.trace!;
+    const trace = this.given!;
     const save = (extension: string, type: string, text: () => string) => (): void => void this.saver.text(fileName(trace.name, extension), type, text());
     return [{ title: 'Save', items: [
       { label: 'Trace as JSON', hint: 'can be opened again', choose: save('json', 'application/json', () => traceJson(trace)) },
@@ -222,11 +271,13 @@ export class TraceView {
     this.count.textContent = trace.steps.length === 0 ? 'no steps' : `${this.current + 1} of ${trace.steps.length}${filtered}`;
     enable(this.buttons.previous, at === 0 ? 'This is the first step' : null, 'Previous step (↑)');
     enable(this.buttons.next, at === this.shown.length - 1 ? 'This is the last step' : null, 'Next step (↓)');
-    this.values.show(trace, this.valuesOf, this.current, this.filter.variables);
+    this.values.show({
+      trace, values: this.valuesOf, index: this.current, filtered: this.filter.variables, watches: new Set(this.watches.map((it) => it.text)),
+    });
   }
 
   goTo(index: number): void {
-    const trace = this.trace!;
+    const trace = this.given!;
     const step = trace.steps[index];
     this.current = index;
     this.list.select(index);
@@ -234,10 +285,17 @@ export class TraceView {
     this.update();
     if (!step) return this.host.tell('step', null);
     this.host.tell('step', {
-      trace: trace.name, index, count: trace.steps.length, step, values: Object.fromEntries(this.valuesOf.at(index)),
+      trace: trace.name, index, count: trace.steps.length, step, values: this.variablesAt(index),
     });
     if (this.follow.on) this.reveal(index, false);
     this.events.stepped();
+  }
+
+  /** Without the watches, which are nothing of the program's. */
+  private variablesAt(index: number): { [variable: string]: string } {
+    const values = this.valuesOf.at(index);
+    for (const { text } of this.watches) values.delete(text);
+    return Object.fromEntries(values);
   }
 
   private reveal(index: number, focus: boolean): void {

@@ -1,7 +1,7 @@
 import type { Trace } from '../api.ts';
 import { difference } from '../model/diff.ts';
 import type { Values } from '../model/values.ts';
-import { h } from './dom.ts';
+import { h, prose } from './dom.ts';
 import { button, icon, toggle } from './icons.ts';
 import { parts } from './step_list.ts';
 
@@ -9,9 +9,20 @@ export interface ValuesEvents {
   pinned(names: string[]): void;
   /** only steps that change it, or no longer */
   filter(name: string): void;
+  /** one more, or one less; what is wrong with it */
+  watch(text: string): string | null;
+  unwatch(text: string): void;
+}
+export interface ValuesShown {
+  trace: Trace;
+  values: Values;
+  index: number;
+  filtered: ReadonlySet<string>;
+  /** those of the variables that are watches */
+  watches: ReadonlySet<string>;
 }
 
-/** What every variable is after the current step; the pinned ones first. */
+/** What every variable and every watch is after the current step; watches and the pinned ones first. */
 export class ValuesView {
   readonly element: HTMLElement;
   private readonly body = h('tbody');
@@ -20,15 +31,23 @@ export class ValuesView {
   private hideUnchanged = true;
   private pins = new Set<string>();
   private moving = new Set<string>();
-  private state: { trace: Trace; values: Values; index: number; filtered: ReadonlySet<string> } | null = null;
+  private state: ValuesShown | null = null;
+  private readonly wrong = h('p', { class: 'wrong note', role: 'alert' });
+  private readonly field: HTMLInputElement;
 
   constructor(private readonly events: ValuesEvents) {
     const hide = toggle({
       icon: 'changes', title: 'Hide variables that never change in this trace', on: true,
       changed: (on) => { this.hideUnchanged = on; this.draw(); },
     });
+    this.field = h('input', {
+      class: 'watch', placeholder: 'Watch, as (door Open)', spellcheck: 'false', autocomplete: 'off',
+      'aria-label': 'Watch: a condition whose value is shown at each step',
+      oninput: () => this.complain(null), onkeydown: (event: KeyboardEvent) => this.key(event),
+    });
     this.element = h('section', { class: 'values', 'aria-label': 'Values after the step' },
       h('header', { class: 'bar' }, this.title, h('span', { class: 'push' }), hide.element),
+      h('div', { class: 'watch-frame' }, this.field, this.wrong),
       h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table of values' },
         h('table', {}, this.body), this.note));
   }
@@ -37,20 +56,35 @@ export class ValuesView {
     this.pins = new Set(names);
   }
 
-  show(trace: Trace, values: Values, index: number, filtered: ReadonlySet<string>): void {
-    if (trace !== this.state?.trace)
-      this.moving = new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)));
-    this.state = { trace, values, index, filtered };
+  show(shown: ValuesShown): void {
+    if (shown.trace !== this.state?.trace)
+      this.moving = new Set(shown.trace.steps.flatMap((step) => step.changes.map((change) => change.variable)));
+    this.state = shown;
     this.draw();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.key === 'Escape') this.field.value = '';
+    else if (event.key !== 'Enter' || this.field.value.trim() === '') return;
+    const wrong = event.key === 'Enter' ? this.events.watch(this.field.value.trim()) : null;
+    if (wrong === null) this.field.value = '';
+    this.complain(wrong);
+    event.preventDefault();
+  }
+
+  private complain(wrong: string | null): void {
+    this.field.classList.toggle('fails', wrong !== null);
+    this.wrong.replaceChildren(prose(wrong ?? ''));
   }
 
   private draw(): void {
     if (!this.state) return;
-    const { trace, values, index, filtered } = this.state;
+    const { trace, values, index, filtered, watches } = this.state;
     const now = values.at(index);
     const before = values.at(index - 1);
-    const shown = values.names.filter((name) => this.pins.has(name) || !this.hideUnchanged || this.moving.has(name));
-    const rows = [...shown.filter((name) => this.pins.has(name)), ...shown.filter((name) => !this.pins.has(name))];
+    const isFirst = (name: string): boolean => this.pins.has(name) && !watches.has(name);
+    const shown = values.names.filter((name) => !watches.has(name) && (isFirst(name) || !this.hideUnchanged || this.moving.has(name)));
+    const rows = [...watches, ...shown.filter(isFirst), ...shown.filter((name) => !isFirst(name))];
     this.title.textContent = index < 0 ? 'Values at the start' : `Values after step ${index + 1}`;
     this.body.replaceChildren(...rows.map((name) => this.row(name, before.get(name) ?? '', now.get(name) ?? '', index >= 0, filtered)));
     const hidden = values.names.length - rows.length;
@@ -60,18 +94,21 @@ export class ValuesView {
 
   private row(name: string, before: string, now: string, isStep: boolean, filtered: ReadonlySet<string>): HTMLElement {
     const changed = isStep && before !== now;
+    const isWatch = this.state!.watches.has(name);
     const pinned = this.pins.has(name);
     const found = difference(before, now);
-    return h('tr', { class: `${changed ? 'changed' : ''}${pinned ? ' pinned' : ''}` },
+    return h('tr', { class: `${changed ? 'changed' : ''}${pinned || isWatch ? ' pinned' : ''}` },
       h('th', { scope: 'row' }, h('button', {
         type: 'button', class: `name${filtered.has(name) ? ' on' : ''}`, title: `Only steps that change ${name}, or all again`,
         onclick: () => this.events.filter(name),
       }, name, filtered.has(name) && icon('filter'))),
       h('td', {}, changed && parts('before', found.before), changed && h('span', { class: 'arrow' }, '→'),
         changed ? parts('after', found.after) : h('span', { class: 'after' }, now)),
-      h('td', { class: 'pin-cell' }, button({
-        icon: 'pin', title: pinned ? `Unpin ${name}` : `Pin ${name} to the top`, pressed: pinned, onclick: () => this.togglePin(name),
-      })));
+      h('td', { class: 'pin-cell' }, isWatch
+        ? button({ icon: 'close', title: `Watch ${name} no longer`, onclick: () => this.events.unwatch(name) })
+        : button({
+          icon: 'pin', title: pinned ? `Unpin ${name}` : `Pin ${name} to the top`, pressed: pinned, onclick: () => this.togglePin(name),
+        })));
   }
 
   private togglePin(name: string): void {
