@@ -190,7 +190,7 @@ const std::vector<Diagnostic>& Document::diagnostics() const { return state->dia
 std::vector<Stretch> Document::stretches() const {
   std::vector<Stretch> result;
   for (const Piece& piece : state->pieces) {
-    bool readAsIs = piece.parsed->text == state->textOf(piece.range);
+    bool readAsIs = !piece.parsed->mended && piece.parsed->text == state->textOf(piece.range);
     result.push_back({piece.range, &piece.parsed->tree, readAsIs});
   }
   return result;

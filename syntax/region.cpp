@@ -86,6 +86,7 @@ Region readRegion(Parser& parser, std::string_view text) {
   if (region.comments.size() > kMostComments) blank(parsed->text, region.comments);
   auto judge = [&](std::string_view attempt) { return problemsOf(parser, attempt); };
   mended |= mendParentheses(parsed->text, scanned, judge, region.diagnostics);
+  parsed->mended = mended;
   parsed->tree = parser.parse(parsed->text);
   checkWords(parsed->text, parsed->tree, region.diagnostics);
   // What else seems to be wrong with mended forms may come from the same mistake.

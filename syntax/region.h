@@ -15,6 +15,7 @@ namespace proskill::syntax {
 struct ParsedText {
   std::string text;
   Tree tree;
+  bool mended = false; ///< something is missing or too much, also where `text` had no room for it
 };
 
 /// A stretch of a text that was parsed on its own: everything in it depends on its text alone.

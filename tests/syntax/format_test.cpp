@@ -229,3 +229,10 @@ TEST_CASE("a minus that touches a name stands apart from it afterwards") {
   CHECK(after.text() == "(defproperty p (always (- a B)))\n");
   CHECK(sameTokens(before, after));
 }
+
+TEST_CASE("where a quote is missing at the end of a line, the lines stay as they are") {
+  const auto text = "(())\n(\"\n((())))\n";
+  const auto before = Document::parse(text);
+  CHECK(unformattable(before).size() == 1);
+  CHECK(sameTokens(before, Document::parse(applyEdits(text, format(before)))));
+}
