@@ -164,7 +164,7 @@ Type Expressions::access(const Expr& expr) {
   if (!expr.member || expr.member.text == "status")
     return expr.member ? Type{TypeKind::Status, kNoSymbol} : Type{};
   if (expr.member.text == "res") return skill == kNoSymbol ? Type{} : Type{TypeKind::Result, skill};
-  Suggestion suggestion(expr.member.text);
+  syntax::Suggestion suggestion(expr.member.text);
   suggestion.offer("status");
   suggestion.offer("res");
   context.findings.report(Code::UnknownMember, {file, expr.member.range}, expr.member.text)

@@ -11,9 +11,9 @@ Finding& Finding::related(syntax::Location at, std::string message) {
   return *this;
 }
 
-Finding& Finding::suggest(const Suggestion& suggestion) {
-  const std::string best(suggestion.best());
-  return best.empty() ? *this : fix("did you mean `" + best + "`?", diagnostic.location, best);
+Finding& Finding::suggest(const syntax::Suggestion& suggestion) {
+  syntax::suggest(diagnostic, suggestion);
+  return *this;
 }
 
 Finding& Finding::fix(std::string title, syntax::Location at, std::string text) {

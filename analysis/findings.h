@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analysis/suggest.h"
 #include "syntax/diagnostic.h"
+#include "syntax/suggest.h"
 
 #include <string>
 #include <string_view>
@@ -17,7 +17,7 @@ public:
 
   Finding& related(syntax::Location at, std::string message);
   /// "did you mean …?", where there is a word that is near enough.
-  Finding& suggest(const Suggestion& suggestion);
+  Finding& suggest(const syntax::Suggestion& suggestion);
   /// The edit that mends it.
   Finding& fix(std::string title, syntax::Location at, std::string text);
   Finding& severity(syntax::Severity value);

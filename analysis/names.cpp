@@ -95,7 +95,7 @@ void Names::useResult(const Name& tag, SymbolId skill) {
 
 void Names::useStatus(const Name& word, std::span<const std::string_view> allowed) {
   if (!word || std::ranges::find(allowed, word.text) != allowed.end()) return;
-  Suggestion suggestion(word.text);
+  syntax::Suggestion suggestion(word.text);
   for (std::string_view status : allowed) suggestion.offer(status);
   context.findings.report(Code::UnknownStatus, {file, word.range}, word.text).suggest(suggestion);
 }

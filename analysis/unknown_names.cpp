@@ -117,7 +117,7 @@ private:
 
   /// The word that is nearest, if any is near: of all, or of those that nobody mentions.
   [[nodiscard]] Near nearest(const UnknownName& use, bool unmentioned) const {
-    Suggestion suggestion(use.text);
+    syntax::Suggestion suggestion(use.text);
     Near found;
     forEachCandidate(use, [&](SymbolId id) {
       if (unmentioned && mentioned[id]) return;
@@ -131,7 +131,8 @@ private:
 
   static bool isNearer(const Near& a, const Near& b, const UnknownName& use) {
     const std::size_t limit = use.text.size();
-    return editDistance(use.text, a.word, limit) < editDistance(use.text, b.word, limit);
+    return syntax::editDistance(use.text, a.word, limit) <
+           syntax::editDistance(use.text, b.word, limit);
   }
 
   /// Something that was told already hides what the name means.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/index.h"
-#include "analysis/suggest.h"
+#include "syntax/suggest.h"
 
 #include <map>
 #include <span>

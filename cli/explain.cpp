@@ -1,10 +1,10 @@
 #include "cli/explain.h"
 
-#include "analysis/suggest.h"
 #include "cli/paint.h"
 #include "cli/render.h"
 #include "cli/text_width.h"
 #include "ide/explanation.h"
+#include "syntax/suggest.h"
 
 #include <CLI/CLI.hpp>
 
@@ -101,7 +101,7 @@ void printMarkdown() {
 }
 
 int failUnknown(const std::string& code) {
-  analysis::Suggestion suggestion(code);
+  syntax::Suggestion suggestion(code);
   for (const syntax::CodeInfo& known : syntax::allCodes()) suggestion.offer(known.id);
   std::cerr << "error: there is no code `" << code << "`";
   if (!suggestion.best().empty()) std::cerr << "; did you mean " << suggestion.best() << "?";

@@ -3,7 +3,6 @@
 // leaves its result in `exitCode` when it has run. A new one is added in two places here: the
 // include and the list in main().
 
-#include "analysis/suggest.h"
 #include "cli/check.h"
 #include "cli/dap.h"
 #include "cli/emit.h"
@@ -14,6 +13,7 @@
 #include "cli/verify.h"
 #include "cli/verify_worker.h"
 #include "cli/view.h"
+#include "syntax/suggest.h"
 
 #include <CLI/CLI.hpp>
 
@@ -51,7 +51,7 @@ std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
 
 int failUnknown(const CLI::App& app, const std::string& word) {
   const auto names = commandNames(app);
-  proskill::analysis::Suggestion suggestion(word);
+  proskill::syntax::Suggestion suggestion(word);
   for (const std::string& name : names) suggestion.offer(name);
   std::cerr << "error: there is no command `" << word << "`";
   if (!suggestion.best().empty()) std::cerr << "; did you mean `" << suggestion.best() << "`?";

@@ -1,5 +1,7 @@
 #include "syntax/build.h"
 #include "syntax/codes.h"
+#include "syntax/scan.h"
+#include "syntax/suggest.h"
 
 #include <algorithm>
 
@@ -177,8 +179,12 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
     builder.report(Code::EmptyForm, node.range);
     return {};
   }
-  if (!isDamaged(*head))
-    builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head));
+  if (!isDamaged(*head)) {
+    Suggestion suggestion(builder.textOf(*head));
+    for (const auto word : kDefinitionWords) suggestion.offer(word);
+    suggest(builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head)),
+            suggestion);
+  }
   if (!isWord(*head)) return {};
   const Node* name = parts.take();
   return {builder.nameOf(*head), name && isWord(*name) ? builder.nameOf(*name) : Name{}};

@@ -1,5 +1,6 @@
 #include "syntax/build.h"
 #include "syntax/codes.h"
+#include "syntax/suggest.h"
 
 #include <algorithm>
 
@@ -60,7 +61,14 @@ void reportMalformed(Builder& builder, const Field& field, const Node& value,
 void reportUnknownField(Builder& builder, const Field& field, std::string_view owner,
                         std::string_view known) {
   const Name& keyword = field.use.keyword;
-  builder.report(Code::UnknownField, keyword.range, owner, keyword.text, known);
+  Suggestion suggestion(keyword.text);
+  for (auto open = known.find('`'); open != known.npos;) {
+    const auto close = known.find('`', open + 1);
+    suggestion.offer(known.substr(open + 1, close - open - 1));
+    open = known.find('`', close + 1);
+  }
+  suggest(builder.report(Code::UnknownField, keyword.range, owner, keyword.text, known),
+          suggestion);
 }
 
 Name takeName(Builder& builder, Parts& parts, const Name& head) {

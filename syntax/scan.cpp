@@ -7,10 +7,6 @@
 namespace proskill::syntax {
 namespace {
 
-constexpr std::array<std::string_view, 7> kHeads = {
-    "defsv", "defevent", "defskill", "defresource", "defproperty", "defenvironment", "include",
-};
-
 // Keywords such as `:effects`, which stand at several depths, tell nothing.
 constexpr std::array<std::string_view, 16> kFields = {
     ":init",          ":min",       ":max",       ":states", ":transitions", ":capacity",
@@ -32,7 +28,7 @@ std::string_view wordAt(std::string_view text, std::size_t at) {
 
 bool startsDefinition(std::string_view text, std::size_t at) {
   if (at >= text.size() || text[at] != '(') return false;
-  return std::ranges::find(kHeads, wordAt(text, at + 1)) != kHeads.end();
+  return std::ranges::find(kDefinitionWords, wordAt(text, at + 1)) != kDefinitionWords.end();
 }
 
 class Scanning {

@@ -2,6 +2,7 @@
 
 #include "syntax/source.h"
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,11 @@ struct Scan {
   std::vector<Parenthesis> parentheses;
   std::vector<Landmark> landmarks;
   Offset end = 0; ///< of the last token
+};
+
+/// The words that begin a definition.
+inline constexpr std::array<std::string_view, 7> kDefinitionWords = {
+    "defsv", "defevent", "defskill", "defresource", "defproperty", "defenvironment", "include",
 };
 
 [[nodiscard]] Scan scan(std::string_view text);

@@ -1,9 +1,11 @@
-#include "analysis/suggest.h"
+#include "syntax/suggest.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace proskill::analysis {
+namespace proskill::syntax {
 
 namespace {
 
@@ -66,4 +68,11 @@ void Suggestion::offer(std::string_view word) {
   full = nearest == 0;
 }
 
-} // namespace proskill::analysis
+void suggest(Diagnostic& diagnostic, const Suggestion& suggestion) {
+  const auto best = suggestion.best();
+  if (best.empty()) return;
+  diagnostic.fixes.push_back(
+      {fmt::format("did you mean `{}`?", best), diagnostic.location, std::string(best)});
+}
+
+} // namespace proskill::syntax

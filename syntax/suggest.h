@@ -1,10 +1,12 @@
 #pragma once
 
+#include "syntax/diagnostic.h"
+
 #include <cstddef>
 #include <optional>
 #include <string_view>
 
-namespace proskill::analysis {
+namespace proskill::syntax {
 
 /// How many letters must be inserted, deleted, replaced or swapped with their neighbour to turn one
 /// word into the other (optimal string alignment), where it is at most `limit`. Case counts for
@@ -32,4 +34,7 @@ private:
   bool full = false;       ///< nothing can be nearer
 };
 
-} // namespace proskill::analysis
+/// Gives the diagnostic of the misspelt word the edit that writes what was probably meant.
+void suggest(Diagnostic& diagnostic, const Suggestion& suggestion);
+
+} // namespace proskill::syntax

@@ -1,4 +1,4 @@
-#include "analysis/suggest.h"
+#include "syntax/suggest.h"
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ using namespace proskill;
 namespace {
 
 std::string_view best(std::string_view word, std::initializer_list<std::string_view> offered) {
-  analysis::Suggestion suggestion(word);
+  syntax::Suggestion suggestion(word);
   for (auto each : offered) suggestion.offer(each);
   return suggestion.best();
 }
