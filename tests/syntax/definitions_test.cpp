@@ -113,3 +113,18 @@ TEST_CASE("what does not belong into a definition is one diagnostic") {
   CHECK(codes("some words (defevent e :effects (a B)) and more") == "PS0108 PS0108");
   CHECK(codes("(include \"a\" \"b\")") == "PS0112");
 }
+
+TEST_CASE("a misspelt field or word of a definition comes with the edit that mends it") {
+  const std::string text = "(defskil x :action (x))\n(defskill y :succes ok)\n(zzz)\n";
+  const auto document = Document::parse(text);
+  const auto& found = document.diagnostics();
+  REQUIRE(found.size() == 3);
+  const auto mended = [&](std::size_t i) {
+    const syntax::Fix& fix = found[i].fixes.at(0);
+    const syntax::Range range = fix.location.range;
+    return text.substr(range.begin, range.length()) + " -> " + fix.text;
+  };
+  CHECK(mended(0) == "defskil -> defskill");
+  CHECK(mended(1) == ":succes -> :success");
+  CHECK(found[2].fixes.empty());
+}
