@@ -13,6 +13,9 @@ std::uint8_t counters[kCounters];
 // The names are the sanitizers' and the linker's (`--wrap`).
 extern "C" {
 
+/// Where the program begins, wherever it was loaded: so that one seed gives one run.
+extern const char __executable_start;
+
 void __sanitizer_cov_8bit_counters_init(std::uint8_t* begin, std::uint8_t* end);
 
 /// Of numbers with a fraction GCC tells, and libFuzzer knows nothing.
@@ -20,7 +23,8 @@ void __sanitizer_cov_trace_cmpf(float /*left*/, float /*right*/) {}
 void __sanitizer_cov_trace_cmpd(double /*left*/, double /*right*/) {}
 
 void __wrap___sanitizer_cov_trace_pc() {
-  const auto edge = reinterpret_cast<std::uintptr_t>(__builtin_return_address(0));
+  const auto edge = reinterpret_cast<std::uintptr_t>(__builtin_return_address(0)) -
+                    reinterpret_cast<std::uintptr_t>(&__executable_start);
   ++counters[(edge ^ (edge >> 18)) % kCounters];
 }
 }

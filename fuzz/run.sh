@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# fuzz/run.sh NAME SECONDS: tries random bytes, beginning with the examples and with all that was found
-# before. Says nothing but the last lines where all is well.
+# fuzz/run.sh NAME SECONDS [SEED]: tries random bytes, beginning with the examples and with all that was found
+# before. With a seed a fresh tree has nearly the same ones each time; nearly, as threads and addresses differ. Says nothing but the last lines where all is well.
 set -uo pipefail
 cd "$(dirname "$0")/.."
-name=$1 seconds=$2 work=build/fuzz/$1
+name=$1 seconds=$2 seed=${3:-0} work=build/fuzz/$1
 case $name in
 proskill) seeds=(examples/drone examples/arm examples/lift examples/rover) ;;
 fiacre) seeds=(examples/fiacre) ;;
@@ -13,7 +13,7 @@ esac
 mkdir -p "$work" build/fuzz/findings
 log=build/fuzz/$name.log
 "build/fuzz/bin/fuzz_$name" "$work" "fuzz/corpus/$name" "${seeds[@]}" -dict="fuzz/$name.dict" \
-  -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -max_len=3000 -print_final_stats=1 \
+  -seed="$seed" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -max_len=3000 -print_final_stats=1 \
   -artifact_prefix="build/fuzz/findings/$name-" >"$log" 2>&1
 status=$?
 runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
