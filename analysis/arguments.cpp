@@ -1,5 +1,6 @@
 #include "analysis/arguments.h"
 #include "syntax/codes.h"
+#include "syntax/enumerate.h"
 
 #include <algorithm>
 #include <map>
@@ -14,16 +15,6 @@ using syntax::Input;
 using syntax::Statement;
 
 namespace {
-
-/// "`height` and `duration`".
-std::string enumerate(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text.append("`").append(words[i]).append("`");
-  }
-  return text;
-}
 
 const Input* find(const std::vector<Input>& inputs, std::string_view name) {
   auto found =
@@ -103,7 +94,8 @@ void Arguments::missing(const Statement& call, SymbolId callee) {
   if (absent.empty()) return;
   const Symbol& symbol = context.symbols[callee];
   context.findings
-      .report(Code::MissingArgument, {file, call.head.range}, symbol.name, enumerate(absent))
+      .report(Code::MissingArgument, {file, call.head.range}, symbol.name,
+              syntax::enumerateNames(absent))
       .related(symbol.at, "defined here");
 }
 

@@ -1,6 +1,7 @@
 #include "analysis/checks.h"
 #include "analysis/reuse.h"
 #include "analysis/stop.h"
+#include "analysis/unknown_names.h"
 
 namespace proskill::analysis {
 
@@ -20,17 +21,14 @@ constexpr Check kChecks[] = {
 
 Analysis analyse(const Program& program, const Earlier* earlier) {
   SymbolTable symbols(program);
-  const auto reuse = earlier && !earlier->analysis.hasUnknownNames
-                         ? Reuse::find(*earlier, program, symbols)
-                         : std::nullopt;
+  const auto reuse = earlier ? Reuse::find(*earlier, program, symbols) : std::nullopt;
   Findings all(program.diagnostics);
   std::vector<Occurrence> occurrences;
   std::vector<Found> ofDefinitions;
-  UnknownNames unknown;
   for (const Check& check : kChecks) {
     stopIfAsked();
     Findings findings;
-    Context context{program, symbols, findings, occurrences, unknown};
+    Context context{program, symbols, findings, occurrences};
     if (check.ofDefinitions && reuse) {
       findings.add(reuse->found()[ofDefinitions.size()]);
       context.scope = reuse->scope();
@@ -40,14 +38,12 @@ Analysis analyse(const Program& program, const Earlier* earlier) {
     all.add(found);
     if (check.ofDefinitions) ofDefinitions.push_back(std::move(found));
   }
-  if (reuse && !unknown.empty()) return analyse(program, nullptr);
+  Index index = reuse ? reuse->index(std::move(symbols), std::move(occurrences))
+                      : Index(std::move(symbols), std::move(occurrences));
   Findings ofNames;
-  Context context{program, symbols, ofNames, occurrences, unknown};
-  unknown.report(context);
+  reportUnknownNames(program, index, all.unknownNames(), ofNames);
   all.add(std::move(ofNames).asFound());
-  return {reuse ? reuse->index(std::move(symbols), std::move(occurrences))
-                : Index(std::move(symbols), std::move(occurrences)),
-          std::move(all).inOrder(), std::move(ofDefinitions), !unknown.empty()};
+  return {std::move(index), std::move(all).inOrder(), std::move(ofDefinitions)};
 }
 
 } // namespace

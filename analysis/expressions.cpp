@@ -1,5 +1,6 @@
 #include "analysis/expressions.h"
 #include "syntax/codes.h"
+#include "syntax/suggest.h"
 
 #include <algorithm>
 #include <map>
@@ -168,7 +169,7 @@ Type Expressions::access(const Expr& expr) {
   suggestion.offer("status");
   suggestion.offer("res");
   context.findings.report(Code::UnknownMember, {file, expr.member.range}, expr.member.text)
-      .suggest(suggestion);
+      .suggest(suggestion.best());
   return {};
 }
 

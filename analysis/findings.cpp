@@ -1,5 +1,6 @@
 #include "analysis/findings.h"
 #include "syntax/codes.h"
+#include "syntax/suggest.h"
 
 #include <algorithm>
 #include <tuple>
@@ -11,8 +12,8 @@ Finding& Finding::related(syntax::Location at, std::string message) {
   return *this;
 }
 
-Finding& Finding::suggest(const syntax::Suggestion& suggestion) {
-  syntax::suggest(diagnostic, suggestion);
+Finding& Finding::suggest(std::string_view word) {
+  syntax::suggest(diagnostic, word);
   return *this;
 }
 
@@ -40,10 +41,11 @@ void Findings::add(const Found& more) {
   auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   append(found.diagnostics, more.diagnostics);
   append(found.notCalls, more.notCalls);
+  append(found.unknown, more.unknown);
 }
 
 void Findings::dropForgotten() {
-  auto& [diagnostics, notCalls] = found;
+  auto& [diagnostics, notCalls, unknown] = found;
   std::ranges::sort(notCalls, {}, place);
   auto forgotten = [&](const syntax::Diagnostic& it) {
     if (!isAboutArguments(it.code)) return false;

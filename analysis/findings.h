@@ -1,8 +1,9 @@
 #pragma once
 
+#include "analysis/symbols.h"
 #include "syntax/diagnostic.h"
-#include "syntax/suggest.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,8 +17,8 @@ public:
   explicit Finding(syntax::Diagnostic& diagnostic) : diagnostic(diagnostic) {}
 
   Finding& related(syntax::Location at, std::string message);
-  /// "did you mean …?", where there is a word that is near enough.
-  Finding& suggest(const syntax::Suggestion& suggestion);
+  /// "did you mean …?", where the word is not empty.
+  Finding& suggest(std::string_view word);
   /// The edit that mends it.
   Finding& fix(std::string title, syntax::Location at, std::string text);
   Finding& severity(syntax::Severity value);
@@ -26,17 +27,30 @@ private:
   syntax::Diagnostic& diagnostic;
 };
 
+/// A name that means nothing where it stands. Whether that is one mistake or several is known of
+/// all definitions together.
+struct UnknownName {
+  syntax::Code code{};
+  std::string text;
+  Location at;
+  SymbolId owner = kNoSymbol;                ///< of whose names it is none; none: of the program's
+  std::vector<SymbolKind> kinds;             ///< what it might be
+  bool anywhere = false;                     ///< whoever the owner is
+  std::span<const std::string_view> words{}; ///< of the language, that may stand there
+};
+
 /// What a check has found.
 struct Found {
   std::vector<syntax::Diagnostic> diagnostics;
   std::vector<syntax::Location> notCalls; ///< what the parser says of their arguments is no matter
+  std::vector<UnknownName> unknown;       ///< which is told when all are known
 };
 
 /// Collects what the checks find.
 class Findings {
 public:
   Findings() = default;
-  explicit Findings(std::vector<syntax::Diagnostic> known) : found{std::move(known), {}} {}
+  explicit Findings(std::vector<syntax::Diagnostic> known) : found{std::move(known), {}, {}} {}
 
   /// `arguments` are for the message of the code, in its order.
   template <class... Arguments>
@@ -48,7 +62,10 @@ public:
   /// What is said about the form of this call's arguments is taken back: it is no call.
   void forgetArguments(syntax::Location call) { found.notCalls.push_back(call); }
 
+  void unknown(UnknownName name) { found.unknown.push_back(std::move(name)); }
+
   void add(const Found& more);
+  [[nodiscard]] const std::vector<UnknownName>& unknownNames() const { return found.unknown; }
   /// All of them as they were reported.
   [[nodiscard]] Found asFound() && { return std::move(found); }
 

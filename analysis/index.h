@@ -44,6 +44,10 @@ public:
   [[nodiscard]] const Occurrence* at(FileId file, syntax::Offset offset) const;
   /// The places that name a symbol, its definition among them, by file and place.
   [[nodiscard]] std::vector<Occurrence> occurrencesOf(SymbolId symbol) const;
+  /// How many these are.
+  [[nodiscard]] std::size_t countOf(SymbolId symbol) const {
+    return groupStart[symbol + 1] - groupStart[symbol];
+  }
 
 private:
   void group();
@@ -61,9 +65,6 @@ struct Analysis {
   /// What was found by looking at one definition after the other, a check each: what `analyse`
   /// takes over after an edit.
   std::vector<Found> ofDefinitions{};
-  /// Some names mean nothing. Whether that is one mistake or several is known of all definitions
-  /// together, so that nothing is taken over then.
-  bool hasUnknownNames = false;
 };
 [[nodiscard]] Analysis analyse(const Program& program);
 

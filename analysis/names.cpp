@@ -1,5 +1,6 @@
 #include "analysis/names.h"
 #include "syntax/codes.h"
+#include "syntax/suggest.h"
 
 #include <algorithm>
 
@@ -72,9 +73,9 @@ void Names::note(SymbolId symbol, const Name& name, Role role) {
 }
 
 void Names::unknown(SymbolKind kind, const Name& name, SymbolId owner) {
-  context.unknown.add(
+  context.findings.unknown(
       {.code = unknownCode(kind),
-       .text = name.text,
+       .text = std::string(name.text),
        .at = {file, name.range},
        .owner = owner,
        .kinds = {kind},
@@ -85,9 +86,9 @@ void Names::useResult(const Name& tag, SymbolId skill) {
   if (!tag || tag.text == kNoResult) return;
   if (const SymbolId symbol = context.symbols.findResult(tag.text, skill); symbol != kNoSymbol)
     return note(symbol, tag, Role::Mention);
-  context.unknown.add(
+  context.findings.unknown(
       {.code = Code::UnknownTag,
-       .text = tag.text,
+       .text = std::string(tag.text),
        .at = {file, tag.range},
        .owner = skill,
        .kinds = {SymbolKind::SuccessTag, SymbolKind::FailureTag, SymbolKind::InvariantTag}});
@@ -97,7 +98,8 @@ void Names::useStatus(const Name& word, std::span<const std::string_view> allowe
   if (!word || std::ranges::find(allowed, word.text) != allowed.end()) return;
   syntax::Suggestion suggestion(word.text);
   for (std::string_view status : allowed) suggestion.offer(status);
-  context.findings.report(Code::UnknownStatus, {file, word.range}, word.text).suggest(suggestion);
+  context.findings.report(Code::UnknownStatus, {file, word.range}, word.text)
+      .suggest(suggestion.best());
 }
 
 void Names::useLabelAnywhere(const Name& label) {
@@ -105,11 +107,11 @@ void Names::useLabelAnywhere(const Name& label) {
   const auto labels = context.symbols.labels(label.text);
   for (SymbolId symbol : labels) note(symbol, label, Role::Mention);
   if (!labels.empty()) return;
-  context.unknown.add({.code = Code::UnknownLabel,
-                       .text = label.text,
-                       .at = {file, label.range},
-                       .kinds = {SymbolKind::Label},
-                       .anywhere = true});
+  context.findings.unknown({.code = Code::UnknownLabel,
+                            .text = std::string(label.text),
+                            .at = {file, label.range},
+                            .kinds = {SymbolKind::Label},
+                            .anywhere = true});
 }
 
 Type Names::useType(const Name& name) {
@@ -119,11 +121,11 @@ Type Names::useType(const Name& name) {
   const bool isVariable = variable != kNoSymbol && (type.of == variable || !type.known());
   if (isVariable) note(variable, name, Role::Mention);
   if (type.known() || isVariable) return type;
-  context.unknown.add({.code = Code::UnknownType,
-                       .text = name.text,
-                       .at = {file, name.range},
-                       .kinds = {SymbolKind::StateVariable},
-                       .words = basicTypeWords()});
+  context.findings.unknown({.code = Code::UnknownType,
+                            .text = std::string(name.text),
+                            .at = {file, name.range},
+                            .kinds = {SymbolKind::StateVariable},
+                            .words = basicTypeWords()});
   return {};
 }
 

@@ -3,7 +3,6 @@
 #include "analysis/findings.h"
 #include "analysis/index.h"
 #include "analysis/types.h"
-#include "analysis/unknown_names.h"
 #include "analysis/walk.h"
 
 #include <vector>
@@ -26,7 +25,6 @@ struct Context {
   const SymbolTable& symbols;
   Findings& findings;
   std::vector<Occurrence>& occurrences;
-  UnknownNames& unknown;
   Scope scope{};
 
   /// Calls `visit(definition)` for those of a table that are to be looked at.

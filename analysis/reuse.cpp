@@ -1,11 +1,14 @@
 #include "analysis/reuse.h"
+#include "syntax/codes.h"
 
 #include <algorithm>
+#include <array>
 
 namespace proskill::analysis {
 
 namespace {
 
+using syntax::Code;
 using syntax::Diagnostic;
 using syntax::Form;
 using syntax::Range;
@@ -34,20 +37,46 @@ bool touches(Location at, FileId file, Range range) {
   return at.file == file && at.range.begin <= range.end && range.begin <= at.range.end;
 }
 
-/// Its text may quote what was edited; a fix may look at the white space and the comments around
-/// it, too.
+/// Whether a fix of such a finding may look at the white space and the comments around it. Those of
+/// moves, of which a program may have many, write words and quote what they replace.
+bool looksAround(Code code) {
+  constexpr std::array kOfMoves{Code::ForbiddenMove,       Code::MayBeForbiddenMove,
+                                Code::EventMayBeForbidden, Code::LeavesRange,
+                                Code::MayLeaveRange,       Code::EventMayLeaveRange};
+  return std::ranges::find(kOfMoves, code) == kOfMoves.end();
+}
+
+/// Its text, or a fix, may quote what white space or comment was edited.
 bool quotes(const Diagnostic& diagnostic, const FileChange& edit) {
-  return touches(diagnostic.location, edit.file, edit.change.layout->before()) ||
+  const auto edited = edit.change.layout->before();
+  const auto around = looksAround(diagnostic.code) ? edit.change.stretches.before() : edited;
+  return touches(diagnostic.location, edit.file, edited) ||
          std::ranges::any_of(diagnostic.fixes, [&](const syntax::Fix& fix) {
-           return touches(fix.location, edit.file, edit.change.stretches.before());
+           return touches(fix.location, edit.file, around);
          });
 }
 
-std::vector<const Form*> formsIn(const syntax::Document& document, Range range) {
+bool anyQuotes(const std::vector<Diagnostic>& diagnostics, const FileChange& edit) {
+  return std::ranges::any_of(diagnostics, [&](const Diagnostic& it) { return quotes(it, edit); });
+}
+
+/// Those that define something, or include it.
+std::vector<const Form*> definitionsIn(const syntax::Document& document, Range range) {
   std::vector<const Form*> result;
-  for (const Form& form : document.forms())
-    if (range.contains(form.range.begin)) result.push_back(&form);
+  for (const Form& form : document.formsIn(range))
+    if (!std::holds_alternative<syntax::UnknownForm>(form.node)) result.push_back(&form);
   return result;
+}
+
+bool isSameNumber(const std::optional<syntax::Expr>& a, const std::optional<syntax::Expr>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->kind == b->kind && a->number == b->number;
+}
+
+/// What others see of a state variable beside its name and those of its values: its type.
+bool looksSame(const syntax::StateVariable& a, const syntax::StateVariable& b) {
+  return a.states.empty() == b.states.empty() && isSameNumber(a.min, b.min) &&
+         isSameNumber(a.max, b.max);
 }
 
 bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
@@ -65,8 +94,9 @@ bool looksSame(const Form* a, const Form* b) {
   if (a->node.index() != b->node.index()) return false;
   if (const auto* skill = std::get_if<syntax::Skill>(&a->node))
     return looksSame(*skill, std::get<syntax::Skill>(b->node));
-  return std::holds_alternative<syntax::Property>(a->node) ||
-         std::holds_alternative<syntax::Environment>(a->node);
+  if (const auto* variable = std::get_if<syntax::StateVariable>(&a->node))
+    return looksSame(*variable, std::get<syntax::StateVariable>(b->node));
+  return !std::holds_alternative<syntax::Include>(a->node);
 }
 
 bool isSameSymbol(const Symbol& a, const Symbol& b) {
@@ -91,11 +121,9 @@ std::optional<FileChange> changeBetween(const Program& before, const Program& no
 
 std::optional<std::vector<Diagnostic>> movedByLayout(const std::vector<Diagnostic>& diagnostics,
                                                      const FileChange& edit) {
-  if (!edit.change.layout) return std::nullopt;
-  const Move move{edit.file, *edit.change.layout};
+  if (!edit.change.layout || anyQuotes(diagnostics, edit)) return std::nullopt;
   auto result = diagnostics;
-  for (Diagnostic& each : result)
-    if (quotes(each, edit) || !move(each)) return std::nullopt;
+  if (!std::ranges::all_of(result, Move{edit.file, *edit.change.layout})) return std::nullopt;
   return result;
 }
 
@@ -109,7 +137,7 @@ std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
   auto keeping = [&](const Replacement& replaced, bool isLayout) -> std::optional<Reuse> {
     Reuse reuse(earlier.analysis.index, file, replaced, isLayout);
     for (const Found& found : earlier.analysis.ofDefinitions)
-      if ((isLayout && !movedByLayout(found.diagnostics, *edit)) || !reuse.keep(found))
+      if ((isLayout && anyQuotes(found.diagnostics, *edit)) || !reuse.keep(found))
         return std::nullopt;
     return reuse;
   };
@@ -117,8 +145,8 @@ std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
     if (auto reuse = keeping(*change.layout, true)) return reuse;
   const auto& replaced = change.stretches;
   const bool same =
-      std::ranges::equal(formsIn(earlier.program.files[file].document, replaced.before()),
-                         formsIn(now.files[file].document, replaced.after()),
+      std::ranges::equal(definitionsIn(earlier.program.files[file].document, replaced.before()),
+                         definitionsIn(now.files[file].document, replaced.after()),
                          [](const Form* a, const Form* b) { return looksSame(a, b); });
   return same ? keeping(replaced, false) : std::nullopt;
 }
@@ -134,6 +162,8 @@ bool Reuse::keep(const Found& found) {
     if (!isGone(each.location) && !move(now.diagnostics.emplace_back(each))) return false;
   for (const Location& each : found.notCalls)
     if (!isGone(each) && !move(now.notCalls.emplace_back(each))) return false;
+  for (const UnknownName& each : found.unknown)
+    if (!isGone(each.at) && !move(now.unknown.emplace_back(each).at)) return false;
   return true;
 }
 

@@ -2,8 +2,11 @@
 
 #include "analysis/walk.h"
 
-#include <cassert>
+#include <algorithm>
+#include <bit>
 #include <functional>
+#include <numeric>
+#include <utility>
 
 namespace proskill::analysis {
 
@@ -34,43 +37,40 @@ Name withoutDollar(Name name) {
   return {name.text.substr(1), {name.range.begin + 1, name.range.end}};
 }
 
-std::size_t SymbolTable::Hash::operator()(const Key& key) const {
-  const std::size_t place = key.owner * std::size_t{31} + static_cast<std::size_t>(key.kind);
-  return std::hash<std::string_view>{}(key.name) ^ (place * 0x9E3779B97F4A7C15u);
-}
-
 SymbolTable::SymbolTable(const Program& program) {
-  // About four values, tags and inputs to each: growing the tables one by one costs a third of all.
+  // About four values, tags and inputs to each.
   const auto count = 5 * (program.stateVariables.all.size() + program.skills.all.size());
   symbols.reserve(count);
-  byName.reserve(count);
-  byPlace.reserve(count);
+  grow(count);
   defineAll(SymbolKind::StateVariable, program.stateVariables);
   defineAll(SymbolKind::Event, program.events);
   defineAll(SymbolKind::Skill, program.skills);
   defineAll(SymbolKind::Resource, program.resources);
   defineAll(SymbolKind::Property, program.properties);
   defineAll(SymbolKind::Environment, program.environments);
-  const auto& variables = program.stateVariables.all;
-  for (std::size_t i = 0; i < variables.size(); ++i)
-    defineParts(variables[i], topLevel(SymbolKind::StateVariable, i));
-  const auto& skills = program.skills.all;
-  for (std::size_t i = 0; i < skills.size(); ++i)
-    defineParts(skills[i], topLevel(SymbolKind::Skill, i));
-  const auto& environments = program.environments.all;
-  for (std::size_t i = 0; i < environments.size(); ++i)
-    defineLabels(environments[i]->body, topLevel(SymbolKind::Environment, i));
+  parts.resize(symbols.size());
+  defineAllParts(SymbolKind::StateVariable, program.stateVariables);
+  defineAllParts(SymbolKind::Skill, program.skills);
+  defineAllParts(SymbolKind::Environment, program.environments);
+  ids.resize(symbols.size());
+  std::iota(ids.begin(), ids.end(), SymbolId{0});
 }
 
 SymbolId SymbolTable::find(SymbolKind kind, std::string_view name, SymbolId owner) const {
-  auto found = byName.find({kind, owner, name});
-  return found == byName.end() ? kNoSymbol : found->second;
+  return names[slotOf(hashOf(kind, owner, name), kind, owner, name)].symbol;
 }
 
 std::span<const SymbolId> SymbolTable::members(SymbolKind kind, SymbolId owner) const {
-  auto found = byPlace.find({kind, owner, {}});
-  if (found == byPlace.end()) return {};
-  return found->second;
+  const auto place = static_cast<std::size_t>(kind);
+  if (owner == kNoSymbol)
+    return place < kTopLevelKinds ? std::span<const SymbolId>(definitions[place])
+                                  : std::span<const SymbolId>();
+  const auto [begin, end] = owner < parts.size() ? parts[owner] : Parts{};
+  const auto all = std::span(ids).subspan(begin, end - begin);
+  const auto first = std::ranges::find(all, kind, [&](SymbolId id) { return symbols[id].kind; });
+  const auto last =
+      std::find_if(first, all.end(), [&](SymbolId id) { return symbols[id].kind != kind; });
+  return {first, last};
 }
 
 SymbolId SymbolTable::findResult(std::string_view tag, SymbolId skill) const {
@@ -85,14 +85,53 @@ std::span<const SymbolId> SymbolTable::labels(std::string_view name) const {
   return found->second;
 }
 
+std::uint32_t SymbolTable::hashOf(SymbolKind kind, SymbolId owner, std::string_view name) {
+  const std::size_t place = owner * std::size_t{31} + static_cast<std::size_t>(kind);
+  const std::size_t hash = std::hash<std::string_view>{}(name) ^ (place * 0x9E3779B97F4A7C15u);
+  return static_cast<std::uint32_t>(hash ^ (hash >> 32));
+}
+
+std::size_t SymbolTable::slotOf(std::uint32_t hash, SymbolKind kind, SymbolId owner,
+                                std::string_view name) const {
+  auto isIt = [&](const Slot& slot) {
+    if (slot.hash != hash) return false;
+    const Symbol& symbol = symbols[slot.symbol];
+    return symbol.kind == kind && symbol.owner == owner && symbol.name == name;
+  };
+  const std::size_t mask = names.size() - 1;
+  std::size_t at = hash & mask;
+  while (names[at].symbol != kNoSymbol && !isIt(names[at])) at = (at + 1) & mask;
+  return at;
+}
+
+/// Makes room for so many names.
+void SymbolTable::grow(std::size_t count) {
+  const auto old = std::exchange(names, std::vector<Slot>(std::bit_ceil(2 * count + 2)));
+  const std::size_t mask = names.size() - 1;
+  for (const Slot& slot : old) {
+    if (slot.symbol == kNoSymbol) continue;
+    std::size_t at = slot.hash & mask;
+    while (names[at].symbol != kNoSymbol) at = (at + 1) & mask;
+    names[at] = slot;
+  }
+}
+
+/// The first of a name has it.
+void SymbolTable::enter(SymbolId id) {
+  const Symbol& symbol = symbols[id];
+  if (2 * symbols.size() >= names.size()) grow(2 * symbols.size());
+  const auto hash = hashOf(symbol.kind, symbol.owner, symbol.name);
+  Slot& slot = names[slotOf(hash, symbol.kind, symbol.owner, symbol.name)];
+  if (slot.symbol == kNoSymbol)
+    slot = {id, hash};
+  else
+    twice.push_back({slot.symbol, id});
+}
+
 SymbolId SymbolTable::define(Symbol symbol) {
   const auto id = static_cast<SymbolId>(symbols.size());
-  if (!symbol.name.empty()) {
-    auto [place, isNew] = byName.try_emplace({symbol.kind, symbol.owner, symbol.name}, id);
-    if (!isNew) twice.push_back({place->second, id});
-  }
-  byPlace[{symbol.kind, symbol.owner, {}}].push_back(id);
   symbols.push_back(symbol);
+  if (!symbol.name.empty()) enter(id);
   return id;
 }
 
@@ -105,6 +144,15 @@ template <class Node> void SymbolTable::defineAll(SymbolKind kind, const Table<N
   for (std::size_t i = 0; i < table.all.size(); ++i) {
     const Definition<Node>& it = table.all[i];
     ids.push_back(define({kind, it.name(), it.at(it->name.range), it.form->range, kNoSymbol, i}));
+  }
+}
+
+template <class Node> void SymbolTable::defineAllParts(SymbolKind kind, const Table<Node>& table) {
+  for (std::size_t i = 0; i < table.all.size(); ++i) {
+    const SymbolId owner = topLevel(kind, i);
+    parts[owner].begin = static_cast<SymbolId>(symbols.size());
+    defineParts(table.all[i], owner);
+    parts[owner].end = static_cast<SymbolId>(symbols.size());
   }
 }
 
@@ -125,6 +173,10 @@ void SymbolTable::defineParts(const Definition<syntax::Skill>& skill, SymbolId o
   for (const auto& it : skill->failures)
     defineInside(SymbolKind::FailureTag, it.tag, it.range, owner);
   if (skill->body) defineLabels(*skill->body, owner);
+}
+
+void SymbolTable::defineParts(const Definition<syntax::Environment>& environment, SymbolId owner) {
+  defineLabels(environment->body, owner);
 }
 
 void SymbolTable::defineLabels(const syntax::Block& block, SymbolId owner) {

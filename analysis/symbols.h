@@ -77,30 +77,40 @@ public:
   [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return twice; }
 
 private:
-  struct Key {
-    SymbolKind kind;
-    SymbolId owner;
-    std::string_view name;
-    friend bool operator==(const Key&, const Key&) = default;
+  /// Of the hash table of names: addressed openly, with linear probing.
+  struct Slot {
+    SymbolId symbol = kNoSymbol; ///< none: it is free
+    std::uint32_t hash = 0;
   };
-  struct Hash {
-    std::size_t operator()(const Key& key) const;
+  /// The symbols of an owner follow each other, kind by kind.
+  struct Parts {
+    SymbolId begin = 0;
+    SymbolId end = 0;
   };
 
+  [[nodiscard]] static std::uint32_t hashOf(SymbolKind kind, SymbolId owner, std::string_view name);
+  /// Of the symbol of that name, or the free one where it would be.
+  [[nodiscard]] std::size_t slotOf(std::uint32_t hash, SymbolKind kind, SymbolId owner,
+                                   std::string_view name) const;
+  void enter(SymbolId id);
+  void grow(std::size_t count);
   SymbolId define(Symbol symbol);
   void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent,
                     SymbolId owner);
   template <class Node> void defineAll(SymbolKind kind, const Table<Node>& table);
+  template <class Node> void defineAllParts(SymbolKind kind, const Table<Node>& table);
   void defineParts(const Definition<syntax::StateVariable>& variable, SymbolId owner);
   void defineParts(const Definition<syntax::Skill>& skill, SymbolId owner);
+  void defineParts(const Definition<syntax::Environment>& environment, SymbolId owner);
   void defineLabels(const syntax::Block& block, SymbolId owner);
 
   static constexpr std::size_t kTopLevelKinds = 6;
 
   std::vector<Symbol> symbols;
+  std::vector<SymbolId> ids; ///< of all symbols, in their order
   std::vector<SymbolId> definitions[kTopLevelKinds];
-  std::unordered_map<Key, SymbolId, Hash> byName;
-  std::unordered_map<Key, std::vector<SymbolId>, Hash> byPlace; ///< without a name
+  std::vector<Parts> parts; ///< of each definition at the top level
+  std::vector<Slot> names;  ///< a power of 2 of them, less than half of them taken
   std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
   std::vector<Duplicate> twice;
 };

@@ -1,11 +1,13 @@
 #include "analysis/unknown_names.h"
 
-#include "analysis/names.h"
 #include "syntax/codes.h"
+#include "syntax/suggest.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace proskill::analysis {
@@ -16,6 +18,10 @@ using syntax::Code;
 using syntax::Diagnostic;
 
 constexpr std::size_t kMostRelated = 10;
+
+/// Thousands of unknown names among thousands of known ones, as where a library is missing, are
+/// not misspelt: what was meant is not looked for any longer.
+constexpr std::size_t kMostComparisons = 2'000'000;
 
 /// Because of these a program has definitions that are not known.
 bool hidesDefinitions(Code code) {
@@ -38,13 +44,20 @@ struct Near {
 
 class Reporter {
 public:
-  explicit Reporter(Context& context) : context(context), mentioned(context.symbols.all().size()) {
-    for (const Occurrence& it : context.occurrences) mentioned[it.symbol] = true;
-    for (const Diagnostic& it : context.program.diagnostics) {
+  Reporter(const Program& program, const Index& index, Findings& findings)
+      : program(program),
+        symbols(index.symbols()),
+        findings(findings),
+        mentioned(symbols.all().size()) {
+    for (const Occurrence& it : index.occurrences())
+      if (it.role != Role::Definition) mentioned[it.symbol] = true;
+    for (SymbolId id = 0; id < symbols.all().size(); ++id)
+      if (symbols[id].name.empty()) unnamed.push_back(id);
+    for (const Diagnostic& it : program.diagnostics) {
       definitionsHidden |= hidesDefinitions(it.code);
       if (hidesParts(it.code)) hidden.push_back(it.location);
     }
-    for (const File& file : context.program.files)
+    for (const File& file : program.files)
       for (const syntax::Form& form : file.document.forms())
         if (const auto* unread = std::get_if<syntax::UnknownForm>(&form.node))
           unreadNames.insert(unread->name.text);
@@ -59,24 +72,16 @@ public:
         return reportDefinition(uses, definition.symbol);
       if (near.word.empty()) return reportMissing(uses);
     }
-    for (const UnknownName& use : uses) {
-      Finding finding = reportUse(use);
-      if (!near.word.empty()) suggest(finding, near.word, use.at);
-    }
+    for (const UnknownName& use : uses) reportUse(use).suggest(near.word);
   }
 
 private:
   Finding reportUse(const UnknownName& use) {
     const bool global = use.owner == kNoSymbol;
-    Finding finding = global ? context.findings.report(use.code, use.at, use.text)
-                             : context.findings.report(use.code, use.at, use.text,
-                                                       context.symbols[use.owner].name);
+    Finding finding = global ? findings.report(use.code, use.at, use.text)
+                             : findings.report(use.code, use.at, use.text, symbols[use.owner].name);
     if (global && isFragment()) finding.severity(syntax::Severity::Hint);
     return finding;
-  }
-
-  static void suggest(Finding& finding, std::string_view word, Location at) {
-    finding.fix(fmt::format("did you mean `{}`?", word), at, std::string(word));
   }
 
   void reportMissing(const std::vector<UnknownName>& uses) {
@@ -85,14 +90,14 @@ private:
   }
 
   void reportDefinition(const std::vector<UnknownName>& uses, SymbolId definition) {
-    const Symbol& symbol = context.symbols[definition];
+    const Symbol& symbol = symbols[definition];
     Finding finding = reportUse(uses.front());
     finding.related(symbol.at,
                     fmt::format("`{}` is defined here, and nobody uses it", symbol.name));
     addUses(finding, uses);
     if (!isFragment())
       finding.fix(fmt::format("call it `{}` where it is defined", uses.front().text), symbol.at,
-                  std::string(uses.front().text));
+                  uses.front().text);
   }
 
   static void addUses(Finding& finding, const std::vector<UnknownName>& uses) {
@@ -104,29 +109,31 @@ private:
                                       : "used here too");
   }
 
-  [[nodiscard]] bool isFragment() const { return context.program.extent == Extent::Fragment; }
+  [[nodiscard]] bool isFragment() const { return program.extent == Extent::Fragment; }
 
   template <class Visit> void forEachCandidate(const UnknownName& use, Visit visit) const {
     for (SymbolKind kind : use.kinds) {
-      for (SymbolId id : context.symbols.members(kind, use.owner)) visit(id);
+      for (SymbolId id : symbols.members(kind, use.owner)) visit(id);
       if (!use.anywhere) continue;
-      for (SymbolId id = 0; id < context.symbols.all().size(); ++id)
-        if (context.symbols[id].kind == kind) visit(id);
+      for (SymbolId id = 0; id < symbols.all().size(); ++id)
+        if (symbols[id].kind == kind) visit(id);
     }
   }
 
   /// The word that is nearest, if any is near: of all, or of those that nobody mentions.
-  [[nodiscard]] Near nearest(const UnknownName& use, bool unmentioned) const {
+  [[nodiscard]] Near nearest(const UnknownName& use, bool unmentioned) {
     syntax::Suggestion suggestion(use.text);
     Near found;
     forEachCandidate(use, [&](SymbolId id) {
-      if (unmentioned && mentioned[id]) return;
-      suggestion.offer(context.symbols[id].name);
-      if (suggestion.best() != found.word) found = {suggestion.best(), id};
+      if (comparisons == kMostComparisons || (unmentioned && mentioned[id])) return;
+      ++comparisons;
+      const std::string_view name = symbols[id].name;
+      if (suggestion.offer(name)) found = {name, id};
     });
     if (unmentioned) return found;
-    for (std::string_view word : use.words) suggestion.offer(word);
-    return suggestion.best() == found.word ? found : Near{suggestion.best()};
+    for (std::string_view word : use.words)
+      if (suggestion.offer(word)) found = {word};
+    return found;
   }
 
   static bool isNearer(const Near& a, const Near& b, const UnknownName& use) {
@@ -139,7 +146,7 @@ private:
   [[nodiscard]] bool isConsequence(const UnknownName& use) const {
     if (use.owner == kNoSymbol)
       return definitionsHidden || unreadNames.contains(use.text) || isUnnamed(use);
-    const Symbol& owner = context.symbols[use.owner];
+    const Symbol& owner = symbols[use.owner];
     return std::ranges::any_of(hidden, [&](const Location& at) {
       return at.file == owner.at.file && owner.extent.begin <= at.range.begin &&
              at.range.end <= owner.extent.end;
@@ -148,13 +155,19 @@ private:
 
   /// One of its kind has no name.
   [[nodiscard]] bool isUnnamed(const UnknownName& use) const {
-    bool unnamed = false;
-    forEachCandidate(use, [&](SymbolId id) { unnamed |= context.symbols[id].name.empty(); });
-    return unnamed;
+    return std::ranges::any_of(unnamed, [&](SymbolId id) {
+      const Symbol& symbol = symbols[id];
+      return std::ranges::count(use.kinds, symbol.kind) > 0 &&
+             (use.anywhere || symbol.owner == use.owner);
+    });
   }
 
-  Context& context;
+  const Program& program;
+  const SymbolTable& symbols;
+  Findings& findings;
   std::vector<bool> mentioned; ///< of each symbol
+  std::vector<SymbolId> unnamed;
+  std::size_t comparisons = 0;
   bool definitionsHidden = false;
   std::vector<Location> hidden;           ///< where parts of definitions were not read
   std::set<std::string_view> unreadNames; ///< of definitions that were not read
@@ -165,20 +178,17 @@ Code codeOfKey(Code code) { return code == Code::UnknownType ? Code::UnknownStat
 
 } // namespace
 
-void UnknownNames::add(UnknownName name) {
-  auto& same = uses[{codeOfKey(name.code), name.owner, name.text}];
-  same.push_back(std::move(name));
-}
-
-void UnknownNames::report(Context& context) const {
-  if (uses.empty()) return;
-  Reporter reporter(context);
-  for (const auto& [key, same] : uses) {
-    std::vector<UnknownName> inOrder = same;
-    std::ranges::stable_sort(inOrder, {}, [](const UnknownName& use) {
+void reportUnknownNames(const Program& program, const Index& index,
+                        const std::vector<UnknownName>& names, Findings& findings) {
+  if (names.empty()) return;
+  std::map<std::tuple<Code, SymbolId, std::string_view>, std::vector<UnknownName>> uses;
+  for (const UnknownName& it : names) uses[{codeOfKey(it.code), it.owner, it.text}].push_back(it);
+  Reporter reporter(program, index, findings);
+  for (auto& [key, same] : uses) {
+    std::ranges::stable_sort(same, {}, [](const UnknownName& use) {
       return std::pair(use.at.file, use.at.range.begin);
     });
-    reporter.report(inOrder);
+    reporter.report(same);
   }
 }
 

@@ -4,9 +4,11 @@
 #include "ide/fiacre_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <fstream>
+#include <fcntl.h>
 #include <iostream>
+#include <span>
 #include <system_error>
 #include <unistd.h>
 
@@ -26,6 +28,30 @@ std::string reason(int error) {
   return words;
 }
 
+/// A descriptor of a file that is read, or none.
+class OpenFile {
+public:
+  OpenFile(const fs::path& path, int flags)
+      : descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | flags)) {}
+  ~OpenFile() {
+    if (isOpen()) close(descriptor);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  [[nodiscard]] bool isOpen() const { return descriptor >= 0; }
+  /// Bytes that were read; 0 at the end, -1 with `errno` where it cannot be read.
+  ssize_t next(std::span<char> into) const {
+    ssize_t count = 0;
+    do count = ::read(descriptor, into.data(), into.size());
+    while (count < 0 && errno == EINTR);
+    return count;
+  }
+
+private:
+  int descriptor;
+};
+
 } // namespace
 
 std::expected<std::string, std::string> DiskFileSystem::read(const fs::path& path) const {
@@ -33,18 +59,19 @@ std::expected<std::string, std::string> DiskFileSystem::read(const fs::path& pat
   if (fs::is_directory(path, error)) return std::unexpected(reason(EISDIR));
   if (reads == Reads::OnlyFiles && fs::exists(path, error) && !isFile(path))
     return std::unexpected("it is a pipe or a device, not a file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::unexpected(reason(errno == 0 ? EIO : errno));
+  // What calls itself a file and has nothing to say, as some below /proc, keeps nobody waiting.
+  const OpenFile file(path, reads == Reads::OnlyFiles ? O_NONBLOCK : 0);
+  if (!file.isOpen()) return std::unexpected(reason(errno));
   std::string text;
   const auto size = fs::file_size(path, error);
   if (!error && size <= kLargestFile) text.reserve(size);
-  std::vector<char> chunk(std::size_t{1} << 16);
-  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), file.gcount() > 0) {
-    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+  std::array<char, std::size_t{1} << 16> chunk;
+  ssize_t count = 0;
+  while ((count = file.next(chunk)) > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(count));
     if (text.size() > kLargestFile) return std::unexpected("it is larger than 4 GiB");
   }
-  if (file.bad()) return std::unexpected(reason(errno == 0 ? EIO : errno));
+  if (count < 0) return std::unexpected(reason(errno));
   return text;
 }
 

@@ -256,6 +256,9 @@ int runFiacre(const Arguments& arguments, bool list) {
   render(std::cerr, read.program, read.diagnostics,
          Paint{wantsColour(arguments.colour, STDERR_FILENO)});
   if (!read.diagnostics.empty()) return kUsage;
+  if (!read.isModel())
+    return fail(fmt::format("`{}` names no model: write the name of a component at its end",
+                            arguments.file));
   if (!addAll(arguments, read.program, read.model)) return kUsage;
   if (read.model.checks.empty() && arguments.graph.empty())
     return fail("nothing is asserted: write `property p is deadlockfree` and `assert p`");

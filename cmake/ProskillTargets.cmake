@@ -46,6 +46,13 @@ function(proskill_use_precompiled target name)
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endfunction()
 
+# proskill_uses_asio(FILE): the thread sanitizer knows no fences; asio's memory is ordered by its mutexes without them.
+function(proskill_uses_asio file)
+  if(PROSKILL_SANITIZE STREQUAL "thread")
+    set_source_files_properties(${file} PROPERTIES COMPILE_DEFINITIONS ASIO_DISABLE_FENCED_BLOCK)
+  endif()
+endfunction()
+
 # proskill_library(NAME [PRECOMPILED name] DEPENDS target…): every *.cpp of the current folder, as target proskill_NAME.
 function(proskill_library name)
   cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS" ${ARGN})

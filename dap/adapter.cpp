@@ -1,5 +1,6 @@
 #include "dap/adapter.h"
 
+#include "ide/markup.h"
 #include "lsp/framing.h"
 
 #include <fmt/format.h>
@@ -186,9 +187,10 @@ void Adapter::stopped(Stop why, std::string_view plain) {
   if (atEnd && player->isSimulation())
     body["description"] = "Nothing more can happen";
   else if (atEnd)
-    body["description"] = trace.words.empty()
-                              ? "The end of the trace"
-                              : fmt::format("{}: {}", unmarked(trace.words), trace.verdict);
+    body["description"] =
+        trace.words.empty()
+            ? "The end of the trace"
+            : fmt::format("{}: {}", ide::withoutBackticks(trace.words), trace.verdict);
   if (body.contains("description")) body["text"] = body["description"];
   event("stopped", std::move(body));
 }

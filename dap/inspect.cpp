@@ -1,5 +1,7 @@
 #include "dap/adapter.h"
 
+#include "ide/markup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +51,7 @@ bool isStatus(std::string_view name) { return name.ends_with(".status"); }
 /// A step as a line of the call stack.
 std::string lineOf(const Step& step, std::string_view tense) {
   return fmt::format("{} s: {}{}", step.date, tense,
-                     step.words.empty() ? "a step" : unmarked(step.words));
+                     step.words.empty() ? "a step" : ide::withoutBackticks(step.words));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "dap/adapter.h"
 
+#include "ide/markup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,7 +60,8 @@ Adapter::Answer Adapter::launch(const Json& arguments) {
   if (!source) return std::unexpected(source.error());
   player = std::make_unique<Player>(std::move(*source));
   const auto& trace = player->trace();
-  if (!trace.words.empty()) console(fmt::format("{}: {}", unmarked(trace.words), trace.verdict));
+  if (!trace.words.empty())
+    console(fmt::format("{}: {}", ide::withoutBackticks(trace.words), trace.verdict));
   return Json();
 }
 
@@ -164,7 +167,8 @@ Adapter::Answer Adapter::restart(const Json&) {
 Json Adapter::choiceJson(std::size_t i) const {
   const auto& step = player->choices()[i];
   Json json{{"id", i + 1},
-            {"label", fmt::format("{} {} {}", step.actor, unmarked(step.words), windowOf(step))},
+            {"label", fmt::format("{} {} {}", step.actor, ide::withoutBackticks(step.words),
+                                  windowOf(step))},
             {"actor", step.actor},
             {"words", step.words},
             {"date", step.date},

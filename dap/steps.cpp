@@ -91,11 +91,6 @@ std::expected<Trace, std::string> readTrace(const Json& json, const std::filesys
   }
 }
 
-std::string unmarked(std::string words) {
-  std::erase(words, '`');
-  return words;
-}
-
 std::string windowOf(const Step& step) {
   const auto* open = step.afterEarliest ? "]" : "[";
   if (!step.latest) return fmt::format("{}{} s, …[", open, step.earliest);

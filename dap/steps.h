@@ -51,9 +51,6 @@ struct Trace {
 /// When a step may happen: `[2 s, 5 s]`, `]0 s, …[`.
 [[nodiscard]] std::string windowOf(const Step& step);
 
-/// Words without the marks of code, which debuggers would show as they are.
-[[nodiscard]] std::string unmarked(std::string words);
-
 /// One spelling for each file.
 [[nodiscard]] std::filesystem::path oneSpelling(const std::filesystem::path& path);
 

@@ -104,13 +104,54 @@ void checkPriorities(const Component& component, const Surroundings& around, con
   }
 }
 
-bool contains(const Component& component, std::string_view name, const Declarations& known,
+bool contains(const std::vector<Instance>& parts, std::string_view name, const Declarations& known,
               std::set<std::string_view>& seen) {
-  return std::ranges::any_of(component.instances, [&](const Instance& instance) {
+  const auto holds = [&](const Instance& instance) {
     if (instance.process == name) return true;
     const auto* inner = lookUp(known.components, instance.process);
-    return inner && seen.insert(instance.process).second && contains(**inner, name, known, seen);
+    return inner && seen.insert(instance.process).second &&
+           contains((*inner)->instances, name, known, seen);
+  };
+  return std::ranges::any_of(parts, [&](const Instance& part) {
+    return part.parts.empty() ? holds(part) : contains(part.parts, name, known, seen);
   });
+}
+
+void checkInstances(const std::vector<Instance>& parts, const Surroundings& around,
+                    const Report& report) {
+  for (const auto& part : parts) {
+    if (part.synchronised)
+      for (const auto& port : *part.synchronised)
+        if (!around.ports.contains(port))
+          report(fmt::format("the port `{}` is not declared", port));
+    if (!part.parts.empty())
+      checkInstances(part.parts, around, report);
+    else if (const auto made = interfaceOf(part.process, around.known))
+      InstanceCheck(part, *made, around, report).run();
+    else
+      report(fmt::format("there is no process or component `{}`", part.process));
+  }
+}
+
+/// The model or an observer: on its own, it is given nothing.
+void checkAlone(const std::string& name, std::string_view what, const Declarations& known,
+                const Report& report) {
+  const auto made = interfaceOf(name, known);
+  if (!made)
+    report(fmt::format("there is no {} `{}`", what, name));
+  else if (!made->ports.empty() || !made->parameters.empty())
+    report(fmt::format("the {} `{}` wants ports or arguments", what, name));
+}
+
+void checkObservers(const Program& program, const Declarations& known, const Report& report) {
+  std::set<std::string_view> seen{program.main};
+  for (const auto& [observer, model, origin] : program.observers) {
+    const auto here = report.at("observer " + observer, origin);
+    if (model != program.main)
+      here(fmt::format("`{}` is observed, and the model is `{}`", model, program.main));
+    if (!seen.insert(observer).second) here(fmt::format("`{}` is there already", observer));
+    checkAlone(observer, "component", known, here);
+  }
 }
 
 } // namespace
@@ -131,29 +172,20 @@ void checkComponent(const Component& component, const Declarations& known, const
     checkInit(*component.init, report);
   }
   if (component.instances.empty()) report("there is no instance");
-  for (const auto& instance : component.instances) {
-    const auto made = interfaceOf(instance.process, known);
-    if (made)
-      InstanceCheck(instance, *made, around, report).run();
-    else
-      report(fmt::format("there is no process or component `{}`", instance.process));
-  }
+  checkInstances(component.instances, around, report);
 }
 
 void checkStructure(const Program& program, const Declarations& known, const Report& report) {
   for (const auto& component : program.components) {
     std::set<std::string_view> seen;
-    if (contains(component, component.name, known, seen))
+    if (contains(component.instances, component.name, known, seen))
       report.at("component " + component.name)("the component contains itself");
   }
   const auto model = report.at("model");
   if (program.main.empty())
     return model("its name is missing: that of a component stands at the end");
-  const auto main = interfaceOf(program.main, known);
-  if (!main)
-    model(fmt::format("there is no main component `{}`", program.main));
-  else if (!main->ports.empty() || !main->parameters.empty())
-    model(fmt::format("the main component `{}` wants ports or arguments", program.main));
+  checkAlone(program.main, "main component", known, model);
+  checkObservers(program, known, report);
 }
 
 } // namespace proskill::fiacre

@@ -14,8 +14,11 @@ void checkDeclarations(const Program& program, const Declarations& known, const 
 void checkFunction(const Function& function, const Declarations& known, const Report& report);
 void checkProcess(const Process& process, const Declarations& known, const Report& report);
 void checkComponent(const Component& component, const Declarations& known, const Report& report);
-/// The main component, and that no component contains itself.
+/// The main component, its observers, and that no component contains itself.
 void checkStructure(const Program& program, const Declarations& known, const Report& report);
+/// What a port of a component watches for.
+void checkProbe(const Port& port, const Program& program, const Declarations& known,
+                const Report& report);
 void checkProperty(const Property& property, const Program& program, const Declarations& known,
                    const Report& report);
 

@@ -7,16 +7,23 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Where a path of a property leads: to a process or to a component.
+/// Where a path leads: to a process, a component, or a composition within one.
 struct Target {
   const Process* process = nullptr;
   const Component* component = nullptr;
+  const std::vector<Instance>* parts = nullptr; ///< but of a process
 };
 
 std::optional<Target> find(const std::string& name, const Declarations& known) {
-  if (const auto* process = lookUp(known.processes, name)) return Target{*process, nullptr};
-  if (const auto* component = lookUp(known.components, name)) return Target{nullptr, *component};
+  if (const auto* process = lookUp(known.processes, name)) return Target{.process = *process};
+  if (const auto* component = lookUp(known.components, name))
+    return Target{.component = *component, .parts = &(*component)->instances};
   return std::nullopt;
+}
+
+std::optional<Target> find(const Instance& instance, const Declarations& known) {
+  if (!instance.parts.empty()) return Target{.parts = &instance.parts};
+  return find(instance.process, known);
 }
 
 bool bears(const Statement& statement, const std::string& tag) {
@@ -43,6 +50,19 @@ public:
     if (pattern.kind == PatternKind::Ltl) check(pattern.ltl);
   }
 
+  void check(const Observable& o) const {
+    for (const auto& operand : o.operands) check(operand);
+    if (o.kind > ObservableKind::Event) return;
+    const auto target = follow(o);
+    if (!target) return;
+    switch (o.kind) {
+    case ObservableKind::State: return state(*target, o.name);
+    case ObservableKind::Value: return value(*target, o.value);
+    case ObservableKind::Tag: return tag(*target, o.name);
+    default: return event(*target, o.name);
+    }
+  }
+
 private:
   void operands(const Pattern& pattern) const {
     std::size_t wanted = 1;
@@ -66,29 +86,17 @@ private:
     for (const auto& operand : ltl.operands) check(operand);
   }
 
-  void check(const Observable& o) const {
-    for (const auto& operand : o.operands) check(operand);
-    if (o.kind > ObservableKind::Event) return;
-    const auto target = follow(o.path);
-    if (!target) return;
-    switch (o.kind) {
-    case ObservableKind::State: return state(*target, o.name);
-    case ObservableKind::Value: return value(*target, o.value);
-    case ObservableKind::Tag: return tag(*target, o.name);
-    default: return event(*target, o.name);
-    }
-  }
-
-  /// From the main component down, by places in `par`.
-  [[nodiscard]] std::optional<Target> follow(const std::vector<std::uint32_t>& path) const {
-    auto target = find(program.main, known);
-    for (auto place : path) {
-      const auto* component = target ? target->component : nullptr;
-      if (!component || place == 0 || place > component->instances.size()) {
-        report(fmt::format("the path {}/{} leads nowhere", program.main, fmt::join(path, "/")));
+  /// From the main component or an observer down, by places in `par`.
+  [[nodiscard]] std::optional<Target> follow(const Observable& o) const {
+    const auto& begin = o.observer.empty() ? program.main : o.observer;
+    auto target = find(begin, known);
+    for (auto place : o.path) {
+      const auto* parts = target ? target->parts : nullptr;
+      if (!parts || place == 0 || place > parts->size()) {
+        report(fmt::format("the path {}/{} leads nowhere", begin, fmt::join(o.path, "/")));
         return std::nullopt;
       }
-      target = find(component->instances[place - 1].process, known);
+      target = find((*parts)[place - 1], known);
     }
     return target;
   }
@@ -101,6 +109,8 @@ private:
   }
 
   void value(const Target& target, const Expr& expr) const {
+    if (!target.process && !target.component)
+      return report("`value` is of a composition without a name: name a part of it");
     const auto scope = target.process
                            ? scopeOf(target.process->parameters, target.process->variables)
                            : scopeOf(target.component->parameters, target.component->variables);
@@ -127,7 +137,35 @@ private:
   const Report& report;
 };
 
+bool namesObserver(const Observable& o) {
+  return !o.observer.empty() || std::ranges::any_of(o.operands, namesObserver);
+}
+
 } // namespace
+
+bool watchesSteps(const Observable& observable) {
+  switch (observable.kind) {
+  case ObservableKind::Tag:
+  case ObservableKind::Event:
+  case ObservableKind::Enter:
+  case ObservableKind::Leave: return true;
+  default: return std::ranges::any_of(observable.operands, watchesSteps);
+  }
+}
+
+void checkProbe(const Port& port, const Program& program, const Declarations& known,
+                const Report& report) {
+  if (!port.probe) return;
+  PropertyCheck(program, known, report).check(*port.probe);
+  const auto said = [&](std::string_view what) {
+    report(fmt::format("the probe of `{}` {}", port.name, what));
+  };
+  if (namesObserver(*port.probe)) said("looks at an observer: it can look at the model alone");
+  if (!watchesSteps(*port.probe)) return;
+  if (!port.values.empty()) said("is of steps, and carries no values");
+  if (port.interval && (port.interval->lower != 0 || port.interval->upper.value_or(0) != 0))
+    said("is of steps: it is passed with them, and has no time of its own");
+}
 
 void checkProperty(const Property& property, const Program& program, const Declarations& known,
                    const Report& report) {

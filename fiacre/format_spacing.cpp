@@ -45,7 +45,7 @@ Spacing::Role Spacing::roleOf(const Token& token, const Token& next) {
   if (token.kind == TokenKind::Number || token.kind == TokenKind::String) return Role::Operand;
   if (token.kind == TokenKind::Comment) return Role::Other;
   if (token.kind == TokenKind::Name) {
-    if (!afterOperand && !inValue && is(next, "/")) inPath = kind == LineKind::Property;
+    if (!afterOperand && !inValue && is(next, "/")) inPath = kind == LineKind::Property || inProbe;
     const bool operand = !isReserved(token.text) || isOneOf(token, kOperands);
     return operand ? Role::Operand : Role::Other;
   }
@@ -110,8 +110,10 @@ void Spacing::follow(const Token& token, Role role) {
     if (is(token, "=")) groups.back() = Group::FieldValue;
     if (is(token, ",")) groups.back() = Group::Field;
   }
+  if (is(token, ":") && conditionals == 0) inProbe = inValue = false; // of the next port
   if (is(token, "?")) ++conditionals;
   if (is(token, ":") && conditionals > 0) --conditionals;
+  if (is(token, "is") && kind == LineKind::Ports) inProbe = true;
   if (is(token, "value") && is(previous, "/")) {
     inValue = true;
     inPath = false;

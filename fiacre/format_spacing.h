@@ -10,6 +10,7 @@ namespace proskill::fiacre {
 enum class LineKind : std::uint8_t {
   Plain,    ///< statements, variables, types
   Head,     ///< names stand apart from the `[` and `(` behind them: heads and instances
+  Ports,    ///< likewise, in probes
   Property, ///< `/` joins the parts of a path
 };
 
@@ -45,6 +46,7 @@ private:
   /// Brackets of an interval of time: before its comma, behind it, or outside.
   enum class Interval : std::uint8_t { Outside, Lower, Upper } interval = Interval::Outside;
   std::size_t inner = 0; ///< parentheses and brackets open within the interval
+  bool inProbe = false;  ///< behind the `is` of a port
   bool inPath = false;   ///< a name that begins a path was seen
   bool inValue = false;  ///< behind `value`, where `/` divides
   /// Of each parenthesis that is open: whether the name of a record's field is next, or its value.

@@ -83,8 +83,8 @@ private:
 
   [[nodiscard]] bool isAtEntry() const {
     if (peek().kind != TokenKind::Name || isReserved(peek().text) || !previous()) return false;
-    const bool last = peek(1).kind == TokenKind::End || isAt("property", 1) || isAt("assert", 1) ||
-                      isAt("prove", 1);
+    const bool last = peek(1).kind == TokenKind::End || isOneOf(peek(1).text, kDeclarations) ||
+                      isAt(">", 1) || isAt(">", 2);
     const Token& before = *previous();
     const bool behindAll = before.kind == TokenKind::Number || before.kind == TokenKind::String ||
                            !isReserved(before.text);
@@ -94,6 +94,7 @@ private:
 
   void declaration() {
     const auto word = peek().text;
+    attached = false;
     frames.clear();
     compositions = 0;
     inFunction = word == "function";
@@ -110,11 +111,15 @@ private:
     take();
   }
 
+  /// The model's name, or `observer > model`: of these there may be several in a row.
   void entry() {
+    const bool attaches = isAt(">", 1);
     frames.clear();
     start(0);
-    separate();
+    if (!attaches || !attached) separate();
+    attached = attaches;
     take();
+    for (int i = 0; attaches && i < 2; ++i) take();
     ended = true;
   }
 
@@ -140,6 +145,7 @@ private:
       line.shape = Shape::Items;
       line.hang = word.size() + 1;
     }
+    if (word == "port") line.kind = LineKind::Ports;
     if (word == "from") separate();
     take();
     if (word == "from") take();
@@ -404,6 +410,7 @@ private:
   std::size_t depth = 0;
   bool head = false;
   bool inFunction = false;
+  bool attached = false;        ///< the line before is `observer > model`
   std::size_t compositions = 0; ///< `par`s that are open
   std::vector<Frame> frames;
 };

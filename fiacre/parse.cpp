@@ -22,11 +22,34 @@ void shorten(std::vector<SyntaxProblem>& problems) {
   problems.resize(most + 1);
 }
 
+template <class Visit> void eachAtom(Observable& observable, const Visit& visit) {
+  if (observable.kind <= ObservableKind::Event) visit(observable);
+  for (auto& operand : observable.operands) eachAtom(operand, visit);
+}
+
+template <class Visit> void eachAtom(Ltl& ltl, const Visit& visit) {
+  if (ltl.kind == LtlKind::Atom) eachAtom(ltl.atom, visit);
+  for (auto& operand : ltl.operands) eachAtom(operand, visit);
+}
+
+template <class Visit> void eachAtom(Program& program, const Visit& visit) {
+  for (auto& component : program.components)
+    for (auto& port : component.ports)
+      if (port.probe) eachAtom(*port.probe, visit);
+  for (auto& property : program.properties) {
+    auto& pattern = property.pattern;
+    for (auto& operand : pattern.operands) eachAtom(operand, visit);
+    for (auto* scope : {&pattern.after, &pattern.before, &pattern.until})
+      if (*scope) eachAtom(**scope, visit);
+    if (pattern.kind == PatternKind::Ltl) eachAtom(pattern.ltl, visit);
+  }
+}
+
 } // namespace
 
-bool Parser::isAtDeclaration() const {
-  if (peek().kind == TokenKind::End) return true;
-  return std::ranges::any_of(kDeclarations, [&](auto word) { return isAt(word); });
+bool Parser::isAtDeclaration(std::size_t ahead) const {
+  if (peek(ahead).kind == TokenKind::End) return true;
+  return std::ranges::any_of(kDeclarations, [&](auto word) { return isAt(word, ahead); });
 }
 
 /// What the declaration at hand declares; nothing of one that only asks for something.
@@ -46,10 +69,9 @@ std::optional<NameKind> Parser::declared() const {
   return found == kKinds.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Whether what lies ahead ends a name that stands alone.
+/// Whether what lies ahead ends a name that stands alone, or attaches it to a model.
 bool Parser::endsEntry(std::size_t ahead) const {
-  return peek(ahead).kind == TokenKind::End || isAt("property", ahead) || isAt("assert", ahead) ||
-         isAt("prove", ahead) || isAt(">", ahead + 1);
+  return isAtDeclaration(ahead) || isAt(">", ahead) || isAt(">", ahead + 1);
 }
 
 Parsed Parser::program() {
@@ -146,21 +168,38 @@ void Parser::external() {
 }
 
 void Parser::entry() {
-  if (isAt(">", 1))
-    fail("observers are not read: what they watch for can be asked as a property, see "
-         "docs/fiacre.md");
+  if (isAt(">", 1)) return attachment();
   if (!endsEntry(1)) fail(fmt::format("`{}` begins no declaration", peek().text));
   if (!parsed.program.main.empty())
     report(fmt::format("the model is `{}` already", parsed.program.main), peek());
   parsed.program.main = name("the name of a component", NameKind::Component);
 }
 
+/// `observer > model`
+void Parser::attachment() {
+  const auto begin = peek().begin;
+  Attachment result{.observer = name("the name of a component", NameKind::Component)};
+  expect(">");
+  result.model = name("the name of the model", NameKind::Component);
+  actor = "observer " + result.observer;
+  result.origin = origin(begin);
+  parsed.program.observers.push_back(std::move(result));
+}
+
+/// Paths begin with the model, which goes without saying, or with an observer.
 void Parser::finish() {
+  auto& program = parsed.program;
+  const auto observes = [&](const std::string& name) {
+    return std::ranges::find(program.observers, name, &Attachment::observer) !=
+           program.observers.end();
+  };
   for (const auto& [begins, token] : paths)
-    if (begins != parsed.program.main && !parsed.program.main.empty())
-      report(fmt::format("the path begins with `{}`, and the model is `{}`", begins,
-                         parsed.program.main),
+    if (begins != program.main && !program.main.empty() && !observes(begins))
+      report(fmt::format("the path begins with `{}`, and the model is `{}`", begins, program.main),
              token);
+  eachAtom(program, [&](Observable& atom) {
+    if (!observes(atom.observer)) atom.observer.clear();
+  });
   std::ranges::stable_sort(parsed.problems, {}, &SyntaxProblem::begin);
   shorten(parsed.problems);
 }

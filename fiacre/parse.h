@@ -39,8 +39,8 @@ struct Mention {
   std::uint32_t end = 0;
   NameKind kind = NameKind::Value;
   bool declares = false; ///< here it gets its meaning
-  /// Where a property's path leads, in which the name is looked for: an index into `Parsed::paths`.
-  /// 0: no path.
+  /// Where a path leads, in which the name is looked for: an index into `Parsed::paths`. 0: no
+  /// path.
   std::uint32_t path = 0;
 };
 
@@ -51,6 +51,12 @@ struct Block {
   std::uint32_t end = 0;
 };
 
+/// Of a property or a probe: the name that it begins with, and places in `par`.
+struct PathTaken {
+  std::string begins;
+  std::vector<std::uint32_t> places;
+};
+
 /// A text of Fiacre or H-Fiacre as a tree. Origins are the text's own ranges: `actor` is the
 /// process, `words` the statement on one line.
 struct Parsed {
@@ -58,7 +64,7 @@ struct Parsed {
   Provenance provenance;
   std::vector<Mention> mentions; ///< in the order of the text, of what could be read
   std::vector<Block> blocks; ///< in the order of the text; one that cannot be read goes to the next
-  std::vector<std::vector<std::uint32_t>> paths{1};
+  std::vector<PathTaken> paths{1};
   std::vector<SyntaxProblem> problems; ///< in the order of the text; none: nothing was left out
 };
 

@@ -67,7 +67,7 @@ void Parser::component() {
     if (accept("var")) {
       std::ranges::move(variables(), std::back_inserter(result.variables));
     } else if (accept("port")) {
-      std::ranges::move(ports(), std::back_inserter(result.ports));
+      std::ranges::move(ports(true), std::back_inserter(result.ports));
     } else if (accept("priority")) {
       std::ranges::move(priorities(), std::back_inserter(result.priorities));
     } else {
@@ -75,7 +75,8 @@ void Parser::component() {
     }
   }
   if (accept("init")) result.init = statements();
-  composition(result);
+  expect("par");
+  result.instances = composition();
   parsed.program.components.push_back(std::move(result));
 }
 
@@ -112,22 +113,24 @@ bool Parser::acceptPortSet(std::string_view closing, PortSet& ports) {
   return true;
 }
 
-/// An instance synchronises on the ports of the whole, if it has none of its own.
-void Parser::composition(Component& component) {
-  expect("par");
+/// Behind `par`. An instance synchronises on the ports of the whole, if it has none of its own.
+std::vector<Instance> Parser::composition() {
+  const Deeper deeper(*this);
+  std::vector<Instance> all;
   PortSet ofAll = std::vector<std::string>{};
   acceptPortSet("in", ofAll);
   do {
     PortSet own = ofAll;
     acceptPortSet("->", own);
-    component.instances.push_back(instance());
-    component.instances.back().synchronised = own;
+    all.push_back(instance());
+    all.back().synchronised = own;
   } while (accept("||"));
   expect("end");
+  return all;
 }
 
 Instance Parser::instance() {
-  if (isAt("par")) fail("a composition within a composition: give it a component of its own");
+  if (accept("par")) return {.parts = composition()};
   Instance result{.process = name("the name of a process or a component", NameKind::Process)};
   if (accept("[")) {
     result.ports = names("the name of a port", NameKind::Port);

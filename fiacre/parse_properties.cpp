@@ -39,6 +39,32 @@ Ltl negated(Ltl inner) {
           .atom = {.kind = ObservableKind::Not, .operands = {std::move(inner.atom)}}};
 }
 
+Ltl of(LtlKind kind, std::vector<Ltl> operands) {
+  return {.kind = kind, .operands = std::move(operands)};
+}
+
+/// What a pattern without scope and times says of a run; nothing for others.
+std::optional<Ltl> ofRuns(const Pattern& pattern) {
+  if (pattern.after || pattern.before || pattern.until || pattern.within || pattern.forInterval ||
+      pattern.forDuration || pattern.lasting || pattern.first)
+    return std::nullopt;
+  const auto atom = [&](std::size_t i) { return Ltl{.atom = pattern.operands[i]}; };
+  using enum LtlKind;
+  switch (pattern.kind) {
+  case PatternKind::Ltl: return pattern.ltl;
+  case PatternKind::Present: return of(Finally, {atom(0)});
+  case PatternKind::Always: return of(Globally, {atom(0)});
+  case PatternKind::Absent: return of(Globally, {negated(atom(0))});
+  case PatternKind::InfinitelyOften: return of(Globally, {of(Finally, {atom(0)})});
+  case PatternKind::Mortal: return of(Finally, {of(Globally, {negated(atom(0))})});
+  case PatternKind::LeadsTo: return of(Globally, {of(Implies, {atom(0), of(Finally, {atom(1)})})});
+  case PatternKind::Precedes: // no second before the first
+    return of(LtlKind::Or,
+              {of(Until, {negated(atom(1)), atom(0)}), of(Globally, {negated(atom(1))})});
+  default: return std::nullopt;
+  }
+}
+
 } // namespace
 
 Ltl Parser::formula() {
@@ -84,9 +110,13 @@ Ltl Parser::formulaPrefix() {
 }
 
 Ltl Parser::formulaPrimary() {
+  if (joinsPatterns && isAtPattern()) return joinedPattern(peek(), {});
   if (accept("(")) {
+    const Token first = peek();
     const auto outside = std::exchange(separator, {});
     Ltl inner = formula();
+    if (joinsPatterns && (isAt("leadsto") || isAt("precedes")))
+      inner = joinedPattern(first, std::move(inner));
     separator = outside;
     expect(")");
     return inner;
@@ -141,13 +171,14 @@ std::optional<std::uint32_t> Parser::step() {
 Observable Parser::atom() {
   const Token first = peek();
   Observable result;
-  paths.emplace_back(name("a path such as `main/1/state idle`", NameKind::Component), first);
+  result.observer = name("a path such as `main/1/state idle`", NameKind::Component);
+  paths.emplace_back(result.observer, first);
   expect("/");
   while (const auto place = step()) {
     result.path.push_back(*place);
     expect("/");
   }
-  const Within within(*this, result.path);
+  const Within within(*this, {result.observer, result.path});
   if (accept("value")) {
     constexpr std::size_t kEquality = 2;
     result.kind = ObservableKind::Value;
@@ -190,6 +221,18 @@ Pattern Parser::pattern() {
   result.operands.push_back(observable());
   scopes(result);
   return result;
+}
+
+/// A pattern as a formula of runs, which others are joined to. \param begun the formula before
+/// `leadsto` or `precedes`, if it is one of these
+Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
+  const bool outside = std::exchange(joinsPatterns, false);
+  const Pattern read = begun ? betweenTwo(momentary(std::move(*begun), first)) : pattern();
+  joinsPatterns = outside;
+  hasPatterns = true;
+  if (auto formula = ofRuns(read)) return *formula;
+  report("this pattern is not joined to others: assert it by itself, or write it as `ltl`", first);
+  throw CannotRead();
 }
 
 /// After the first formula.
@@ -254,6 +297,21 @@ bool Parser::times(Pattern& pattern) {
   return true;
 }
 
+/// Where patterns may stand in parentheses, joined by `and`, `or`, `not` and `=>`: `hasPatterns`
+/// tells.
+Ltl Parser::formulaOrPatterns() {
+  joinsPatterns = true;
+  hasPatterns = false;
+  try {
+    Ltl read = formula();
+    joinsPatterns = false;
+    return read;
+  } catch (const CannotRead&) {
+    joinsPatterns = false;
+    throw;
+  }
+}
+
 /// A property that is a formula of its own has a name that later ones use.
 void Parser::property() {
   const auto begin = peek().begin;
@@ -262,19 +320,21 @@ void Parser::property() {
   actor = "property " + result.name;
   expect("is");
   separator = {};
-  if ((isAt("(") || isAt("not")) && isAtPattern(1))
-    fail("patterns are not joined by `and`, `or` or `not`: assert each one, or write it as `ltl`");
   if (isAtPattern()) {
     result.pattern = pattern();
   } else {
     const Token first = peek();
-    Ltl plain = formula();
-    if (!isAt("leadsto") && !isAt("precedes")) {
+    Ltl plain = formulaOrPatterns();
+    if (hasPatterns || !isAtom(plain)) {
+      result.pattern = {.kind = PatternKind::Ltl, .ltl = std::move(plain)};
+    } else if (isAt("leadsto") || isAt("precedes")) {
+      result.pattern = betweenTwo(momentary(std::move(plain), first));
+    } else {
       formulas[result.name] = std::move(plain);
       return;
     }
-    result.pattern = betweenTwo(momentary(std::move(plain), first));
   }
+  if (auto named = ofRuns(result.pattern)) formulas[result.name] = std::move(*named);
   result.origin = origin(begin);
   parsed.program.properties.push_back(std::move(result));
 }

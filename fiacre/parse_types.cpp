@@ -142,7 +142,8 @@ void Parser::portType(Port& port) {
   port.values = list("#", [&] { return type(); });
 }
 
-std::vector<Port> Parser::ports() {
+/// \param probed whether probes may be among them
+std::vector<Port> Parser::ports(bool probed) {
   std::vector<Port> all;
   do {
     const auto declared = names("the name of a port", NameKind::Port, true);
@@ -150,9 +151,12 @@ std::vector<Port> Parser::ports() {
     expect(":");
     portType(port);
     if (accept("in")) port.interval = interval();
-    if (isAt("is"))
-      fail("probes are not read: what they watch for can be asked as a property, see "
-           "docs/fiacre.md");
+    if (isAt("is") && !probed)
+      fail("a probe belongs to a port that a component declares behind `port`");
+    if (const auto begin = peek().begin; accept("is")) {
+      port.probe = observable();
+      port.origin = origin(begin);
+    }
     for (const auto& each : declared) {
       port.name = each;
       all.push_back(port);

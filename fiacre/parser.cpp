@@ -41,7 +41,7 @@ bool Parser::isAtPair(std::string_view open, std::string_view close) const {
   return isAt(open) && isAt(close, 1) && peek().end() == peek(1).begin;
 }
 
-bool Parser::isAtName() const { return peek().kind == TokenKind::Name && !isReserved(peek().text); }
+bool Parser::isAtName() const { return peek().kind == TokenKind::Name && !isKeyword(peek().text); }
 
 bool Parser::accept(std::string_view wanted) {
   if (!isAt(wanted)) return false;
@@ -55,7 +55,7 @@ void Parser::expect(std::string_view wanted) {
 
 std::string Parser::name(std::string_view what, NameKind kind, bool declares) {
   const Token& token = peek();
-  if (token.kind == TokenKind::Name && isReserved(token.text))
+  if (token.kind == TokenKind::Name && isKeyword(token.text))
     fail(fmt::format("{} is missing: `{}` means something to Fiacre", what, token.text));
   if (token.kind != TokenKind::Name)
     fail(fmt::format("{} is missing before {}", what, shown(token)));

@@ -49,7 +49,7 @@ private:
   [[nodiscard]] std::uint32_t lastEnd() const;
 
   // Declarations: parse.cpp
-  [[nodiscard]] bool isAtDeclaration() const;
+  [[nodiscard]] bool isAtDeclaration(std::size_t ahead = 0) const;
   [[nodiscard]] std::optional<NameKind> declared() const;
   [[nodiscard]] bool endsEntry(std::size_t ahead) const;
   void declaration();
@@ -61,6 +61,7 @@ private:
   void task();
   void external();
   void entry();
+  void attachment();
   void finish();
 
   // Types, ports and bounds of time: parse_types.cpp
@@ -73,7 +74,7 @@ private:
   std::optional<std::int64_t> value(const Expr& expr) const;
   Interval interval();
   std::int64_t time();
-  std::vector<Port> ports();
+  std::vector<Port> ports(bool probed = false);
   void portType(Port& port);
   std::vector<Parameter> parameters();
   std::vector<Variable> variables();
@@ -110,7 +111,7 @@ private:
   void component();
   std::vector<Priority> priorities();
   Instance instance();
-  void composition(Component& component);
+  std::vector<Instance> composition();
   using PortSet = std::optional<std::vector<std::string>>; ///< nothing: `*`
   bool acceptPortSet(std::string_view closing, PortSet& ports);
 
@@ -125,6 +126,8 @@ private:
   bool times(Pattern& pattern);
   void once(bool known);
   Ltl formula();
+  Ltl formulaOrPatterns();
+  Ltl joinedPattern(const Token& first, std::optional<Ltl> begun);
   Ltl formulaChain(std::size_t level);
   Ltl formulaPrefix();
   Ltl formulaPrimary();
@@ -144,8 +147,10 @@ private:
   std::size_t depth = 0;
   bool constantsOnly = false; ///< a `[` ends an interval's bound, and indexes nothing
   Parsed parsed;
-  std::uint32_t path = 0; ///< of the property's atom that is read
+  std::uint32_t path = 0; ///< of the atom that is read
   PathSteps steps;
+  bool joinsPatterns = false; ///< patterns may stand among formulas
+  bool hasPatterns = false;   ///< and one did
   std::string_view separator; ///< a word that does not join formulas here
   std::string actor;          ///< of the origins that are made
   std::map<std::string, std::int64_t, std::less<>> constants;
@@ -169,8 +174,8 @@ private:
 /// While it lives, names are looked for where a path leads.
 class Parser::Within {
 public:
-  Within(Parser& in, const std::vector<std::uint32_t>& steps) : parser(in) {
-    parser.parsed.paths.push_back(steps);
+  Within(Parser& in, PathTaken taken) : parser(in) {
+    parser.parsed.paths.push_back(std::move(taken));
     parser.path = static_cast<std::uint32_t>(parser.parsed.paths.size() - 1);
   }
   ~Within() { parser.path = 0; }

@@ -38,11 +38,12 @@ PrintResult printWithRanges(const Program& program, const PrintOptions& options)
   printDeclarations(out, program);
   for (const auto& function : program.functions) printFunction(out, function);
   for (const auto& process : program.processes) printProcess(out, process);
-  for (const auto& component : program.components) printComponent(out, component);
+  for (const auto& component : program.components) printComponent(out, component, program.main);
   if (!program.main.empty()) {
     out.writer.blank();
     out.writer.line(0, program.main);
   }
+  printAttachments(out, program);
   for (const auto& property : program.properties)
     printProperty(out, property, program.main, options);
   dropEmpty(out.ranges);

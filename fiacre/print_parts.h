@@ -41,7 +41,10 @@ void printStatement(Output& out, const Statement& statement, std::size_t indent)
 void printDeclarations(Output& out, const Program& program);
 void printProcess(Output& out, const Process& process);
 void printFunction(Output& out, const Function& function);
-void printComponent(Output& out, const Component& component);
+/// \param main the model, with which paths begin
+void printComponent(Output& out, const Component& component, const std::string& main);
+[[nodiscard]] std::string printObservable(const Observable& observable, const std::string& main);
+void printAttachments(Output& out, const Program& program);
 void printProperty(Output& out, const Property& property, const std::string& main,
                    const PrintOptions& options);
 

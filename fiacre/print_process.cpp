@@ -100,16 +100,21 @@ std::string printSynchronised(const Instance& instance) {
   return instance.synchronised->empty() ? "" : join(*instance.synchronised, ", ") + " -> ";
 }
 
-/// `par * in` where that is so for all of them.
-void printComposition(Output& out, const std::vector<Instance>& instances) {
-  const bool onAll = std::ranges::all_of(instances, synchronisesOnAll);
-  out.writer.line(0, onAll ? "par * in" : "par");
-  for (std::size_t i = 0; i < instances.size(); ++i)
-    out.writer.line(0,
-                    (i == 0 ? "    " : "||  ") + (onAll ? "" : printSynchronised(instances[i])) +
-                        printInstance(instances[i]),
-                    {}, 8);
-  out.writer.line(0, "end");
+/// `par * in` where that is so for all of them. \param lead what stands before it on its line
+void printComposition(Output& out, const std::vector<Instance>& parts, const std::string& lead,
+                      std::size_t indent) {
+  const bool onAll = std::ranges::all_of(parts, synchronisesOnAll);
+  const std::size_t inner = lead.empty() ? indent : indent + 4;
+  out.writer.line(indent, lead + (onAll ? "par * in" : "par"));
+  for (const auto& part : parts) {
+    const auto before = std::string(&part == parts.data() ? "    " : "||  ") +
+                        (onAll ? "" : printSynchronised(part));
+    if (part.parts.empty())
+      out.writer.line(inner, before + printInstance(part), {}, 8);
+    else
+      printComposition(out, part.parts, before, inner);
+  }
+  out.writer.line(inner, "end");
 }
 
 void printPriorities(Output& out, const std::vector<Priority>& priorities) {
@@ -159,7 +164,7 @@ void printProcess(Output& out, const Process& process) {
   for (const auto& from : process.transitions) printFrom(out, from, originOf(process, from.state));
 }
 
-void printComponent(Output& out, const Component& component) {
+void printComponent(Output& out, const Component& component, const std::string& main) {
   auto& writer = out.writer;
   writer.blank();
   writer.comment(0, component.comment);
@@ -167,10 +172,20 @@ void printComponent(Output& out, const Component& component) {
   if (printHead(out, "component", component.name, component.interfacePorts, component.parameters))
     writer.blank();
   printVariables(out, component.variables, 0);
-  printItems(out, 0, "port ", component.ports, [](const Port& port) { return printPort(port); });
+  printItems(out, 0, "port ", component.ports, [&](const Port& port) {
+    return printPort(port) + (port.probe ? " is " + printObservable(*port.probe, main) : "");
+  });
   printPriorities(out, component.priorities);
   printInit(out, component.init);
-  printComposition(out, component.instances);
+  printComposition(out, component.instances, "", 0);
+}
+
+void printAttachments(Output& out, const Program& program) {
+  if (!program.observers.empty()) out.writer.blank();
+  for (const auto& [observer, model, origin] : program.observers) {
+    Place place(out, origin);
+    out.writer.line(0, fmt::format("{} > {}", observer, model));
+  }
 }
 
 } // namespace proskill::fiacre

@@ -8,8 +8,6 @@
 namespace proskill::fiacre {
 namespace {
 
-std::string printObservable(const Observable& observable, const std::string& main);
-
 bool isAtom(const Observable& o) {
   return o.kind == ObservableKind::State || o.kind == ObservableKind::Value ||
          o.kind == ObservableKind::Tag || o.kind == ObservableKind::Event;
@@ -25,7 +23,8 @@ std::string plain(const Observable& observable, const std::string& main) {
 }
 
 std::string printAtom(const Observable& observable, const std::string& main) {
-  auto path = main + "/";
+  std::string path = observable.observer.empty() ? main : observable.observer;
+  path = (path.empty() ? "model" : path) + "/"; // without a model: as `--properties` calls it
   for (auto place : observable.path) path += fmt::format("{}/", place);
   switch (observable.kind) {
   case ObservableKind::State: return path + "state " + observable.name;
@@ -43,6 +42,8 @@ std::string printJoined(const std::vector<Node>& operands, std::string_view conn
   return join(parts, fmt::format(" {} ", connective));
 }
 
+} // namespace
+
 std::string printObservable(const Observable& o, const std::string& main) {
   const auto print = [&](const Observable& inner) { return printObservable(inner, main); };
   switch (o.kind) {
@@ -55,6 +56,8 @@ std::string printObservable(const Observable& o, const std::string& main) {
   default: return printAtom(o, main);
   }
 }
+
+namespace {
 
 std::string printLtl(const Ltl& ltl, const std::string& main) {
   const auto print = [&](const Ltl& inner) { return printLtl(inner, main); };

@@ -137,6 +137,34 @@ struct Variable {
   friend bool operator==(const Variable&, const Variable&) = default;
 };
 
+enum class ObservableKind : std::uint8_t {
+  State, // path/state name
+  Value, // path/value expr
+  Tag,   // path/tag name
+  Event, // path/event name
+  Enter,
+  Leave,
+  Not,
+  And,
+  Or,
+  Implies,
+};
+
+/// What can be seen of a model at a moment. A path is 1-based places in `par`, from the main
+/// component down, or from an observer.
+struct Observable {
+  ObservableKind kind = ObservableKind::State;
+  std::string observer; ///< that the path begins with; empty: the model
+  std::vector<std::uint32_t> path;
+  std::string name;
+  Expr value;
+  std::vector<Observable> operands;
+  friend bool operator==(const Observable&, const Observable&) = default;
+};
+
+/// Whether it is of steps: whether a tag, an event, `enter` or `leave` is in it.
+[[nodiscard]] bool watchesSteps(const Observable& observable);
+
 /// What crosses a port; `sync` is no value at all.
 struct Port {
   std::string name;
@@ -144,6 +172,8 @@ struct Port {
   bool in = false;
   bool out = false;
   std::optional<Interval> interval; ///< in components; nothing: [0,...[
+  std::optional<Observable> probe;  ///< in components: what has to be seen for it to be passed
+  OriginId origin = 0;              ///< of the probe
   std::string comment;
   friend bool operator==(const Port&, const Port&) = default;
 };
@@ -192,8 +222,8 @@ struct Function {
   friend bool operator==(const Function&, const Function&) = default;
 };
 
-/// `P[ports](arguments)` in a component; an argument that is a reference is a plain variable's
-/// name.
+/// `P[ports](arguments)` in a component, or a composition within its composition; an argument that
+/// is a reference is a plain variable's name.
 struct Instance {
   std::string process;
   std::vector<std::string> ports;
@@ -201,6 +231,7 @@ struct Instance {
   std::vector<bool> references; ///< which arguments are passed by reference
   /// The component's ports on which it waits for the others; nothing: all that it is given.
   std::optional<std::vector<std::string>> synchronised;
+  std::vector<Instance> parts; ///< of a composition, which has no process
   friend bool operator==(const Instance&, const Instance&) = default;
 };
 
@@ -224,28 +255,12 @@ struct Component {
   friend bool operator==(const Component&, const Component&) = default;
 };
 
-enum class ObservableKind : std::uint8_t {
-  State, // path/state name
-  Value, // path/value expr
-  Tag,   // path/tag name
-  Event, // path/event name
-  Enter,
-  Leave,
-  Not,
-  And,
-  Or,
-  Implies,
-};
-
-/// What can be seen of a model at a moment. A path is 1-based places in `par`, from the main
-/// component down.
-struct Observable {
-  ObservableKind kind = ObservableKind::State;
-  std::vector<std::uint32_t> path;
-  std::string name;
-  Expr value;
-  std::vector<Observable> operands;
-  friend bool operator==(const Observable&, const Observable&) = default;
+/// `OBSERVER > MODEL`: the component runs beside the model, and goes before it.
+struct Attachment {
+  std::string observer;
+  std::string model;
+  OriginId origin = 0;
+  friend bool operator==(const Attachment&, const Attachment&) = default;
 };
 
 enum class PatternKind : std::uint8_t {
@@ -349,6 +364,7 @@ struct Program {
   std::vector<Process> processes;
   std::vector<Component> components;
   std::string main; ///< the component that is the model
+  std::vector<Attachment> observers;
   std::vector<Property> properties;
   friend bool operator==(const Program&, const Program&) = default;
 };

@@ -6,6 +6,9 @@
 namespace proskill::fiacre {
 namespace {
 
+/// From it on, words mean something only where properties do.
+constexpr std::string_view kFirstSoft = "absent";
+
 constexpr auto kReserved = std::to_array<std::string_view>({
     // Fiacre
     "and",
@@ -53,13 +56,11 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "property",
     "prove",
     "queue",
-    "read",
     "record",
     "return",
     "select",
     "states",
     "sync",
-    "tag",
     "then",
     "to",
     "true",
@@ -71,14 +72,13 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "wait",
     "where",
     "while",
-    "write",
     // H-Fiacre
     "event",
     "extern",
     "start",
     "task",
-    // patterns of properties
-    "absent",
+    // patterns of properties, and words of older texts
+    kFirstSoft,
     "after",
     "always",
     "before",
@@ -94,12 +94,14 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "leave",
     "ltl",
     "mortal",
-    "obs",
     "precedes",
     "present",
+    "read",
     "state",
+    "tag",
     "value",
     "within",
+    "write",
 });
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -109,6 +111,11 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 bool isReserved(std::string_view name) {
   return std::ranges::find(kReserved, name) != kReserved.end();
+}
+
+bool isKeyword(std::string_view name) {
+  const auto* const soft = std::ranges::find(kReserved, kFirstSoft);
+  return std::find(kReserved.begin(), soft, name) != soft;
 }
 
 std::span<const std::string_view> reservedWords() { return kReserved; }

@@ -5,8 +5,10 @@
 
 namespace proskill::fiacre {
 
-/// Whether a name means something to Fiacre, to H-Fiacre, or to their patterns of properties, so
-/// that nothing may be called so.
+/// Whether a name means something to Fiacre or to H-Fiacre, so that nothing can be called so.
+[[nodiscard]] bool isKeyword(std::string_view name);
+
+/// The same, or to their patterns of properties: nothing should be called so that others read.
 [[nodiscard]] bool isReserved(std::string_view name);
 
 /// All of them, sorted within their groups.

@@ -13,7 +13,7 @@ std::uint8_t counters[kCounters];
 // The names are the sanitizers' and the linker's (`--wrap`).
 extern "C" {
 
-/// Where the program begins, wherever it was loaded: so that one seed gives one run.
+/// Where the program begins, wherever it was loaded: so that one seed gives nearly one run.
 extern const char __executable_start;
 
 void __sanitizer_cov_8bit_counters_init(std::uint8_t* begin, std::uint8_t* end);

@@ -47,8 +47,7 @@ void fiacre(std::string_view bytes) {
     expect(!fiacre::format(bytes), "what cannot be read is not laid out");
     return;
   }
-  // Properties alone belong to another text's model, whose name their paths begin with.
-  if (!parsed.program.main.empty() || parsed.program.properties.empty()) isPrinted(parsed.program);
+  isPrinted(parsed.program);
   isLaidOutOnce(bytes);
 }
 

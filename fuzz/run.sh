@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# fuzz/run.sh NAME SECONDS [SEED]: tries random bytes, beginning with the examples and with all that was found
-# before. With a seed a fresh tree has nearly the same ones each time; nearly, as threads and addresses differ. Says nothing but the last lines where all is well.
+# fuzz/run.sh NAME SECONDS [SEED]: tries random bytes, beginning with the examples and with all that was
+# found before. With a seed a fresh tree has nearly the same ones each time; nearly, as threads and
+# addresses differ. Says nothing but the last line where all is well.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 name=$1 seconds=$2 seed=${3:-0} work=build/fuzz/$1

@@ -1,6 +1,7 @@
 #include "ide/fiacre_text.h"
 
 #include "fiacre/words.h"
+#include "ide/fiacre_names.h"
 
 #include <algorithm>
 
@@ -11,31 +12,6 @@ namespace {
 using fiacre::Mention;
 using fiacre::NameKind;
 using fiacre::TokenKind;
-
-CompletionKind completionKind(NameKind kind) {
-  switch (kind) {
-  case NameKind::Function:
-  case NameKind::Extern:
-  case NameKind::Task:
-  case NameKind::Process:
-  case NameKind::Component:
-  case NameKind::Foreign: return CompletionKind::Skill;
-  case NameKind::Port:
-  case NameKind::Event: return CompletionKind::Event;
-  case NameKind::Parameter: return CompletionKind::Parameter;
-  case NameKind::Type:
-  case NameKind::Channel: return CompletionKind::Type;
-  case NameKind::Constant:
-  case NameKind::Constructor: return CompletionKind::Value;
-  case NameKind::Property:
-  case NameKind::Field: return CompletionKind::Field;
-  case NameKind::State: return CompletionKind::Label;
-  case NameKind::Tag: return CompletionKind::Tag;
-  case NameKind::Variable:
-  case NameKind::Value: return CompletionKind::Variable;
-  }
-  return CompletionKind::Variable;
-}
 
 /// What can stand behind a word, where only one kind of names can.
 std::optional<NameKind> onlyBehind(std::string_view word) {
@@ -98,7 +74,7 @@ Completions FiacreText::complete(syntax::Offset at, CompletionTrigger trigger) c
       const bool typed = mentions()[place].begin == result.insert.begin;
       if (typed || (only && kind != *only) || !isKnownAt(place, here)) continue;
       result.items.push_back({.label = std::string(name),
-                              .kind = completionKind(kind),
+                              .kind = lookOf(kind).completion,
                               .insert = std::string(name),
                               .filter = std::string(name),
                               .rank = isLocalName(kind) ? 0U : 1U});

@@ -111,10 +111,12 @@ FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
   result.model = {.fiacre = std::move(parsed.program), .provenance = std::move(parsed.provenance)};
   result.model.provenance.byHand = true;
   if (!result.diagnostics.empty()) return result; // what was not read would be missed everywhere
-  for (const auto& problem : fiacre::check(result.model.fiacre))
+  for (const auto& problem : fiacre::check(result.model.fiacre)) {
+    if (!result.isModel() && problem.place == "model") continue;
     result.diagnostics.push_back(syntax::makeDiagnostic(
         Code::FiacreModel, {0, rangeOf(problem, result.model.provenance, source)}, problem.place,
         problem.message));
+  }
   addChecks(result.model);
   return result;
 }

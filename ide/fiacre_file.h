@@ -19,6 +19,9 @@ struct FiacreFile {
   /// A check for each property that is asserted, by its name. Times are in units of the model.
   /// Means nothing where there are diagnostics.
   codegen::Model model;
+
+  /// Whether it names what is the model: environments and properties alone are none.
+  [[nodiscard]] bool isModel() const { return !model.fiacre.main.empty(); }
 };
 
 [[nodiscard]] bool isFiacre(const std::filesystem::path& path); ///< by its name: `.fcr`

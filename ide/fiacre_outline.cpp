@@ -1,9 +1,10 @@
 #include "ide/fiacre_text.h"
 
 #include "fiacre/words.h"
+#include "ide/fiacre_names.h"
+#include "ide/fold_list.h"
 
 #include <algorithm>
-#include <map>
 
 namespace proskill::ide {
 
@@ -17,31 +18,6 @@ using fiacre::TokenKind;
 bool isPart(NameKind kind) {
   return kind == NameKind::State || kind == NameKind::Variable || kind == NameKind::Port ||
          kind == NameKind::Parameter || kind == NameKind::Field || kind == NameKind::Constructor;
-}
-
-TokenType typeOf(NameKind kind) {
-  switch (kind) {
-  case NameKind::Function:
-  case NameKind::Extern:
-  case NameKind::Task:
-  case NameKind::Process:
-  case NameKind::Component:
-  case NameKind::Foreign: return TokenType::Skill;
-  case NameKind::Port:
-  case NameKind::Event: return TokenType::Event;
-  case NameKind::Parameter: return TokenType::Parameter;
-  case NameKind::Type:
-  case NameKind::Channel: return TokenType::Type;
-  case NameKind::Constant:
-  case NameKind::Constructor: return TokenType::Value;
-  case NameKind::Property: return TokenType::Property;
-  case NameKind::Field: return TokenType::Field;
-  case NameKind::State: return TokenType::Label;
-  case NameKind::Tag: return TokenType::Tag;
-  case NameKind::Variable:
-  case NameKind::Value: return TokenType::Variable;
-  }
-  return TokenType::Variable;
 }
 
 std::optional<TokenType> typeOf(const fiacre::Token& token) {
@@ -67,29 +43,6 @@ void addLines(std::vector<Token>& tokens, const fiacre::Token& word, TokenType t
     begin = end + 1;
   }
 }
-
-/// The lines that something takes, by the first of them; of two that begin together the longer one.
-class FoldList {
-public:
-  explicit FoldList(const syntax::LineIndex& index) : lines(index) {}
-
-  void add(std::uint32_t begin, std::uint32_t end, FoldKind kind = FoldKind::Form) {
-    const Fold fold{lines.position(begin).line, lines.position(end).line, kind};
-    if (fold.lastLine <= fold.firstLine) return;
-    auto& known = folds.try_emplace(fold.firstLine, fold).first->second;
-    if (known.lastLine < fold.lastLine) known = fold;
-  }
-
-  [[nodiscard]] std::vector<Fold> take() const {
-    std::vector<Fold> result;
-    for (const auto& [line, fold] : folds) result.push_back(fold);
-    return result;
-  }
-
-private:
-  const syntax::LineIndex& lines;
-  std::map<std::uint32_t, Fold> folds;
-};
 
 bool opens(std::string_view word) {
   return word == "select" || word == "if" || word == "case" || word == "while" ||
@@ -132,7 +85,7 @@ std::vector<Token> FiacreText::tokens() const {
       const auto declaration = declarations[place];
       const auto kind = declaration == kNowhere ? mention->kind : mentions()[declaration].kind;
       const auto modifiers = static_cast<std::uint8_t>(declaration == place ? kDefinition : 0);
-      result.push_back({{word.begin, word.end()}, typeOf(kind), modifiers});
+      result.push_back({{word.begin, word.end()}, lookOf(kind).token, modifiers});
     } else if (const auto type = typeOf(word)) {
       addLines(result, word, *type);
     }
@@ -143,7 +96,7 @@ std::vector<Token> FiacreText::tokens() const {
 std::vector<Fold> FiacreText::folds() const {
   const syntax::LineIndex lines(text);
   FoldList folds(lines);
-  for (const auto& block : parsed.blocks) folds.add(block.begin, block.end);
+  for (const auto& block : parsed.blocks) folds.add({block.begin, block.end});
   std::vector<std::uint32_t> open;
   std::optional<std::uint32_t> from;
   std::uint32_t end = 0;
@@ -153,14 +106,14 @@ std::vector<Fold> FiacreText::folds() const {
       while (next[1].kind == TokenKind::Comment &&
              lines.position(next[1].begin).line == lines.position(next->end()).line + 1)
         ++next;
-      folds.add(word->begin, next->end(), FoldKind::Comment);
+      folds.add({word->begin, next->end()}, FoldKind::Comment);
       word = next;
       continue;
     }
     const bool startsAnew =
         word->kind == TokenKind::End || word->text == "from" ||
         std::ranges::binary_search(parsed.blocks, word->begin, {}, &fiacre::Block::begin);
-    if (startsAnew && from) folds.add(*from, end);
+    if (startsAnew && from) folds.add({*from, end});
     if (startsAnew) {
       from = word->text == "from" ? std::optional(word->begin) : std::nullopt;
       open.clear();
@@ -170,7 +123,7 @@ std::vector<Fold> FiacreText::folds() const {
       open.push_back(word->begin);
     end = word->end();
     if (word->kind == TokenKind::Name && word->text == "end" && !open.empty()) {
-      folds.add(open.back(), end);
+      folds.add({open.back(), end});
       open.pop_back();
     }
   }

@@ -99,16 +99,26 @@ const Block* FiacreText::blockNamed(std::string_view name) const {
   return place == kNowhere ? nullptr : blocks[place];
 }
 
-/// What the places of `par` lead to, from the model down.
-const Block* FiacreText::atPath(const std::vector<std::uint32_t>& path) const {
-  std::string_view name = parsed.program.main;
-  for (const auto step : path) {
+/// What the places of `par` lead to, from the model or an observer down.
+const Block* FiacreText::atPath(const fiacre::PathTaken& path) const {
+  const auto& observers = parsed.program.observers;
+  const bool observes =
+      std::ranges::find(observers, path.begins, &fiacre::Attachment::observer) != observers.end();
+  std::string_view name = observes ? path.begins : parsed.program.main;
+  const std::vector<fiacre::Instance>* within = nullptr;
+  for (const auto step : path.places) {
     const auto& components = parsed.program.components;
-    const auto found = std::ranges::find(components, name, &fiacre::Component::name);
-    if (found == components.end() || step > found->instances.size()) return nullptr;
-    name = found->instances[step - 1].process;
+    if (!within) {
+      const auto found = std::ranges::find(components, name, &fiacre::Component::name);
+      if (found == components.end()) return nullptr;
+      within = &found->instances;
+    }
+    if (step > within->size()) return nullptr;
+    const auto& part = (*within)[step - 1];
+    name = part.process;
+    within = part.parts.empty() ? nullptr : &part.parts;
   }
-  return blockNamed(name);
+  return within ? nullptr : blockNamed(name);
 }
 
 FiacreText::Place FiacreText::find(const Mention& mention) const {
@@ -148,6 +158,28 @@ std::vector<FiacreText::Use> FiacreText::uses(syntax::Offset at, bool withDeclar
     const bool declares = i == declarations[place];
     if (declarations[i] == declarations[place] && (withDeclaration || !declares))
       result.push_back({{each.begin, each.end}, declares});
+  }
+  return result;
+}
+
+std::optional<syntax::Range> FiacreText::model() const {
+  const auto isModel = [&](const Mention& each) {
+    return !each.declares && each.kind == NameKind::Component && each.path == 0 &&
+           nameOf(each) == parsed.program.main && !blockOf(each);
+  };
+  const auto found = std::ranges::find_if(mentions(), isModel);
+  if (found == mentions().end()) return std::nullopt;
+  return syntax::Range{found->begin, found->end};
+}
+
+std::vector<syntax::Range> FiacreText::asserted() const {
+  std::vector<syntax::Range> result;
+  for (const auto& each : mentions()) {
+    if (!each.declares || each.kind != NameKind::Property) continue;
+    const auto& properties = parsed.program.properties;
+    const auto property = std::ranges::find(properties, nameOf(each), &fiacre::Property::name);
+    if (property != properties.end() && property->asserted)
+      result.push_back({each.begin, each.end});
   }
   return result;
 }

@@ -50,6 +50,11 @@ public:
   /// For each name of the text, in its order: which of them declares it, kNowhere where none does.
   [[nodiscard]] const std::vector<std::size_t>& meanings() const { return declarations; }
 
+  /// The name of what is the model, where it stands as such; nothing where the text names none.
+  [[nodiscard]] std::optional<syntax::Range> model() const;
+  /// The names of the properties that are asserted, where they are declared.
+  [[nodiscard]] std::vector<syntax::Range> asserted() const;
+
   /// The declaration and the comment above it.
   [[nodiscard]] std::optional<Hover> hover(syntax::Offset at) const;
   [[nodiscard]] std::vector<FiacreEntry> outline() const;
@@ -67,7 +72,7 @@ private:
   [[nodiscard]] Place mentionAt(syntax::Offset at) const;
   [[nodiscard]] const fiacre::Block* blockOf(const fiacre::Mention& mention) const;
   [[nodiscard]] const fiacre::Block* blockNamed(std::string_view name) const;
-  [[nodiscard]] const fiacre::Block* atPath(const std::vector<std::uint32_t>& path) const;
+  [[nodiscard]] const fiacre::Block* atPath(const fiacre::PathTaken& path) const;
   void resolve();
   [[nodiscard]] const std::vector<Place>& declarationsOf(std::string_view name) const;
   [[nodiscard]] Place find(const fiacre::Mention& mention) const;

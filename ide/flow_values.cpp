@@ -22,12 +22,12 @@ std::size_t sizeOf(const analysis::Program& program) {
 
 } // namespace
 
-const flow::Flow* quickFlow(const View& view) {
+const KnownFlow* quickFlow(const View& view) {
   if (const auto* known = view.owner->flowIfKnown()) return known;
   return sizeOf(view.program()) <= kQuick ? view.owner->flow() : nullptr;
 }
 
-std::optional<flow::VariableId> flowVariable(const View& view, const flow::Flow& flow,
+std::optional<flow::VariableId> flowVariable(const View& view, const KnownFlow& flow,
                                              std::string_view text) {
   const auto& symbols = view.index().symbols();
   const auto dot = text.find('.');
@@ -41,19 +41,19 @@ std::optional<flow::VariableId> flowVariable(const View& view, const flow::Flow&
     if (member != "status" && member != "res") return std::nullopt;
     kind = member == "res" ? flow::VariableKind::Result : flow::VariableKind::Status;
   }
-  return flow.system.variables().of(kind, symbols[symbol].definition);
+  return flow.system().variables().of(kind, symbols[symbol].definition);
 }
 
 std::string valuesHere(const View& view, analysis::Location place, std::string_view text) {
   const auto* flow = quickFlow(view);
   if (!flow) return {};
   const auto variable = flowVariable(view, *flow, text);
-  const auto points = flow::pointsAround(*flow, place);
+  const auto points = flow::pointsAround(flow->flow(), flow->then(place));
   if (!variable || points.empty()) return {};
-  if (!flow::isReached(*flow, points)) return "This place is never reached.";
-  const auto values = flow::valuesAt(*flow, points, *variable);
+  if (!flow::isReached(flow->flow(), points)) return "This place is never reached.";
+  const auto values = flow::valuesAt(flow->flow(), points, *variable);
   if (!values) return {};
-  const auto& variables = flow->system.variables();
+  const auto& variables = flow->system().variables();
   if (*values == variables[*variable].domain.all()) return "Here it can be any of its values.";
   return fmt::format("Here it is {}.", variables.words(*variable, *values));
 }
@@ -63,8 +63,8 @@ std::string valuesEver(const View& view, std::string_view text) {
   if (!flow) return {};
   const auto variable = flowVariable(view, *flow, text);
   if (!variable) return {};
-  const auto values = flow->solver.ever(*variable);
-  const auto& variables = flow->system.variables();
+  const auto values = flow->solver().ever(*variable);
+  const auto& variables = flow->system().variables();
   if (values.empty() || values == variables[*variable].domain.all()) return {};
   return fmt::format("In all runs it is {}.", variables.words(*variable, values));
 }

@@ -10,12 +10,12 @@ namespace proskill::ide {
 
 /// The flow where it is known already, or is quickly computed: an answer that somebody waits for
 /// does not wait for a large program. Null else, and in a program with errors.
-[[nodiscard]] const analysis::flow::Flow* quickFlow(const View& view);
+[[nodiscard]] const KnownFlow* quickFlow(const View& view);
 
 /// The variable of the flow that a name stands for: a state variable's name, or `skill.status` and
 /// `skill.res`.
 [[nodiscard]] std::optional<analysis::flow::VariableId>
-flowVariable(const View& view, const analysis::flow::Flow& flow, std::string_view text);
+flowVariable(const View& view, const KnownFlow& flow, std::string_view text);
 
 /// "Here it is `Good` or `Low`." or that the place is never reached; empty where nothing is known
 /// that the definition does not say.

@@ -33,22 +33,6 @@ struct Mention {
   syntax::Range at;
 };
 
-/// A word beside a variable may be one of its values.
-bool isVariable(const View& view, const syntax::Name& name) {
-  const auto* occurrence = view.index().at(view.file, name.range.begin);
-  return occurrence &&
-         view.index().symbols()[occurrence->symbol].kind == analysis::SymbolKind::StateVariable;
-}
-
-void collect(const View& view, const syntax::Expr& expr, std::vector<Mention>& mentions) {
-  const bool isName = expr.kind == ExprKind::Test || expr.kind == ExprKind::Symbol;
-  if (isName && isVariable(view, expr.name))
-    mentions.push_back({std::string(expr.name.text), expr.name.range});
-  if (expr.kind == ExprKind::Access)
-    mentions.push_back({fmt::format("{}.{}", expr.name.text, expr.member.text), expr.range});
-  for (const auto& operand : expr.operands) collect(view, operand, mentions);
-}
-
 class Hints {
 public:
   Hints(const View& view, syntax::Range range) : view(view), range(range), flow(quickFlow(view)) {}
@@ -96,9 +80,10 @@ private:
     const auto& skills = view.program().skills;
     const auto* definition = skills.find(skill.name.text);
     if (!definition || definition->node != &skill) return;
-    const auto id = flow->system.ofSkill(static_cast<std::size_t>(definition - skills.all.data()));
-    if (!flow->solver.started(id)) return;
-    if (!durations) durations.emplace(flow->solver);
+    const auto id =
+        flow->system().ofSkill(static_cast<std::size_t>(definition - skills.all.data()));
+    if (!flow->solver().started(id)) return;
+    if (!durations) durations.emplace(flow->solver());
     const auto taken = durations->of(id);
     if (taken && !taken->most && taken->least == syntax::Rational{}) return; // any time
     const auto text = taken ? flow::words(*taken) : std::string("never ends");
@@ -110,23 +95,41 @@ private:
   /// One text may be several steps.
   void values() {
     std::map<std::pair<syntax::Offset, syntax::Offset>, std::vector<flow::Point>> byText;
-    for (const auto& point : flow::pointsTouching(*flow, {view.file, range}))
+    const auto then = flow->then({view.file, range});
+    for (const auto& point : flow::pointsTouching(flow->flow(), then))
       byText[{point.at.range.begin, point.at.range.end}].push_back(point);
     for (const auto& [text, points] : byText) {
       const auto& first = points.front();
-      const auto& node = (*flow->system[first.process].graph)[first.node];
+      const auto& node = (*flow->system()[first.process].graph)[first.node];
       if (node.invariant) continue; // it is come to when the guard has failed
       for (const auto* condition : node.conditions) ofCondition(*condition, points);
     }
   }
 
+  /// A word beside a variable may be one of its values.
+  [[nodiscard]] bool isVariable(syntax::Range now) const {
+    const auto* occurrence = view.index().at(view.file, now.begin);
+    return occurrence &&
+           view.index().symbols()[occurrence->symbol].kind == analysis::SymbolKind::StateVariable;
+  }
+
+  void collect(const syntax::Expr& expr, std::vector<Mention>& mentions) const {
+    const auto now = [this](syntax::Range then) { return flow->now({view.file, then}).range; };
+    const bool isName = expr.kind == ExprKind::Test || expr.kind == ExprKind::Symbol;
+    if (isName && isVariable(now(expr.name.range)))
+      mentions.push_back({std::string(expr.name.text), now(expr.name.range)});
+    if (expr.kind == ExprKind::Access)
+      mentions.push_back({fmt::format("{}.{}", expr.name.text, expr.member.text), now(expr.range)});
+    for (const auto& operand : expr.operands) collect(operand, mentions);
+  }
+
   void ofCondition(const syntax::Expr& condition, const std::vector<flow::Point>& points) {
     std::vector<Mention> mentions;
-    collect(view, condition, mentions);
+    collect(condition, mentions);
     for (const auto& mention : mentions) {
       const auto variable = flowVariable(view, *flow, mention.name);
       if (!variable) continue;
-      const auto values = flow::valuesAt(*flow, points, *variable);
+      const auto values = flow::valuesAt(flow->flow(), points, *variable);
       auto label = values ? labelOf(*variable, *values) : std::string();
       if (label.empty()) continue;
       add({HintKind::Values, mention.at.end, std::move(label),
@@ -137,8 +140,8 @@ private:
   /// "= Good or Low", or "≠ Empty" where that is shorter; empty where nothing is known that is
   /// worth a reader's while.
   [[nodiscard]] std::string labelOf(flow::VariableId variable, flow::ValueSet values) const {
-    const auto excluded = flow->solver.ever(variable) - values;
-    const auto& variables = flow->system.variables();
+    const auto excluded = flow->solver().ever(variable) - values;
+    const auto& variables = flow->system().variables();
     if (excluded.empty() || values.empty()) return {};
     if (values.count() <= kMostValues)
       return fmt::format("= {}", variables.words(variable, values));
@@ -148,7 +151,7 @@ private:
 
   const View& view;
   syntax::Range range;
-  const flow::Flow* flow;
+  const KnownFlow* flow;
   std::optional<flow::Durations> durations;
   std::vector<InlayHint> hints;
 };

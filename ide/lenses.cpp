@@ -1,5 +1,7 @@
 #include "ide/lenses.h"
 
+#include "ide/fiacre_file.h"
+#include "ide/fiacre_text.h"
 #include "ide/symbol_key.h"
 
 #include <algorithm>
@@ -65,18 +67,49 @@ public:
   }
 
   std::vector<Lens> gather() && {
-    for (const auto& form : view.document().forms()) {
-      const auto id = symbolOf(view, view.file, form);
-      if (id != analysis::kNoSymbol && !view.index().symbols()[id].name.empty()) ofSymbol(id);
-    }
+    if (isFiacre(view))
+      ofFiacre();
+    else
+      ofProgram();
     return std::move(result);
   }
 
 private:
+  void ofProgram() {
+    for (const auto& form : view.document().forms()) {
+      const auto id = symbolOf(view, view.file, form);
+      if (id != analysis::kNoSymbol && !view.index().symbols()[id].name.empty()) ofSymbol(id);
+    }
+  }
+
+  /// Each property by itself, and all of them where the model is named.
+  void ofFiacre() {
+    const FiacreText text(view.text());
+    const auto model = text.model();
+    if (!model) return;
+    std::vector<const PropertyVerdict*> all;
+    for (const auto& [_, known] : bySubject) all.insert(all.end(), known.begin(), known.end());
+    ofFiacre(*model, {}, all);
+    for (const auto& at : text.asserted()) {
+      std::string name(view.text().substr(at.begin, at.end - at.begin));
+      all.clear();
+      for (const auto& [_, known] : bySubject)
+        for (const auto* verdict : known)
+          if (verdict->name == name) all.push_back(verdict);
+      ofFiacre(at, std::move(name), all);
+    }
+    std::ranges::stable_sort(result, {}, [](const Lens& lens) { return lens.at.begin; });
+  }
+
+  void ofFiacre(syntax::Range at, std::string name, const std::vector<const PropertyVerdict*>& of) {
+    if (!of.empty()) addVerdicts({LensKind::Verdicts, analysis::kNoSymbol, at, {}, {}, name}, of);
+    result.push_back({LensKind::Verify, analysis::kNoSymbol, at, "verify", {}, std::move(name)});
+  }
+
   void ofSymbol(SymbolId id) {
     const auto& symbol = view.index().symbols()[id];
     auto add = [&](LensKind kind, std::string title) {
-      result.push_back({kind, id, symbol.at.range, std::move(title), {}});
+      result.push_back({kind, id, symbol.at.range, std::move(title), {}, {}});
     };
     if (verdicts) ofVerdicts(id, symbol);
     if (hasReferences(symbol.kind)) add(LensKind::References, {});
@@ -87,8 +120,12 @@ private:
   void ofVerdicts(SymbolId id, const analysis::Symbol& symbol) {
     auto found = bySubject.find(symbol.name);
     if (found == bySubject.end()) return;
-    const Summary summary(found->second);
-    Lens lens{LensKind::Verdicts, id, symbol.at.range, summary.words(), {}};
+    addVerdicts({LensKind::Verdicts, id, symbol.at.range, {}, {}, {}}, found->second);
+  }
+
+  void addVerdicts(Lens lens, const std::vector<const PropertyVerdict*>& of) {
+    const Summary summary(of);
+    lens.title = summary.words();
     if (isStale) lens.title += " (outdated)";
     if (summary.worst && summary.worst->steps) lens.property = summary.worst->name;
     result.push_back(std::move(lens));

@@ -17,10 +17,11 @@ enum class LensKind : std::uint8_t {
 /// A line above a definition that leads somewhere.
 struct Lens {
   LensKind kind = LensKind::References;
-  analysis::SymbolId symbol = analysis::kNoSymbol;
-  syntax::Range at;     ///< the definition's name
-  std::string title;    ///< empty of references
+  analysis::SymbolId symbol = analysis::kNoSymbol; ///< kNoSymbol in Fiacre
+  syntax::Range at;                                ///< the definition's name
+  std::string title;                               ///< empty of references
   std::string property; ///< Verdicts: the one whose trace is worth a look; empty: there is none
+  std::string name{};   ///< without a symbol: of which property; empty: of all
 };
 
 /// The lenses of a file, in the order of the text. Verdicts are those for the texts as they are, or

@@ -2,8 +2,9 @@
 
 namespace proskill::ide {
 
-std::vector<Link> links(const std::filesystem::path& file, const syntax::Document& document) {
-  std::vector<Link> result;
+std::vector<DocumentLink> links(const std::filesystem::path& file,
+                                const syntax::Document& document) {
+  std::vector<DocumentLink> result;
   for (const auto& form : document.forms())
     if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
       result.push_back(

@@ -21,12 +21,6 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string withoutBackticks(std::string_view text) {
-  std::string result(text);
-  std::erase(result, '`');
-  return result;
-}
-
 std::string row(const std::vector<std::string>& cells) {
   std::string result = "|";
   for (const auto& cell : cells) result += " " + cell + " |";
@@ -41,6 +35,12 @@ std::string fenceFor(std::string_view text) {
 }
 
 } // namespace
+
+std::string withoutBackticks(std::string_view text) {
+  std::string result(text);
+  std::erase(result, '`');
+  return result;
+}
 
 void Markup::add(std::string_view forMarkdown, std::string_view forPlain) {
   if (!inMarkdown.empty()) {

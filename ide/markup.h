@@ -6,6 +6,9 @@
 
 namespace proskill::ide {
 
+/// Words between backticks are code: the words alone, for who shows texts as they are.
+[[nodiscard]] std::string withoutBackticks(std::string_view text);
+
 /// A short text for a reader. Words between backticks in it are code.
 class Markup {
 public:

@@ -46,9 +46,13 @@ private:
     return from;
   }
 
-  [[nodiscard]] Offset lineEnd(Offset from) const {
-    auto end = text.find_first_of("\r\n", from);
-    return static_cast<Offset>(end == std::string_view::npos ? text.size() : end);
+  /// \pre it is never asked for a place before the last one
+  [[nodiscard]] Offset lineEnd(Offset from) {
+    if (from > lastLineEnd || lastLineEnd == 0) {
+      auto end = text.find_first_of("\r\n", from);
+      lastLineEnd = static_cast<Offset>(end == std::string_view::npos ? text.size() : end);
+    }
+    return lastLineEnd;
   }
 
   void step() {
@@ -125,6 +129,7 @@ private:
   Offset cursor;
   Offset at;
   bool lineHasToken;
+  Offset lastLineEnd = 0; ///< of the line of a string or a comment; a line may have thousands
   bool found = false;
   Path path;
 };

@@ -11,6 +11,9 @@ namespace {
 
 using analysis::SymbolKind;
 
+/// A list that is around so many others is not the one that is being written.
+constexpr std::size_t kNearLists = 64;
+
 void append(Signature& signature, std::string_view part, std::string_view documentation) {
   if (!signature.label.ends_with('(')) signature.label += ' ';
   const auto begin = static_cast<syntax::Offset>(signature.label.size());
@@ -163,7 +166,8 @@ std::optional<Signature> ofList(const View& view, const Path& path, std::size_t 
 std::optional<Signature> signatureHelp(const View& view, syntax::Offset at) {
   const Path path = pathTo(view.document(), at);
   if (path.surrounding == Surrounding::Comment) return std::nullopt;
-  for (auto depth = path.lists.size(); depth-- > 0;)
+  const auto all = path.lists.size();
+  for (auto depth = all; depth-- > all - std::min(all, kNearLists);)
     if (auto found = ofList(view, path, depth)) return found;
   return std::nullopt;
 }

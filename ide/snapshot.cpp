@@ -1,7 +1,6 @@
 #include "ide/snapshot.h"
 
 #include "analysis/reuse.h"
-
 #include "ide/fiacre_file.h"
 
 #include <algorithm>
@@ -68,37 +67,55 @@ analysis::Program loaded(const Overlay& files, const fs::path& root) {
 
 AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings,
                                  const AnalysedProgram* earlier)
-    : program(std::move(loaded)),
+    : shared(std::make_shared<const analysis::Program>(std::move(loaded))),
+      program(*shared),
       analysis(earlier ? analysis::analyse(program, {earlier->program, earlier->analysis})
                        : analysis::analyse(program)),
       settings(std::move(settings)) {
-  if (earlier) takeFlowFindings(*earlier);
+  if (earlier) takeFlow(*earlier);
 }
 
 /// White space and comments do not change what flows where.
-void AnalysedProgram::takeFlowFindings(const AnalysedProgram& earlier) {
-  if (!earlier.knowsFlowFindings) return;
-  const auto edit = analysis::changeBetween(earlier.program, program);
-  auto moved = edit ? analysis::movedByLayout(earlier.knownFlowFindings, *edit) : std::nullopt;
-  if (!moved) return;
-  std::call_once(flowFindingsOnce, [&] { knownFlowFindings = std::move(*moved); });
+void AnalysedProgram::takeFlow(const AnalysedProgram& earlier) {
+  remembered = earlier.memory();
+  if (!remembered || !analysis::flow::hasFlow(program, analysis)) return;
+  const auto edit = analysis::changeBetween(*remembered->program, program);
+  auto moved = edit ? analysis::movedByLayout(remembered->findings, *edit) : std::nullopt;
+  auto flow = moved ? remembered->flow->after(edit->file, *edit->change.layout) : nullptr;
+  if (!flow) return;
+  std::call_once(flowOnce, [&] {
+    knownFlow = std::move(flow);
+    readyFlow = knownFlow.get();
+  });
+  std::call_once(flowFindingsOnce, [&] { noteFlowFindings(std::move(*moved)); });
+  remembered.reset();
+}
+
+/// Of this program where it is known, else of the last one before it.
+std::shared_ptr<const AnalysedProgram::FlowMemory> AnalysedProgram::memory() const {
+  return knowsFlowFindings && knownFlow ? knownFlowFindings : remembered;
+}
+
+void AnalysedProgram::noteFlowFindings(std::vector<syntax::Diagnostic> found) const {
+  knownFlowFindings =
+      std::make_shared<const FlowMemory>(FlowMemory{shared, knownFlow, std::move(found)});
   knowsFlowFindings = true;
 }
 
 const std::vector<syntax::Diagnostic>& AnalysedProgram::flowFindings() const {
   std::call_once(flowFindingsOnce, [this] {
-    if (const auto* known = flow())
-      knownFlowFindings =
-          analysis::flow::checkFlow(*known, analysis.index, analysis::flow::wantsStyle(settings));
-    knowsFlowFindings = true;
+    const auto* known = flow();
+    noteFlowFindings(known ? analysis::flow::checkFlow(known->flow(), analysis.index,
+                                                       analysis::flow::wantsStyle(settings))
+                           : std::vector<syntax::Diagnostic>());
   });
-  return knownFlowFindings;
+  return knownFlowFindings->findings;
 }
 
-const analysis::flow::Flow* AnalysedProgram::flow() const {
+const KnownFlow* AnalysedProgram::flow() const {
   std::call_once(flowOnce, [this] {
     if (analysis::flow::hasFlow(program, analysis))
-      knownFlow = std::make_unique<const analysis::flow::Flow>(program);
+      knownFlow = std::make_shared<const KnownFlow>(shared);
     readyFlow = knownFlow.get();
   });
   return knownFlow.get();
@@ -209,7 +226,9 @@ std::vector<fs::path> Snapshot::rootsOf(const fs::path& file) const {
     pending.pop_back();
     bool included = false;
     for (const auto& [includer, targets] : includes) {
-      if (std::ranges::count(targets, current) == 0) continue;
+      // As text: all are normal, and a comparison part by part takes a hundred times as long.
+      if (std::ranges::find(targets, current.native(), &fs::path::native) == targets.end())
+        continue;
       included = true;
       if (seen.insert(includer).second) pending.push_back(includer);
     }
@@ -222,6 +241,7 @@ std::vector<fs::path> Snapshot::rootsOf(const fs::path& file) const {
 
 std::vector<fs::path> includesOf(const fs::path& file, const syntax::Document& document) {
   std::vector<fs::path> result;
+  if (isFiacre(file)) return result;
   for (const auto& form : document.forms())
     if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
       result.push_back((file.parent_path() / include->path.text).lexically_normal());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/flow/inspect.h"
+#include "ide/known_flow.h"
 
 #include <atomic>
 #include <filesystem>
@@ -35,26 +36,41 @@ public:
   AnalysedProgram(const AnalysedProgram&) = delete;
   AnalysedProgram& operator=(const AnalysedProgram&) = delete;
 
-  const analysis::Program program;
+private:
+  std::shared_ptr<const analysis::Program> shared; ///< what was computed of it may live longer
+
+public:
+  const analysis::Program& program;
   const analysis::Analysis analysis;
   const analysis::flow::Settings settings;
 
   /// Which values a variable can have where; null in a program with errors.
-  [[nodiscard]] const analysis::flow::Flow* flow() const;
-  /// The same where somebody has asked for it before; null else. For who cannot wait.
-  [[nodiscard]] const analysis::flow::Flow* flowIfKnown() const { return readyFlow.load(); }
+  [[nodiscard]] const KnownFlow* flow() const;
+  /// The same where it is known already; null else. For who cannot wait.
+  [[nodiscard]] const KnownFlow* flowIfKnown() const { return readyFlow.load(); }
   /// All that `proskill check` tells of the program, weighed by its settings.
   [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
 
 private:
-  mutable std::once_flag flowOnce;
-  mutable std::unique_ptr<const analysis::flow::Flow> knownFlow;
-  mutable std::atomic<const analysis::flow::Flow*> readyFlow = nullptr;
-  [[nodiscard]] const std::vector<syntax::Diagnostic>& flowFindings() const;
-  void takeFlowFindings(const AnalysedProgram& earlier);
+  /// All that was known of the flow of a program: what is kept for the next one that differs in
+  /// white space and comments only, also where programs with errors come in between.
+  struct FlowMemory {
+    std::shared_ptr<const analysis::Program> program; ///< null: nothing is known
+    std::shared_ptr<const KnownFlow> flow;
+    std::vector<syntax::Diagnostic> findings;
+  };
 
+  [[nodiscard]] const std::vector<syntax::Diagnostic>& flowFindings() const;
+  [[nodiscard]] std::shared_ptr<const FlowMemory> memory() const;
+  void takeFlow(const AnalysedProgram& earlier);
+  void noteFlowFindings(std::vector<syntax::Diagnostic> found) const;
+
+  std::shared_ptr<const FlowMemory> remembered; ///< of a program before this one; may be null
+  mutable std::once_flag flowOnce;
+  mutable std::shared_ptr<const KnownFlow> knownFlow;
+  mutable std::atomic<const KnownFlow*> readyFlow = nullptr;
   mutable std::once_flag flowFindingsOnce;
-  mutable std::vector<syntax::Diagnostic> knownFlowFindings;
+  mutable std::shared_ptr<const FlowMemory> knownFlowFindings;
   mutable std::atomic<bool> knowsFlowFindings = false; ///< set last
   mutable std::once_flag findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;

@@ -28,12 +28,12 @@ struct Fold {
                                                     syntax::Offset at);
 
 /// A path in a text, and the file that it names.
-struct Link {
+struct DocumentLink {
   syntax::Range range; ///< between the quotes
   std::filesystem::path target;
 };
 
-[[nodiscard]] std::vector<Link> links(const std::filesystem::path& file,
-                                      const syntax::Document& document);
+[[nodiscard]] std::vector<DocumentLink> links(const std::filesystem::path& file,
+                                              const syntax::Document& document);
 
 } // namespace proskill::ide

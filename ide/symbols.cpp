@@ -119,8 +119,12 @@ private:
 } // namespace
 
 std::vector<OutlineEntry> outline(const View& view) {
+  return outline(view, {0, static_cast<syntax::Offset>(view.text().size())});
+}
+
+std::vector<OutlineEntry> outline(const View& view, syntax::Range within) {
   std::vector<OutlineEntry> result;
-  for (const auto& form : view.document().forms()) {
+  for (const auto& form : view.document().formsIn(within)) {
     if (const auto* include = std::get_if<syntax::Include>(&form.node)) {
       result.push_back(ofInclude(*include, form.range));
       continue;

@@ -4,6 +4,7 @@
 #include "ide/fiacre_text.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace proskill::ide {
@@ -68,90 +69,95 @@ std::optional<TokenType> typeOf(NodeKind kind, std::string_view word) {
   return isBracket ? std::nullopt : std::optional(TokenType::Operator);
 }
 
+Token tokenOf(const analysis::Index& index, const Occurrence& occurrence) {
+  const auto& symbol = index.symbols()[occurrence.symbol];
+  std::uint8_t modifiers = 0;
+  if (occurrence.role == Role::Definition) modifiers |= kDefinition;
+  if (occurrence.role == Role::Write) modifiers |= kWritten;
+  if (occurrence.role == Role::Definition && isForOthers(symbol.kind) &&
+      index.countOf(occurrence.symbol) == 1)
+    modifiers |= kUnused;
+  return {occurrence.at.range, typeOf(symbol.kind), modifiers};
+}
+
+/// A type behind a `$parameter`.
+bool isType(const std::vector<Token>& before, std::string_view word) {
+  static constexpr std::string_view kTypes[] = {"int", "nat", "float", "bool", "string"};
+  return !before.empty() && before.back().type == TokenType::Parameter &&
+         std::ranges::find(kTypes, word) != std::end(kTypes);
+}
+
+/// Goes through the words of a stretch and its names at once.
 class Collector {
 public:
-  Collector(const View& view, syntax::Range within)
-      : view(view), text(view.text()), within(within), names(view.index().occurrences()) {
-    auto before = [&](const Occurrence& name) {
-      return std::pair(name.at.file, name.at.range.end) < std::pair(view.file, within.begin);
-    };
-    name = std::ranges::partition_point(names, before);
-  }
+  Collector(std::string_view text, std::span<const Token> names) : text(text), name(names) {}
 
-  std::vector<Token> run() {
-    for (const auto& stretch : view.document().stretches()) {
-      if (stretch.range.end < within.begin || stretch.range.begin > within.end) continue;
-      // What was put in or left out to read it makes no other tokens.
-      const auto& tree = *stretch.tree;
-      for (std::size_t at = 1; at < tree.size();) at += visit(tree[at], stretch.range.begin);
-    }
+  std::vector<Token> run(const syntax::Stretch& stretch) {
+    const auto& tree = *stretch.tree;
+    for (std::size_t at = 1; at < tree.size();) at += visit(tree[at], stretch.range.begin);
     return std::move(result);
   }
 
 private:
-  /// How many nodes are dealt with.
+  /// How many nodes are dealt with. What was put in to read the text makes no tokens.
   std::size_t visit(const syntax::Node& node, syntax::Offset shift) {
-    bool isString = node.kind == NodeKind::String;
-    if (node.size > 1 && !isString) return 1;
-    syntax::Range range{node.range.begin + shift, node.range.end + shift};
-    if (!range.empty() && range.end >= within.begin && range.begin <= within.end)
-      add(node.kind, range);
+    if (node.size > 1 && node.kind != NodeKind::String) return 1;
+    if (!node.range.empty()) add(node.kind, {node.range.begin + shift, node.range.end + shift});
     return node.size;
   }
 
   void add(NodeKind kind, syntax::Range range) {
-    if (const auto* occurrence = nameAt(range)) return addName(*occurrence, range);
-    auto type = typeOf(kind, text.substr(range.begin, range.length()));
-    if (kind == NodeKind::Symbol) type = typeOfPlainSymbol(range);
+    while (!name.empty() && name.front().range.end <= range.begin) name = name.subspan(1);
+    if (!name.empty() && name.front().range.begin < range.end &&
+        range.begin <= name.front().range.begin) {
+      result.push_back({range, name.front().type, name.front().modifiers});
+      return;
+    }
+    const auto word = text.substr(range.begin, range.length());
+    auto type = typeOf(kind, word);
+    if (kind == NodeKind::Symbol && isType(result, word)) type = TokenType::Type;
     if (type) result.push_back({range, *type, 0});
   }
 
-  const Occurrence* nameAt(syntax::Range range) {
-    while (name != names.end() && name->at.file == view.file && name->at.range.end <= range.begin)
-      ++name;
-    bool here = name != names.end() && name->at.file == view.file &&
-                name->at.range.begin < range.end && range.begin <= name->at.range.begin;
-    return here ? &*name : nullptr;
-  }
-
-  void addName(const Occurrence& occurrence, syntax::Range range) {
-    const auto& symbol = view.index().symbols()[occurrence.symbol];
-    std::uint8_t modifiers = 0;
-    if (occurrence.role == Role::Definition) modifiers |= kDefinition;
-    if (occurrence.role == Role::Write) modifiers |= kWritten;
-    if (occurrence.role == Role::Definition && isForOthers(symbol.kind) &&
-        view.index().occurrencesOf(occurrence.symbol).size() == 1)
-      modifiers |= kUnused;
-    result.push_back({range, typeOf(symbol.kind), modifiers});
-  }
-
-  /// A type behind a `$parameter`.
-  std::optional<TokenType> typeOfPlainSymbol(syntax::Range range) const {
-    auto word = text.substr(range.begin, range.length());
-    bool isType = !result.empty() && result.back().type == TokenType::Parameter &&
-                  std::ranges::find(kTypes, word) != std::end(kTypes);
-    return isType ? std::optional(TokenType::Type) : std::nullopt;
-  }
-
-  static constexpr std::string_view kTypes[] = {"int", "nat", "float", "bool", "string"};
-
-  const View& view;
   std::string_view text;
-  syntax::Range within;
-  std::span<const Occurrence> names;
-  std::span<const Occurrence>::iterator name;
+  std::span<const Token> name; ///< those that come yet
   std::vector<Token> result;
 };
 
+bool touch(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
+
 } // namespace
 
+std::vector<Token> nameTokens(const View& view, syntax::Range within) {
+  const auto names = view.index().occurrences();
+  auto from = [&](syntax::Offset at) {
+    return std::ranges::lower_bound(names, std::pair(view.file, at), {}, [](const Occurrence& it) {
+      return std::pair(it.at.file, it.at.range.begin);
+    });
+  };
+  std::vector<Token> result;
+  for (const auto& name : std::ranges::subrange(from(within.begin), from(within.end)))
+    result.push_back(tokenOf(view.index(), name));
+  return result;
+}
+
+std::vector<Token> tokens(const View& view, const syntax::Stretch& stretch,
+                          std::span<const Token> names) {
+  return Collector(view.text(), names).run(stretch);
+}
+
 std::vector<Token> tokens(const View& view, syntax::Range within) {
-  if (!isFiacre(view)) return Collector(view, within).run();
-  auto all = FiacreText(view.text()).tokens();
-  std::erase_if(all, [&](const Token& token) {
-    return token.range.end < within.begin || within.end < token.range.begin;
-  });
-  return all;
+  std::vector<Token> result;
+  if (isFiacre(view)) {
+    result = FiacreText(view.text()).tokens();
+  } else {
+    for (const auto& stretch : view.document().stretches())
+      if (touch(stretch.range, within))
+        std::ranges::copy(tokens(view, stretch, nameTokens(view, stretch.range)),
+                          std::back_inserter(result));
+  }
+  std::erase_if(result, [&](const Token& token) { return !touch(token.range, within); });
+  return result;
 }
 
 std::vector<Token> tokens(const View& view) {

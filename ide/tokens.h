@@ -3,6 +3,7 @@
 #include "ide/snapshot.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 /// What each word of a text is, for an editor that colours by meaning.
@@ -47,5 +48,13 @@ struct Token {
 /// In the order of the text; those that touch `within`.
 [[nodiscard]] std::vector<Token> tokens(const View& view, syntax::Range within);
 [[nodiscard]] std::vector<Token> tokens(const View& view);
+
+/// The names that begin in a range, in their order: all that the tokens of a stretch of a program
+/// depend on beside its own text.
+[[nodiscard]] std::vector<Token> nameTokens(const View& view, syntax::Range within);
+/// The tokens of a stretch of the view's document.
+/// \param names of the stretch's range
+[[nodiscard]] std::vector<Token> tokens(const View& view, const syntax::Stretch& stretch,
+                                        std::span<const Token> names);
 
 } // namespace proskill::ide

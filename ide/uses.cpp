@@ -1,6 +1,7 @@
 #include "ide/uses.h"
 
 #include "ide/symbol_key.h"
+#include "syntax/enumerate.h"
 
 #include <fmt/format.h>
 
@@ -39,14 +40,14 @@ std::vector<analysis::SymbolId> usersOf(const View& view, analysis::SymbolId sym
 }
 
 std::string enumerate(const View& view, const std::vector<analysis::SymbolId>& symbols) {
-  std::string result;
   const auto& all = view.index().symbols();
   const bool tooMany = symbols.size() > kMostNames;
   const auto shown = tooMany ? kMostNames - 1 : symbols.size();
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool isLast = i + 1 == symbols.size();
-    result += fmt::format("{}`{}`", i == 0 ? "" : (isLast ? " and " : ", "), all[symbols[i]].name);
-  }
+  auto names = symbols | std::views::take(shown) | std::views::transform([&](auto symbol) {
+                 return std::string_view(all[symbol].name);
+               });
+  if (!tooMany) return syntax::enumerateNames(names);
+  std::string result;
   if (tooMany) result += fmt::format(" and {} more", symbols.size() - shown);
   return result;
 }

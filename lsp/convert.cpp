@@ -37,7 +37,7 @@ void Converter::write(JsonWriter& json, analysis::FileId file, syntax::Range ran
   const auto& document = program.files[file].document;
   auto point = [&](const char* name, syntax::Offset at) {
     const auto position = toEditor(document.text(), document.lines(), at, encoding, line);
-    json.key(name).open('{').member("line", position.line);
+    json.key(name).open('{').key("line").line(position.line);
     json.member("character", position.character).close('}');
   };
   json.open('{');
@@ -70,6 +70,16 @@ std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) 
   if (!document.is_object() || !document.contains("uri") || !document["uri"].is_string())
     return std::unexpected(invalid("`textDocument.uri` is missing"));
   return pathOf(document["uri"].get<std::string>());
+}
+
+Json listAnswer(const Request& request, std::string_view list) {
+  return request.progress->wantsParts() ? Json::parse(list) : written(list);
+}
+
+std::expected<std::string, RpcError> textIn(const Json& params, const char* name) {
+  const auto& text = memberAt(params, {name});
+  if (!text.is_string()) return std::unexpected(invalid("`" + std::string(name) + "` is missing"));
+  return text.get<std::string>();
 }
 
 std::expected<ide::View, RpcError> documentView(const Request& request) {

@@ -41,6 +41,13 @@ private:
 [[nodiscard]] std::expected<std::filesystem::path, RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
 
+/// An answer that is a list and was written as text. Where the client wants parts of it, it is
+/// taken apart.
+[[nodiscard]] Json listAnswer(const Request& request, std::string_view list);
+
+/// A member that must be a text.
+[[nodiscard]] std::expected<std::string, RpcError> textIn(const Json& params, const char* name);
+
 /// A place that a request asks about.
 struct Cursor {
   ide::View view;

@@ -58,7 +58,7 @@ void writeEdit(JsonWriter& json, const ide::Completion& item, const Shared& shar
 
 void writeData(JsonWriter& json, const ide::Completion& item, const std::string& uri) {
   json.key("data").open('{').member("uri", uri);
-  if (item.symbol) json.member("symbol", toJson(*item.symbol));
+  if (item.symbol) write(json.key("symbol"), *item.symbol);
   if (item.word) json.member("word", item.word - ide::vocabulary().data());
   json.close('}');
 }

@@ -5,7 +5,9 @@
 #include "ide/fiacre_text.h"
 #include "lsp/convert.h"
 #include "lsp/edits.h"
+#include "lsp/folds_json.h"
 #include "lsp/markup.h"
+#include "lsp/outline_json.h"
 
 /// Documents in Fiacre: their text alone answers.
 namespace proskill::lsp {
@@ -40,38 +42,15 @@ int symbolKind(NameKind kind) {
   return 13;
 }
 
-Json symbolJson(const ide::FiacreEntry& entry, const Converter& convert, analysis::FileId file) {
-  Json json{{"name", entry.name},
-            {"kind", symbolKind(entry.kind)},
-            {"range", convert.range(file, entry.range)},
-            {"selectionRange", convert.range(file, entry.selection)}};
-  for (const auto& child : entry.children)
-    json["children"].push_back(symbolJson(child, convert, file));
-  return json;
-}
-
-/// For clients that know no trees.
-void addFlat(Json& list, const ide::FiacreEntry& entry, const std::string& container,
-             const Converter& convert, analysis::FileId file) {
-  Json json{{"name", entry.name},
-            {"kind", symbolKind(entry.kind)},
-            {"location", convert.location({file, entry.range})}};
-  if (!container.empty()) json["containerName"] = container;
-  list.push_back(std::move(json));
-  for (const auto& child : entry.children) addFlat(list, child, entry.name, convert, file);
-}
-
 Answer documentSymbol(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
-  const Converter convert(*view, request);
-  Json result = Json::array();
-  for (const auto& entry : ide::FiacreText(view->text()).outline())
-    if (request.client.hierarchicalSymbols)
-      result.push_back(symbolJson(entry, convert, view->file));
-    else
-      addFlat(result, entry, {}, convert, view->file);
-  return result;
+  JsonWriter json;
+  json.open('[');
+  writeOutline(
+      json, ide::FiacreText(view->text()).outline(), Converter(*view, request), view->file,
+      [](const ide::FiacreEntry& entry) { return symbolKind(entry.kind); }, request);
+  return listAnswer(request, json.close(']').str());
 }
 
 Answer hover(const Request& request) {
@@ -115,14 +94,12 @@ Answer prepareRename(const Request& request) {
 Answer rename(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
-  const auto& name = memberAt(request.params, {"newName"});
-  if (!name.is_string())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`newName` is missing"});
-  const auto text = name.get<std::string>();
-  auto places = ide::renameInFiacre(at->view.text(), at->at, text);
+  const auto name = textIn(request.params, "newName");
+  if (!name) return std::unexpected(name.error());
+  auto places = ide::renameInFiacre(at->view.text(), at->at, *name);
   if (!places) return std::unexpected(RpcError{ErrorCode::RequestFailed, places.error()});
   const auto& path = at->view.program().files[at->view.file].path;
-  return workspaceEdit({{path, std::move(*places)}}, text, request);
+  return workspaceEdit({{path, std::move(*places)}}, *name, request);
 }
 
 /// 3 says that a place gives the name its meaning, 2 that it reads it.
@@ -140,13 +117,7 @@ Answer documentHighlight(const Request& request) {
 Answer foldingRange(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
-  Json result = Json::array();
-  for (const auto& fold : ide::FiacreText(view->text()).folds()) {
-    Json json{{"startLine", fold.firstLine}, {"endLine", fold.lastLine}};
-    if (fold.kind == ide::FoldKind::Comment) json["kind"] = "comment";
-    result.push_back(std::move(json));
-  }
-  return result;
+  return foldsAnswer(request, ide::FiacreText(view->text()).folds());
 }
 
 /// Nothing changes in a text that cannot be read.
@@ -176,7 +147,7 @@ Answer nothing(const Request& /*request*/) { return nullptr; }
 Answer noProgram(const Request& /*request*/) {
   return std::unexpected(
       RpcError{ErrorCode::RequestFailed,
-               "a model in Fiacre is no program: verify it with `proskill verify`"});
+               "a model in Fiacre is no program: it is verified, and that is all"});
 }
 
 bool isInFiacre(const Request& request) {
@@ -187,6 +158,9 @@ bool isInFiacre(const Request& request) {
 /// What a method does for a document in Fiacre; null where it does the same as for programs.
 Handler forFiacre(const std::string& method) {
   static const std::map<std::string, Handler> kHandlers{
+      {"proskill/trace", nullptr},
+      {"proskill/verify", nullptr},
+      {"textDocument/codeLens", nullptr},
       {"textDocument/completion", nullptr},
       {"textDocument/declaration", definition},
       {"textDocument/definition", definition},

@@ -47,12 +47,10 @@ Answer rangesFormatting(const Request& request) {
 Answer onTypeFormatting(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
-  auto typed = request.params.find("ch");
-  if (typed == request.params.end() || !typed->is_string())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`ch` is missing"});
-  auto word = typed->get<std::string>();
-  auto edits =
-      word.size() == 1 ? syntax::formatTyped(at->view.document(), at->at, word.front()) : Edits{};
+  const auto typed = textIn(request.params, "ch");
+  if (!typed) return std::unexpected(typed.error());
+  auto edits = typed->size() == 1 ? syntax::formatTyped(at->view.document(), at->at, typed->front())
+                                  : Edits{};
   return textEdits(Converter(at->view, request), at->view.file, edits);
 }
 

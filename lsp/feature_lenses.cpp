@@ -9,8 +9,14 @@ namespace {
 
 using ide::LensKind;
 
+/// What is verified; empty: all.
+std::string_view nameOf(const ide::Lens& lens, const ide::View& view) {
+  return lens.symbol == analysis::kNoSymbol ? std::string_view(lens.name)
+                                            : view.index().symbols()[lens.symbol].name;
+}
+
 /// The commands are the client's; their argument is that of the request that they lead to.
-void writeCommand(JsonWriter& json, const ide::Lens& lens, const analysis::Symbol& symbol,
+void writeCommand(JsonWriter& json, const ide::Lens& lens, const ide::View& view,
                   std::string_view uri) {
   auto begin = [&](const char* name) {
     json.key("command").open('{').member("title", lens.title).member("command", name);
@@ -18,12 +24,15 @@ void writeCommand(JsonWriter& json, const ide::Lens& lens, const analysis::Symbo
     json.key("textDocument").open('{').member("uri", uri).close('}');
   };
   if (lens.kind == LensKind::Automaton) {
+    const auto& symbol = view.index().symbols()[lens.symbol];
     begin("proskill.showAutomaton");
     json.member("kind", symbol.kind == analysis::SymbolKind::Skill ? "skill" : "sv");
     json.member("name", symbol.name);
   } else if (lens.property.empty()) {
     begin("proskill.verify");
-    json.key("names").open('[').value(symbol.name).close(']');
+    json.key("names").open('[');
+    if (const auto name = nameOf(lens, view); !name.empty()) json.value(name);
+    json.close(']');
   } else {
     begin("proskill.openTrace");
     json.member("name", lens.property);
@@ -35,7 +44,8 @@ void writeCommand(JsonWriter& json, const ide::Lens& lens, const analysis::Symbo
 void writeData(JsonWriter& json, const ide::View& view, analysis::SymbolId symbol,
                std::string_view uri) {
   json.key("data").open('{').member("uri", uri);
-  json.member("symbol", toJson(ide::keyOf(view.index().symbols(), symbol))).close('}');
+  write(json.key("symbol"), ide::keyOf(view.index().symbols(), symbol));
+  json.close('}');
 }
 
 Answer codeLens(const Request& request) {
@@ -43,17 +53,17 @@ Answer codeLens(const Request& request) {
   if (!view) return std::unexpected(view.error());
   const Converter convert(*view, request);
   const auto uri = convert.uri(view->file);
-  Json result = Json::array();
+  JsonWriter json;
+  json.open('[');
   for (const auto& lens : ide::lenses(*view, *request.verdicts)) {
-    JsonWriter json;
     convert.write(json.open('{').key("range"), view->file, lens.at);
     if (lens.kind == LensKind::References)
       writeData(json, *view, lens.symbol, uri);
     else
-      writeCommand(json, lens, view->index().symbols()[lens.symbol], uri);
-    result.push_back(written(json.close('}').str()));
+      writeCommand(json, lens, *view, uri);
+    json.close('}');
   }
-  return result;
+  return listAnswer(request, json.close(']').str());
 }
 
 Json command(std::string_view title, std::string_view name, Json arguments) {

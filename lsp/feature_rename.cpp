@@ -21,10 +21,9 @@ Answer prepareRename(const Request& request) {
 Answer rename(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
-  const auto& name = memberAt(request.params, {"newName"});
-  if (!name.is_string())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`newName` is missing"});
-  auto plan = ide::rename(request.snapshot, at->view, at->at, name.get_ref<const std::string&>());
+  auto name = textIn(request.params, "newName");
+  if (!name) return std::unexpected(name.error());
+  auto plan = ide::rename(request.snapshot, at->view, at->at, *name);
   if (!plan) return std::unexpected(refused(plan.error()));
   return workspaceEdit(plan->places, plan->text, request);
 }

@@ -1,23 +1,16 @@
 #include "ide/structure.h"
 #include "lsp/convert.h"
+#include "lsp/folds_json.h"
 #include "lsp/uri.h"
 
 namespace proskill::lsp {
 
 namespace {
 
-/// Whole lines, which every client can fold.
 Answer foldingRange(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
-  Json result = Json::array();
-  for (const auto& fold : ide::folds(view->document())) {
-    JsonWriter json;
-    json.open('{').member("startLine", fold.firstLine).member("endLine", fold.lastLine);
-    if (fold.kind == ide::FoldKind::Comment) json.member("kind", "comment");
-    result.push_back(written(json.close('}').str()));
-  }
-  return result;
+  return foldsAnswer(request, ide::folds(view->document()));
 }
 
 Answer selectionRange(const Request& request) {

@@ -1,5 +1,7 @@
 #include "ide/symbols.h"
 #include "lsp/convert.h"
+#include "lsp/kept_parts.h"
+#include "lsp/outline_json.h"
 #include "lsp/symbol_kind.h"
 
 namespace proskill::lsp {
@@ -10,46 +12,37 @@ int kindOf(const ide::OutlineEntry& entry) {
   return entry.isFile ? kFileSymbol : symbolKind(entry.kind);
 }
 
-void writeTree(JsonWriter& json, const ide::OutlineEntry& entry, const Converter& convert,
-               analysis::FileId file) {
-  json.open('{').member("name", entry.name).member("kind", kindOf(entry));
-  convert.write(json.key("range"), file, entry.range);
-  convert.write(json.key("selectionRange"), file, entry.selection);
-  if (!entry.detail.empty()) json.member("detail", entry.detail);
-  if (!entry.children.empty()) {
-    json.key("children").open('[');
-    for (const auto& child : entry.children) writeTree(json, child, convert, file);
-    json.close(']');
-  }
-  json.close('}');
-}
+/// The entries of a stretch.
+struct SymbolPart {
+  std::shared_ptr<const syntax::Tree> tree;
+  MovableJson json;
+};
+using SymbolParts = Parts<SymbolPart>;
 
-/// For clients that know no trees: `SymbolInformation`.
-void addFlat(Json& list, const ide::OutlineEntry& entry, const std::string& container,
-             const Converter& convert, analysis::FileId file) {
-  Json json{{"name", entry.name},
-            {"kind", kindOf(entry)},
-            {"location", convert.location({file, entry.range})}};
-  if (!container.empty()) json["containerName"] = container;
-  list.push_back(std::move(json));
-  for (const auto& child : entry.children) addFlat(list, child, entry.name, convert, file);
-}
-
-Answer documentSymbol(const Request& request) {
+Answer documentSymbol(const Request& request, LastOfTexts<SymbolParts>& last) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   const Converter convert(*view, request);
-  Json result = Json::array();
-  for (const auto& entry : ide::outline(*view)) {
-    if (!request.client.hierarchicalSymbols) {
-      addFlat(result, entry, {}, convert, view->file);
-      continue;
+  const auto uri = convert.uri(view->file);
+  const auto before = last.find(uri);
+  EarlierParts<SymbolPart> earlier(before ? *before : SymbolParts());
+  auto parts = std::make_shared<SymbolParts>();
+  JsonWriter json;
+  json.open('[');
+  std::uint32_t line = 0;
+  for (const auto& stretch : view->document().stretches()) {
+    line = view->document().lines().position(stretch.range.begin, line).line;
+    auto part = earlier.find(stretch.tree);
+    if (!part) {
+      JsonWriter mine;
+      writeOutline(mine, ide::outline(*view, stretch.range), convert, view->file, kindOf, request);
+      part = std::make_shared<const SymbolPart>(stretch.tree, MovableJson(std::move(mine), line));
     }
-    JsonWriter json;
-    writeTree(json, entry, convert, view->file);
-    result.push_back(written(json.str()));
+    part->json.write(json, line);
+    parts->push_back(std::move(part));
   }
-  return result;
+  last.keep(uri, std::move(parts));
+  return listAnswer(request, json.close(']').str());
 }
 
 Json symbolJson(const ide::FoundSymbol& found, const Request& request) {
@@ -64,13 +57,11 @@ Json symbolJson(const ide::FoundSymbol& found, const Request& request) {
 }
 
 Answer workspaceSymbol(const Request& request) {
-  const auto& query = memberAt(request.params, {"query"});
-  if (!query.is_string())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`query` is missing"});
+  const auto query = textIn(request.params, "query");
+  if (!query) return std::unexpected(query.error());
   auto isCancelled = [&] { return request.cancellation.isCancelled(); };
   Json result = Json::array();
-  for (const auto& found :
-       ide::workspaceSymbols(request.snapshot, query.get_ref<const std::string&>(), isCancelled))
+  for (const auto& found : ide::workspaceSymbols(request.snapshot, *query, isCancelled))
     result.push_back(symbolJson(found, request));
   return result;
 }
@@ -80,7 +71,9 @@ Answer workspaceSymbol(const Request& request) {
 void addSymbols(Registry& registry) {
   registry.capabilities["documentSymbolProvider"] = {{"label", "ProSkill"}};
   registry.capabilities["workspaceSymbolProvider"] = true;
-  registry.add("textDocument/documentSymbol", documentSymbol);
+  auto last = std::make_shared<LastOfTexts<SymbolParts>>();
+  registry.add("textDocument/documentSymbol",
+               [last](const Request& request) { return documentSymbol(request, *last); });
   registry.add("workspace/symbol", workspaceSymbol);
 }
 

@@ -1,3 +1,5 @@
+#include "ide/fiacre_file.h"
+#include "ide/fiacre_text.h"
 #include "lsp/progress.h"
 #include "lsp/verdict_json.h"
 #include "lsp/verification.h"
@@ -29,7 +31,10 @@ std::vector<std::string> namesIn(const Json& params) {
 }
 
 std::optional<RpcError> whyNot(const ide::View& view) {
-  for (const auto& diagnostic : view.analysis().diagnostics)
+  if (ide::isFiacre(view) && !ide::FiacreText(view.text()).model())
+    return failed("the text names no model");
+  const auto& found = ide::isFiacre(view) ? view.owner->findings() : view.analysis().diagnostics;
+  for (const auto& diagnostic : found)
     if (diagnostic.severity == syntax::Severity::Error)
       return failed("the program has errors: " + diagnostic.message);
   return std::nullopt;
@@ -97,20 +102,18 @@ Answer Verification::verifyRequested(const Request& request) {
 Answer Verification::traceRequested(const Request& request) const {
   auto view = programOf(request);
   if (!view) return std::unexpected(view.error());
-  auto name = request.params.find("name");
-  if (name == request.params.end() || !name->is_string())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`name` is missing"});
+  const auto wanted = textIn(request.params, "name");
+  if (!wanted) return std::unexpected(wanted.error());
   const auto state = board.of(view->program().files.front().path);
   if (!state || !state->verified)
     return std::unexpected(failed("the program has not been verified yet"));
   const auto& known = *state->verified;
-  const auto wanted = name->get<std::string>();
-  if (!known.traces.contains(wanted))
-    return std::unexpected(failed(fmt::format("there is no trace of `{}`", wanted)));
+  if (!known.traces.contains(*wanted))
+    return std::unexpected(failed(fmt::format("there is no trace of `{}`", *wanted)));
   const bool stale = !ide::areCurrent(*known.verdicts, view->program());
   const Converter convert(known.verdicts->program->program, request.snapshot.open(),
                           request.client.encoding);
-  return traceOf(known, wanted, stale, convert);
+  return traceOf(known, *wanted, stale, convert);
 }
 
 void Verification::addMethods(Registry& registry) {

@@ -19,6 +19,7 @@ struct EndOfStream {};
 struct Received {
   Message message;
   Cancellation cancellation;
+  std::uint64_t order = 0; ///< how many requests came before it
 };
 /// Work that another thread has prepared and that the main one finishes.
 using Errand = std::function<void()>;
@@ -43,6 +44,15 @@ public:
       wake.wait(lock, ready);
     else if (!wake.wait_until(lock, *deadline, ready))
       return std::nullopt;
+    auto incident = std::move(queue.front());
+    queue.pop_front();
+    return incident;
+  }
+
+  /// The next one, where it is there already and wanted.
+  template <class Wanted> std::optional<Incident> takeIf(const Wanted& wanted) {
+    const std::lock_guard lock(mutex);
+    if (queue.empty() || !wanted(queue.front())) return std::nullopt;
     auto incident = std::move(queue.front());
     queue.pop_front();
     return incident;

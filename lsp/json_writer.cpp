@@ -28,7 +28,8 @@ JsonWriter& JsonWriter::value(std::string_view string) {
 
 JsonWriter& JsonWriter::digits(std::int64_t number) {
   char buffer[24];
-  return written({buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr});
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+  return *this;
 }
 
 JsonWriter& JsonWriter::value(const Json& json) {
@@ -51,6 +52,21 @@ JsonWriter& JsonWriter::value(const Json& json) {
   case Json::value_t::string: return value(std::string_view(json.get_ref<const std::string&>()));
   default: return written(json.dump());
   }
+}
+
+void MovableJson::write(JsonWriter& json, std::uint32_t now) const {
+  if (text.empty()) return;
+  json.separate();
+  std::size_t done = 0;
+  if (now != first)
+    for (const std::size_t at : lines) {
+      json.text.append(text, done, at - done);
+      std::uint32_t line = 0;
+      done = static_cast<std::size_t>(
+          std::from_chars(text.data() + at, text.data() + text.size(), line).ptr - text.data());
+      json.digits(line - first + now);
+    }
+  json.text.append(text, done);
 }
 
 Json written(std::string_view json) {

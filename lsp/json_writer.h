@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 /// JSON as text right away, for answers with thousands of parts: a tree of `Json` costs an
 /// allocation for each member of each part, and as many to take it down.
@@ -41,13 +42,20 @@ public:
     if constexpr (std::same_as<Number, bool>)
       return written(number ? "true" : "false");
     else
-      return digits(static_cast<std::int64_t>(number));
+      separate();
+    return digits(static_cast<std::int64_t>(number));
   }
   /// What is JSON already.
   JsonWriter& written(std::string_view json) {
     separate();
     text += json;
     return *this;
+  }
+  /// The number of a line as the value of a key: its place is remembered, so that it can be written
+  /// anew.
+  JsonWriter& line(std::uint32_t number) {
+    lines.push_back(static_cast<std::uint32_t>(text.size()));
+    return value(number);
   }
   template <class Value> JsonWriter& member(std::string_view name, const Value& what) {
     return key(name).value(what);
@@ -66,7 +74,28 @@ private:
       text += ',';
   }
 
+  friend class MovableJson;
+
   std::string text;
+  std::vector<std::uint32_t> lines; ///< where the numbers of lines begin in it
+};
+
+/// JSON of things that stand near each other in a text, and can be moved to other lines of it.
+class MovableJson {
+public:
+  MovableJson() = default;
+  /// Written where these things began in the line `first`.
+  MovableJson(JsonWriter json, std::uint32_t first)
+      : text(std::move(json.text)), lines(std::move(json.lines)), first(first) {}
+
+  [[nodiscard]] std::size_t size() const { return text.size(); }
+  /// As it would be where they begin in the line `now`. Writes nothing where nothing was written.
+  void write(JsonWriter& json, std::uint32_t now) const;
+
+private:
+  std::string text;
+  std::vector<std::uint32_t> lines;
+  std::uint32_t first = 0;
 };
 
 /// A value that stands for text which is JSON already: one of the binary kind, which no message of

@@ -3,6 +3,7 @@
 #include "lsp/rpc.h"
 #include "lsp/scheduler.h"
 
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -20,6 +21,7 @@ public:
     const Json& uri = memberAt(message.params, {"textDocument", "uri"});
     Waiting waiting{{}, message.method, uri.is_string() ? uri.get<std::string>() : std::string()};
     const std::lock_guard lock(mutex);
+    waiting.order = begun++;
     auto [entry, isNew] = requests.try_emplace(message.id, std::move(waiting));
     return isNew ? std::optional(entry->second.cancellation) : std::nullopt;
   }
@@ -44,13 +46,14 @@ public:
     Json id;
     std::string method;
   };
-  /// Those of these methods that ask about a text, by its URI.
+  /// Those of these methods that ask about a text, by its URI, among the first `before` that came.
   template <class Methods>
-  [[nodiscard]] std::vector<Request> about(const std::string& uri, const Methods& methods) const {
+  [[nodiscard]] std::vector<Request> about(const std::string& uri, const Methods& methods,
+                                           std::uint64_t before) const {
     const std::lock_guard lock(mutex);
     std::vector<Request> result;
     for (const auto& [id, waiting] : requests)
-      if (waiting.uri == uri && methods.contains(waiting.method))
+      if (waiting.order < before && waiting.uri == uri && methods.contains(waiting.method))
         result.push_back({id, waiting.method});
     return result;
   }
@@ -60,6 +63,12 @@ public:
     const std::lock_guard lock(mutex);
     for (auto& [id, waiting] : requests) waiting.cancellation.cancel();
     requests.clear();
+  }
+
+  /// How many requests have come so far.
+  [[nodiscard]] std::uint64_t count() const {
+    const std::lock_guard lock(mutex);
+    return begun;
   }
 
   [[nodiscard]] std::size_t size() const {
@@ -72,10 +81,12 @@ private:
     Cancellation cancellation;
     std::string method;
     std::string uri; ///< of its text document; empty where it has none
+    std::uint64_t order = 0;
   };
 
   mutable std::mutex mutex;
   std::map<Json, Waiting> requests;
+  std::uint64_t begun = 0;
 };
 
 } // namespace proskill::lsp

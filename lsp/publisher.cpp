@@ -1,7 +1,6 @@
 #include "lsp/publisher.h"
 
 #include "analysis/stop.h"
-
 #include "lsp/diagnostics.h"
 
 #include <algorithm>
@@ -91,17 +90,11 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
     told[path] = std::move(now);
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
     lock.unlock();
-    prepare(snapshot, path);
+    (void)snapshot.takeReplaced();     // now that nobody waits for it
   } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
   } catch (const std::exception& error) {
     onFailure(kMethod, {{"uri", text.uri}}, error.what());
   }
-}
-
-/// The flow, which an edit of a comment alone spares the diagnostics.
-void Publisher::prepare(const ide::Snapshot& snapshot, const Path& path) {
-  (void)snapshot.takeReplaced();
-  for (const auto& view : snapshot.views(path)) (void)view.owner->flow();
 }
 
 } // namespace proskill::lsp

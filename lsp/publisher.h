@@ -45,11 +45,8 @@ public:
   /// The main thread's. \param enabled false: what was told is taken back
   void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
 
-  using Path = std::filesystem::path;
-  /// What may be asked next about a text, when nobody waits. Any thread.
-  static void prepare(const ide::Snapshot& snapshot, const Path& path);
-
 private:
+  using Path = std::filesystem::path;
   using Owners = std::vector<std::weak_ptr<const ide::AnalysedProgram>>;
 
   /// What the client was last told of a text.

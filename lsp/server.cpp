@@ -15,11 +15,26 @@ namespace {
 /// A result longer than this is sent in parts, where the client takes them.
 constexpr std::size_t kPart = 200;
 
+/// So many edits are applied as one at most, that what comes behind them need not wait for long.
+constexpr unsigned kMostGathered = 1000;
+
 const Json& idOf(const Json& params) { return memberAt(params, {"id"}); }
 
 std::string uriOf(const Json& params) {
   const Json& uri = memberAt(params, {"textDocument", "uri"});
   return uri.is_string() ? uri.get<std::string>() : std::string();
+}
+
+bool isEdit(const Message& message) {
+  return message.kind == MessageKind::Notification && message.method == "textDocument/didChange" &&
+         memberAt(message.params, {"contentChanges"}).is_array() &&
+         memberAt(message.params, {"textDocument", "version"}).is_number_integer();
+}
+
+/// Whether this is the edit after that one.
+bool continues(const Message& next, const Message& edit) {
+  return isEdit(next) && uriOf(next.params) == uriOf(edit.params) &&
+         next.params["textDocument"]["version"] > edit.params["textDocument"]["version"];
 }
 
 /// Sends a list as parts; what is left for the answer is nothing. LSP 3.17: the answer of a request
@@ -127,7 +142,8 @@ void Server::receive(Message message) {
     if (pending.cancel(id)) outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
     return;
   }
-  if (message.kind != MessageKind::Request) return inbox.put(Received{std::move(message), {}});
+  if (message.kind != MessageKind::Request)
+    return inbox.put(Received{std::move(message), {}, pending.count()});
   auto cancellation = pending.begin(message);
   if (!cancellation)
     return inbox.put(
@@ -156,7 +172,7 @@ bool Server::handleMessage(Received& received) {
   try {
     switch (message.kind) {
     case MessageKind::Request: handleRequest(received); return true;
-    case MessageKind::Notification: return handleNotification(message);
+    case MessageKind::Notification: return handleNotification(received);
     case MessageKind::Response:
       if (!peer.answered(message)) log("an answer to no question");
       return true;
@@ -196,16 +212,16 @@ void Server::handleRequest(Received& received) {
   dispatch(received, method->second);
 }
 
-bool Server::handleNotification(const Message& message) {
-  if (message.method == "exit") return false;
-  if (phase == Phase::Running) notified(message);
+bool Server::handleNotification(Received& received) {
+  if (received.message.method == "exit") return false;
+  if (phase == Phase::Running) notified(received);
   return true;
 }
 
-void Server::notified(const Message& message) {
-  const auto& [method, params] = std::tie(message.method, message.params);
+void Server::notified(Received& received) {
+  const auto& [method, params] = std::tie(received.message.method, received.message.params);
   if (method == "initialized") return initialized();
-  if (method.starts_with("textDocument/did")) return handleText(message);
+  if (method.starts_with("textDocument/did")) return handleText(received);
   if (method == "workspace/didChangeWatchedFiles") return handleWatchedFiles(params);
   if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
   if (method == "workspace/didChangeConfiguration")
@@ -218,7 +234,25 @@ void Server::notified(const Message& message) {
   if (!method.starts_with("$/")) log("a notification that is not served: " + method);
 }
 
-void Server::handleText(const Message& message) {
+/// The edits that wait behind one of the same text become one with it: what lies between them
+/// nobody has asked about, and a text is parsed sooner once than often.
+void Server::gatherEdits(Message& edit) {
+  for (unsigned i = 0; i < kMostGathered; ++i) {
+    auto next = inbox.takeIf([&](const Incident& incident) {
+      const auto* received = std::get_if<Received>(&incident);
+      return received && continues(received->message, edit);
+    });
+    if (!next) return;
+    auto& params = std::get<Received>(*next).message.params;
+    edit.params["textDocument"] = std::move(params["textDocument"]);
+    for (auto& change : params["contentChanges"])
+      edit.params["contentChanges"].push_back(std::move(change));
+  }
+}
+
+void Server::handleText(Received& received) {
+  Message& message = received.message;
+  if (isEdit(message)) gatherEdits(message);
   Workspace::Outcome outcome;
   auto before = workspace.snapshot();
   if (message.method == "textDocument/didOpen")
@@ -232,23 +266,20 @@ void Server::handleText(const Message& message) {
   else
     return log("a notification that is not served: " + message.method);
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
-  if (message.method == "textDocument/didChange") refuseStale(message);
+  if (message.method == "textDocument/didChange") refuseStale(received);
   changed();
   verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
-  // Whole programs may go with the old snapshot: not here, where the next edit would wait for it,
-  // unless edits come faster than they can be forgotten.
-  constexpr long kMostRetiring = 3;
-  if (retiring.use_count() <= kMostRetiring)
-    scheduler.post(Priority::Background, [before = std::move(before), retiring = retiring] {});
+  forget(std::move(before));
 }
 
 /// What was asked about the text before the edit, and is asked again by the client.
-void Server::refuseStale(const Message& message) {
-  for (const auto& [id, method] : pending.about(uriOf(message.params), client.retried))
+void Server::refuseStale(const Received& edit) {
+  const auto uri = uriOf(edit.message.params);
+  for (const auto& [id, method] : pending.about(uri, client.retried, edit.order))
     if (pending.cancel(id))
       outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
   static const std::set<std::string> kPulled{"textDocument/diagnostic"};
-  for (const auto& [id, method] : pending.about(uriOf(message.params), kPulled))
+  for (const auto& [id, method] : pending.about(uri, kPulled, edit.order))
     if (pending.cancel(id))
       outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
                                   Json{{"retriggerRequest", true}}}));
@@ -268,7 +299,7 @@ void Server::dispatch(Received& received, const Method& method) {
         std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
                                    memberAt(message.params, {"partialResultToken"}));
     answer(message, method, request);
-    settle(message, snapshot);
+    if (auto replaced = snapshot->takeReplaced(); !replaced.empty()) forget(std::move(replaced));
   });
 }
 
@@ -302,14 +333,16 @@ void Server::answer(const Message& message, const Method& method, const Request&
   reply(message, std::move(result), *request.progress);
 }
 
-/// What can wait until the answer is sent.
-void Server::settle(const Message& message, const std::shared_ptr<const ide::Snapshot>& snapshot) {
-  if (auto replaced = snapshot->takeReplaced(); !replaced.empty())
-    scheduler.post(Priority::Background, [replaced = std::move(replaced)] {});
-  if (message.method != "textDocument/diagnostic") return;
-  if (auto path = documentPath(message.params))
-    scheduler.post(Priority::Background,
-                   [snapshot, path = *path] { Publisher::prepare(*snapshot, path); });
+/// Whole programs may go with old texts: not here, where an answer or the next edit would wait for
+/// it, unless edits come faster than they can be forgotten.
+template <class Old> void Server::forget(Old old) {
+  constexpr int kMostForgotten = 3;
+  if (forgotten.load() >= kMostForgotten) return;
+  ++forgotten;
+  scheduler.post(Priority::Background, [this, old = std::move(old)]() mutable {
+    old = Old();
+    --forgotten;
+  });
 }
 
 void Server::reply(const Message& message, Answer result, Progress& progress) {

@@ -51,15 +51,16 @@ private:
   bool handle(Incident& incident);
   bool handleMessage(Received& received);
   void handleRequest(Received& received);
-  bool handleNotification(const Message& message);
-  void notified(const Message& message);
-  void handleText(const Message& message);
-  void refuseStale(const Message& message);
+  bool handleNotification(Received& received);
+  void notified(Received& received);
+  void gatherEdits(Message& edit);
+  void handleText(Received& received);
+  void refuseStale(const Received& edit);
   void dispatch(Received& received, const Method& method);
   [[nodiscard]] Answer execute(const Json& params);
   void answer(const Message& message, const Method& method, const Request& request);
   void reply(const Message& message, Answer result, Progress& progress);
-  void settle(const Message& message, const std::shared_ptr<const ide::Snapshot>& snapshot);
+  template <class Old> void forget(Old old);
   void changed();
   [[nodiscard]] std::chrono::milliseconds debounce() const;
   void textsChanged();
@@ -104,8 +105,8 @@ private:
   std::optional<int> parent;                ///< process whose end is ours
   std::optional<Time> parentDue;            ///< when to look for it
   Time started = std::chrono::steady_clock::now();
-  std::atomic<std::uint64_t> errors{0};                     ///< requests that met a bug
-  std::shared_ptr<int> retiring = std::make_shared<int>(0); ///< shared by old snapshots that wait
+  std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
+  std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
   Verification verification;
   Publisher publisher;
   Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above

@@ -70,7 +70,7 @@ Json registration(const char* method, Json registerOptions) {
 
 Json watchers() {
   Json result = Json::array();
-  for (const char* pattern : {"**/*.proskill", "**/.proskill.json"})
+  for (const char* pattern : {"**/*.proskill", "**/*.fcr", "**/.proskill.json"})
     result.push_back({{"globPattern", pattern}});
   return result;
 }

@@ -5,7 +5,14 @@
 namespace proskill::lsp {
 
 Json toJson(const ide::SymbolKey& key) {
-  return {{"kind", static_cast<int>(key.kind)}, {"name", key.name}, {"owner", key.owner}};
+  JsonWriter json;
+  write(json, key);
+  return written(json.str());
+}
+
+void write(JsonWriter& json, const ide::SymbolKey& key) {
+  json.open('{').member("kind", static_cast<int>(key.kind));
+  json.member("name", key.name).member("owner", key.owner).close('}');
 }
 
 std::optional<ide::SymbolKey> symbolKey(const Json& json) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/symbol_key.h"
+#include "lsp/json_writer.h"
 #include "lsp/registry.h"
 
 #include <optional>
@@ -9,6 +10,8 @@
 namespace proskill::lsp {
 
 [[nodiscard]] Json toJson(const ide::SymbolKey& key);
+/// The same, written.
+void write(JsonWriter& json, const ide::SymbolKey& key);
 /// Nothing where it is no key.
 [[nodiscard]] std::optional<ide::SymbolKey> symbolKey(const Json& json);
 

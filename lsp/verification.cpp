@@ -1,6 +1,7 @@
 #include "lsp/verification.h"
 
 #include "ide/fiacre_file.h"
+#include "ide/fiacre_text.h"
 
 #include "lsp/verdict_json.h"
 
@@ -13,9 +14,16 @@ namespace proskill::lsp {
 namespace {
 
 bool hasErrors(const ide::AnalysedProgram& program) {
-  return std::ranges::any_of(program.analysis.diagnostics, [](const auto& diagnostic) {
-    return diagnostic.severity == syntax::Severity::Error;
-  });
+  const bool byHand = ide::isFiacre(program.program.files.front().path);
+  const auto& found = byHand ? program.findings() : program.analysis.diagnostics;
+  return std::ranges::any_of(
+      found, [](const auto& diagnostic) { return diagnostic.severity == syntax::Severity::Error; });
+}
+
+/// Environments and properties alone are no models.
+bool isVerifiable(const ide::AnalysedProgram& program) {
+  const auto& root = program.program.files.front();
+  return !ide::isFiacre(root.path) || ide::FiacreText(root.document.text()).model().has_value();
 }
 
 std::string_view nameOf(VerificationState state) {
@@ -143,9 +151,9 @@ void Verification::noticeEdit(const ide::OpenTexts& open) {
 
 void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,
                              const VerificationSettings& chosen, const Cancellation& cancellation) {
-  if (ide::isFiacre(path)) return; // it is no program
   for (const auto& of : now.views(path)) {
     if (cancellation.isCancelled()) return;
+    if (!isVerifiable(*of.owner)) continue;
     if (!chosen.trusted)
       board.set(of.owner, VerificationState::Off, std::string(kUntrusted));
     else if (!chosen.live)

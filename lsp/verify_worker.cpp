@@ -1,6 +1,7 @@
 #include "lsp/verify_worker.h"
 
 #include "codegen/model.h"
+#include "ide/fiacre_file.h"
 #include "lsp/report_json.h"
 #include "lsp/worker_job.h"
 #include "process/child.h"
@@ -162,20 +163,42 @@ const std::string* unknownName(const codegen::Model& model, const std::vector<st
   return found == names.end() ? nullptr : &*found;
 }
 
-void work(const WorkerJob& job) {
-  const auto program = analysis::load(JobFiles(job.texts), job.texts.front().path);
+/// What is verified: a program with its model, or a model by hand.
+struct Subject {
+  analysis::Program program;
+  codegen::Model model;
+};
+
+std::expected<Subject, std::string> ofFiacre(const WorkerText& text) {
+  auto file = ide::readFiacre(text.path, text.text);
+  if (!file.diagnostics.empty())
+    return std::unexpected("the model has errors: " + file.diagnostics[0].message);
+  if (!file.isModel()) return std::unexpected("the text names no model");
+  return Subject{std::move(file.program), std::move(file.model)};
+}
+
+std::expected<Subject, std::string> subjectOf(const WorkerJob& job) {
+  if (ide::isFiacre(job.texts.front().path)) return ofFiacre(job.texts.front());
+  auto program = analysis::load(JobFiles(job.texts), job.texts.front().path);
   for (const auto& diagnostic : analysis::check(program))
     if (diagnostic.severity == syntax::Severity::Error)
-      return sayError("the program has errors: " + diagnostic.message);
+      return std::unexpected("the program has errors: " + diagnostic.message);
   codegen::Options options;
   options.mainSkill = job.mainSkill;
-  const auto model = codegen::generate(program, options);
-  if (!model) return sayError(model.error().message);
-  if (const auto* name = unknownName(*model, job.names))
+  auto model = codegen::generate(program, options);
+  if (!model) return std::unexpected(model.error().message);
+  return Subject{std::move(program), std::move(*model)};
+}
+
+void work(const WorkerJob& job) {
+  const auto subject = subjectOf(job);
+  if (!subject) return sayError(subject.error());
+  const auto& model = subject->model;
+  if (const auto* name = unknownName(model, job.names))
     return sayError(fmt::format("no property is called `{}`", *name));
-  const auto result = ide::verifyModel(*model, job.names, engineOptions(job.budget));
+  const auto result = ide::verifyModel(model, job.names, engineOptions(job.budget));
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
-  say({{"report", reportJson({program, *model, *result, model->mainSkill})}});
+  say({{"report", reportJson({subject->program, model, *result, model.mainSkill})}});
 }
 
 } // namespace

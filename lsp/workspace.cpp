@@ -1,8 +1,10 @@
 #include "lsp/workspace.h"
 
+#include "ide/fiacre_file.h"
 #include "lsp/convert.h"
 #include "lsp/file_cache.h"
 #include "lsp/program_settings.h"
+#include "lsp/text_changes.h"
 
 #include <algorithm>
 #include <array>
@@ -22,44 +24,10 @@ bool isSkipped(const fs::path& folder) {
   return name.starts_with('.') || std::ranges::find(kNames, name) != kNames.end();
 }
 
-std::optional<EditorPosition> editorPosition(const Json& json) {
-  if (!json.is_object() || !json.contains("line") || !json.contains("character"))
-    return std::nullopt;
-  const auto& line = json["line"];
-  const auto& character = json["character"];
-  if (!line.is_number_unsigned() || !character.is_number_unsigned()) return std::nullopt;
-  return EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
-}
-
 /// 0 where the client gives none: `null` is allowed.
 std::int64_t versionOf(const Json& document) {
   auto found = document.find("version");
   return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
-}
-
-/// The bytes that a change replaces; nothing where its range is none of the text.
-std::optional<syntax::Range> changedRange(const syntax::Document& document, const Json& range,
-                                          Encoding encoding) {
-  if (!range.is_object() || !range.contains("start") || !range.contains("end")) return std::nullopt;
-  auto start = editorPosition(range["start"]);
-  auto end = editorPosition(range["end"]);
-  if (!start || !end || *end < *start) return std::nullopt;
-  if (end->line > document.lines().lineCount()) return std::nullopt;
-  auto offset = [&](EditorPosition at) {
-    return fromEditor(document.text(), document.lines(), at, encoding);
-  };
-  return syntax::Range{offset(*start), offset(*end)};
-}
-
-std::optional<syntax::Document> changed(const syntax::Document& document, const Json& change,
-                                        Encoding encoding) {
-  if (!change.is_object() || !change.contains("text") || !change["text"].is_string())
-    return std::nullopt;
-  const auto& text = change["text"].get_ref<const std::string&>();
-  if (!change.contains("range")) return syntax::Document::parse(text);
-  auto range = changedRange(document, change["range"], encoding);
-  if (!range) return std::nullopt;
-  return document.edit(*range, text);
 }
 
 } // namespace
@@ -90,10 +58,13 @@ Workspace::Outcome Workspace::change(const Json& params) {
   if (!path) return std::unexpected(path.error().message);
   auto found = texts.find(*path);
   if (found == texts.end()) return std::unexpected("a change of a document that is not open");
-  const auto& changes = params.contains("contentChanges") ? params["contentChanges"] : Json();
   const auto version = versionOf(params["textDocument"]);
   const bool inOrder = version == 0 || version >= found->second.version;
-  if (inOrder && apply(found->second, changes)) {
+  auto next = inOrder
+                  ? changed(found->second.document, memberAt(params, {"contentChanges"}), encoding)
+                  : std::nullopt;
+  if (next) {
+    found->second.document = std::move(*next);
     if (version != 0) found->second.version = version;
     refresh(*path);
     return *path;
@@ -103,16 +74,6 @@ Workspace::Outcome Workspace::change(const Json& params) {
   refresh(*path);
   return std::unexpected("an edit of `" + path->filename().generic_string() +
                          "` does not fit its text; please close the file and open it again");
-}
-
-bool Workspace::apply(ide::OpenText& text, const Json& changes) const {
-  if (!changes.is_array()) return false;
-  for (const auto& change : changes) {
-    auto next = changed(text.document, change, encoding);
-    if (!next) return false;
-    text.document = std::move(*next);
-  }
-  return true;
 }
 
 Workspace::Outcome Workspace::close(const Json& params) {
@@ -221,7 +182,9 @@ std::set<fs::path> programFiles(const fs::path& folder) {
                                         error);
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
     if (walk->is_directory(error) && isSkipped(walk->path())) walk.disable_recursion_pending();
-    if (walk->path().extension() == ".proskill") result.insert(walk->path().lexically_normal());
+    const auto& path = walk->path();
+    if (path.extension() == ".proskill" || ide::isFiacre(path))
+      result.insert(path.lexically_normal());
     if (result.size() == kMostFiles) break;
   }
   return result;

@@ -57,7 +57,6 @@ public:
   [[nodiscard]] const std::set<std::filesystem::path>& files() const { return known; }
 
 private:
-  [[nodiscard]] bool apply(ide::OpenText& text, const Json& changes) const;
   void noteFile(const std::filesystem::path& path);
   void refresh(const std::filesystem::path& edited);
   void startAfresh();

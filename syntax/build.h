@@ -53,9 +53,11 @@ struct Field {
 const Node* onlyValue(Builder& builder, Field& field, std::string_view needs);
 void reportMalformed(Builder& builder, const Field& field, const Node& value,
                      std::string_view needs);
-/// `owner` has the fields that `known` lists.
+
+/// The keywords of the fields that something has.
+using Keywords = std::vector<std::string_view>;
 void reportUnknownField(Builder& builder, const Field& field, std::string_view owner,
-                        std::string_view known);
+                        const Keywords& known);
 
 /// The name that comes next; where there is none, an empty one after `head`, reported.
 Name takeName(Builder& builder, Parts& parts, const Name& head);

@@ -8,15 +8,15 @@
 namespace proskill::syntax {
 namespace {
 
-std::string_view fieldsOf(NodeKind definition) {
+Keywords fieldsOf(NodeKind definition) {
   switch (definition) {
-  case NodeKind::StateVariable: return "`:states`, `:init`, `:transitions`, `:min` and `:max`";
-  case NodeKind::Event: return "`:effects`";
-  case NodeKind::Resource: return "`:capacity`";
-  case NodeKind::Environment: return "`:body`";
+  case NodeKind::StateVariable: return {":states", ":init", ":transitions", ":min", ":max"};
+  case NodeKind::Event: return {":effects"};
+  case NodeKind::Resource: return {":capacity"};
+  case NodeKind::Environment: return {":body"};
   default:
-    return "`:input`, `:precondition`, `:start`, `:invariant`, `:time_interval`, `:action`, "
-           "`:interrupt`, `:success`, `:failure`, `:resources`, `:monitor` and `:body`";
+    return {":input",     ":precondition", ":start",   ":invariant", ":time_interval", ":action",
+            ":interrupt", ":success",      ":failure", ":resources", ":monitor",       ":body"};
   }
 }
 
@@ -183,7 +183,7 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
     Suggestion suggestion(builder.textOf(*head));
     for (const auto word : kDefinitionWords) suggestion.offer(word);
     suggest(builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head)),
-            suggestion);
+            suggestion.best());
   }
   if (!isWord(*head)) return {};
   const Node* name = parts.take();

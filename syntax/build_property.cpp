@@ -63,12 +63,12 @@ bool takes(PropertyKind kind, NodeKind field) {
   }
 }
 
-std::string_view fieldsOf(PropertyKind kind) {
+Keywords fieldsOf(PropertyKind kind) {
   switch (kind) {
-  case PropertyKind::LeadsTo: return "`:within`";
-  case PropertyKind::Present: return "`:after`, `:before`, `:within` and `:lasting`";
-  case PropertyKind::Absent: return "`:after`, `:before` and `:for`";
-  default: return "none";
+  case PropertyKind::LeadsTo: return {":within"};
+  case PropertyKind::Present: return {":after", ":before", ":within", ":lasting"};
+  case PropertyKind::Absent: return {":after", ":before", ":for"};
+  default: return {};
   }
 }
 

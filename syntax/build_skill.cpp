@@ -82,9 +82,10 @@ Expr conditionField(Builder& builder, Field& field) {
   return missing;
 }
 
-std::string_view fieldsOfClause(std::string_view owner) {
-  if (owner == ":invariant") return "`:guard` and `:effects`";
-  return owner == ":interrupt" ? "`:effects`" : "`:effects` and `:postcondition`";
+Keywords fieldsOfClause(std::string_view owner) {
+  if (owner == ":invariant") return {":guard", ":effects"};
+  if (owner == ":interrupt") return {":effects"};
+  return {":effects", ":postcondition"};
 }
 
 /// Whether the field was there before; that is reported, and the first one counts.

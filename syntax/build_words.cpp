@@ -1,5 +1,6 @@
 #include "syntax/build.h"
 #include "syntax/codes.h"
+#include "syntax/enumerate.h"
 #include "syntax/suggest.h"
 
 #include <algorithm>
@@ -59,16 +60,13 @@ void reportMalformed(Builder& builder, const Field& field, const Node& value,
 }
 
 void reportUnknownField(Builder& builder, const Field& field, std::string_view owner,
-                        std::string_view known) {
+                        const Keywords& known) {
   const Name& keyword = field.use.keyword;
   Suggestion suggestion(keyword.text);
-  for (auto open = known.find('`'); open != known.npos;) {
-    const auto close = known.find('`', open + 1);
-    suggestion.offer(known.substr(open + 1, close - open - 1));
-    open = known.find('`', close + 1);
-  }
-  suggest(builder.report(Code::UnknownField, keyword.range, owner, keyword.text, known),
-          suggestion);
+  for (std::string_view word : known) suggestion.offer(word);
+  suggest(builder.report(Code::UnknownField, keyword.range, owner, keyword.text,
+                         known.empty() ? "none" : enumerateNames(known)),
+          suggestion.best());
 }
 
 Name takeName(Builder& builder, Parts& parts, const Name& head) {

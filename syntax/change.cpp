@@ -1,7 +1,5 @@
 #include "syntax/change.h"
 
-#include <algorithm>
-
 namespace proskill::syntax {
 namespace {
 
@@ -62,13 +60,15 @@ std::optional<Range> Replacement::moved(Range range) const {
   return std::nullopt;
 }
 
+Range Replacement::nearest(Range range) const {
+  const Offset by = newEnd - oldEnd;
+  const Offset first = range.begin < begin ? range.begin : std::max(range.begin, oldEnd) + by;
+  const Offset last = range.end > oldEnd ? range.end + by : std::min(range.end, begin);
+  return {first, std::max(first, last)};
+}
+
 Replacement replacementOf(std::string_view before, std::string_view now) {
-  const std::size_t most = std::min(before.size(), now.size());
-  std::size_t front = 0;
-  while (front < most && before[front] == now[front]) ++front;
-  std::size_t back = 0;
-  while (back < most - front && before[before.size() - 1 - back] == now[now.size() - 1 - back])
-    ++back;
+  const auto [front, back] = commonEnds(before, now);
   return {static_cast<Offset>(front), static_cast<Offset>(before.size() - back),
           static_cast<Offset>(now.size() - back)};
 }

@@ -2,6 +2,9 @@
 
 #include "syntax/source.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -19,6 +22,10 @@ struct Replacement {
   [[nodiscard]] Range after() const { return {begin, newEnd}; }
   /// Where a range of the old text stands now; nothing where it begins or ends in what is gone.
   [[nodiscard]] std::optional<Range> moved(Range range) const;
+  /// The same of any range: what of it is gone is left out, what was put into it is in it.
+  [[nodiscard]] Range nearest(Range range) const;
+  /// What makes the old text of the new one.
+  [[nodiscard]] Replacement inverse() const { return {begin, newEnd, oldEnd}; }
 
   friend bool operator==(const Replacement&, const Replacement&) = default;
 };
@@ -30,6 +37,21 @@ struct Change {
   /// place of each is that which `moved` gives.
   std::optional<Replacement> layout;
 };
+
+/// How many items two lists begin with, and end with, that are the same; each counts once.
+struct CommonEnds {
+  std::size_t front = 0;
+  std::size_t back = 0;
+};
+template <class A, class B, class Same = std::equal_to<>>
+CommonEnds commonEnds(const A& a, const B& b, Same same = {}) {
+  const std::size_t most = std::min(a.size(), b.size());
+  std::size_t front = 0;
+  while (front < most && same(a[front], b[front])) ++front;
+  std::size_t back = 0;
+  while (back < most - front && same(a[a.size() - 1 - back], b[b.size() - 1 - back])) ++back;
+  return {front, back};
+}
 
 /// The shortest replacement that makes one text of the other.
 [[nodiscard]] Replacement replacementOf(std::string_view before, std::string_view now);

@@ -1,5 +1,6 @@
 #include "syntax/document.h"
 
+#include "syntax/change.h"
 #include "syntax/codes.h"
 #include "syntax/region.h"
 #include "syntax/scan.h"
@@ -47,17 +48,6 @@ void append(Iterator from, std::size_t count, Offset by, std::vector<Item>& to) 
   for (std::size_t i = 0; i < count; ++i, ++from) shift(to.emplace_back(*from), by);
 }
 
-/// How many items two lists begin with, and end with, that are the same; each counts once.
-template <class A, class B, class Same>
-std::pair<std::size_t, std::size_t> commonEnds(const A& a, const B& b, Same&& same) {
-  const std::size_t most = std::min(a.size(), b.size());
-  std::size_t front = 0;
-  while (front < most && same(a[front], b[front])) ++front;
-  std::size_t back = 0;
-  while (back < most - front && same(a[a.size() - 1 - back], b[b.size() - 1 - back])) ++back;
-  return {front, back};
-}
-
 } // namespace
 
 struct Document::State {
@@ -87,9 +77,21 @@ struct Document::State {
     return piece < pieces.size() ? pieces[piece].range.begin : static_cast<Offset>(text.size());
   }
 
-  /// Whether what stands there is what was read: nothing was put in, left out, or complained of.
+  /// Whether what stands there is what was read: nothing was put in or left out.
   [[nodiscard]] bool isReadAsIs(const Piece& piece) const {
-    return piece.diagnostics == 0 && piece.parsed->text == textOf(piece.range);
+    return !piece.parsed->mended && piece.parsed->text == textOf(piece.range);
+  }
+  [[nodiscard]] bool isWithoutMistake(const Piece& piece) const {
+    return piece.diagnostics == 0 && isReadAsIs(piece);
+  }
+
+  /// Makes room for what an edit of the other document leaves of it, and a bit.
+  void reserveAs(const State& other) {
+    constexpr std::size_t kMore = 16;
+    pieces.reserve(other.pieces.size() + kMore);
+    forms.reserve(other.forms.size() + kMore);
+    comments.reserve(other.comments.size() + kMore);
+    diagnostics.reserve(other.diagnostics.size() + kMore);
   }
 
   void add(Range range, Region region) {
@@ -143,7 +145,8 @@ Document Document::parse(std::string text) {
   Document document;
   bool tooLong = text.size() > kLongestText;
   auto state = std::make_shared<State>(tooLong ? std::string() : std::move(text));
-  if (tooLong) state->diagnostics.push_back(makeDiagnostic(Code::TextTooLong, {}));
+  if (tooLong)
+    state->diagnostics.push_back(makeDiagnostic(Code::TextTooLong, {}, kLongestRead >> 20));
   state->read(cut(state->text));
   state->attachComments();
   document.state = std::move(state);
@@ -156,6 +159,7 @@ Document Document::edit(Range range, std::string_view text) const {
   edited.replace(range.begin, range.length(), text);
   if (edited.size() > kLongestText) return parse(std::move(edited));
   auto next = std::make_shared<State>(std::move(edited));
+  next->reserveAs(*state);
   auto ranges = cut(next->text);
   const auto& pieces = state->pieces;
   auto same = [&](const Piece& piece, Range now) {
@@ -184,15 +188,22 @@ Document Document::edit(Range range, std::string_view text) const {
 const std::string& Document::text() const { return state->text; }
 const LineIndex& Document::lines() const { return state->lines; }
 const std::vector<Form>& Document::forms() const { return state->forms; }
+std::span<const Form> Document::formsIn(Range range) const {
+  auto from = [this](Offset at) {
+    return std::ranges::lower_bound(state->forms, at, {},
+                                    [](const Form& form) { return form.range.begin; });
+  };
+  return {from(range.begin), from(range.end)};
+}
+
 const std::vector<Range>& Document::comments() const { return state->comments; }
 const std::vector<Diagnostic>& Document::diagnostics() const { return state->diagnostics; }
 
 std::vector<Stretch> Document::stretches() const {
   std::vector<Stretch> result;
-  for (const Piece& piece : state->pieces) {
-    bool readAsIs = !piece.parsed->mended && piece.parsed->text == state->textOf(piece.range);
-    result.push_back({piece.range, &piece.parsed->tree, readAsIs});
-  }
+  result.reserve(state->pieces.size());
+  for (const Piece& piece : state->pieces)
+    result.push_back({piece.range, {piece.parsed, &piece.parsed->tree}, state->isReadAsIs(piece)});
   return result;
 }
 
@@ -205,11 +216,11 @@ Change Document::changeFrom(const Document& before) const {
   auto& stretches = change.stretches;
   stretches = {state->beginOf(front), before.state->beginOf(old.size() - back),
                state->beginOf(now.size() - back)};
-  auto areReadAsIs = [front, back](const State& state) {
+  auto isRight = [front, back](const State& state) {
     const auto middle = std::span(state.pieces).first(state.pieces.size() - back).subspan(front);
-    return std::ranges::all_of(middle, [&](const Piece& it) { return state.isReadAsIs(it); });
+    return std::ranges::all_of(middle, [&](const Piece& it) { return state.isWithoutMistake(it); });
   };
-  if (!areReadAsIs(*before.state) || !areReadAsIs(*state)) return change;
+  if (!isRight(*before.state) || !isRight(*state)) return change;
   const auto oldText = before.state->textOf(stretches.before());
   const auto newText = state->textOf(stretches.after());
   auto edit = replacementOf(oldText, newText);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,10 @@ inline constexpr std::uint64_t kLongestText = 0xffff'ffff;
 /// A part of a text that was read on its own: at most one definition, where each starts a line.
 struct Stretch {
   Range range;
-  const Tree* tree = nullptr; ///< its ranges count from the stretch's begin
-  bool readAsIs = false;      ///< nothing had to be put in or left out before it could be read
+  /// Its ranges count from the stretch's begin. A stretch that edits did not touch has one and the
+  /// same tree in all documents that came of them, wherever it stands, and no other has it.
+  std::shared_ptr<const Tree> tree;
+  bool readAsIs = false; ///< nothing had to be put in or left out before it could be read
 };
 
 /// A parsed text: a value, never changed, cheap to copy. Parsing never fails.
@@ -38,11 +41,13 @@ public:
   [[nodiscard]] const LineIndex& lines() const;
   /// The forms in the order of the text, with absolute ranges.
   [[nodiscard]] const std::vector<Form>& forms() const;
+  /// Those that begin in a range.
+  [[nodiscard]] std::span<const Form> formsIn(Range range) const;
   /// Comments in the order of the text, from `;` to the end of the line, without the line's end.
   [[nodiscard]] const std::vector<Range>& comments() const;
   /// What is wrong with the form of the text; `Location::file` is 0.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
-  /// They cover the text, in its order; the trees live as long as the document.
+  /// They cover the text, in its order.
   [[nodiscard]] std::vector<Stretch> stretches() const;
   /// Whether this is a copy of the other, or it of this. Two parses of one text are not the same.
   [[nodiscard]] bool isSameAs(const Document& other) const { return state == other.state; }

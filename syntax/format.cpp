@@ -1,5 +1,6 @@
 #include "syntax/format.h"
 
+#include "syntax/change.h"
 #include "syntax/format_layout.h"
 #include "syntax/indent.h"
 
@@ -40,14 +41,8 @@ bool splitsLineEnd(std::string_view text, std::size_t at) {
 
 /// The change from one white space to another, without what they share.
 TextEdit smallestEdit(std::string_view before, std::string_view after, Offset at) {
-  auto shortest = std::min(before.size(), after.size());
-  std::size_t head = 0;
-  while (head < shortest && before[head] == after[head]) ++head;
+  auto [head, tail] = commonEnds(before, after);
   while (splitsLineEnd(before, head) || splitsLineEnd(after, head)) --head;
-  std::size_t tail = 0;
-  while (tail < shortest - head &&
-         before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
-    ++tail;
   while (splitsLineEnd(before, before.size() - tail) || splitsLineEnd(after, after.size() - tail))
     --tail;
   auto offset = [&](std::size_t in) { return at + static_cast<Offset>(in); };

@@ -68,7 +68,10 @@ Region readRegion(Parser& parser, std::string_view text) {
   region.parsed = parsed;
   Builder builder{{}, region.diagnostics};
   if (text.size() > kLargest) {
-    builder.report(Code::FormTooLarge, {0, 1}, kLargest >> 20);
+    if (text.size() > kLongestRead)
+      builder.report(Code::TextTooLong, {0, 1}, kLongestRead >> 20);
+    else
+      builder.report(Code::FormTooLarge, {0, 1}, kLargest >> 20);
     region.forms.push_back(unreadForm(text));
     return region;
   }

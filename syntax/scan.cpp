@@ -117,6 +117,7 @@ private:
 } // namespace
 
 std::vector<Range> cut(std::string_view text) {
+  if (text.size() > kLongestRead) return {{0, static_cast<Offset>(text.size())}};
   std::vector<Range> stretches;
   std::size_t begin = 0;
   for (std::size_t line = 0; line < text.size();) {

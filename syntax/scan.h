@@ -3,11 +3,16 @@
 #include "syntax/source.h"
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 /// What can be told of a text without its grammar: comments, strings, parentheses, lines.
 namespace proskill::syntax {
+
+/// A longer text, in bytes, is one stretch, which is not read: the forms of a program of this
+/// length take gigabytes.
+inline constexpr std::size_t kLongestRead = std::size_t{16} << 20;
 
 /// The stretches that are parsed each on its own: one from each line that begins with a definition,
 /// and one before the first. They cover the text; so an edit, or a mistake, stays in its stretch.

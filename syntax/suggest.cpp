@@ -31,11 +31,14 @@ bool isWithin(std::string_view shorter, std::string_view longer) {
 std::optional<std::size_t> editDistance(std::string_view a, std::string_view b, std::size_t limit) {
   const std::size_t gap = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
   if (gap > limit) return std::nullopt;
-  std::vector<std::size_t> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::vector<std::size_t> table(3 * (b.size() + 1));
+  std::size_t* beforeLast = table.data();
+  std::size_t* last = beforeLast + b.size() + 1;
+  std::size_t* row = last + b.size() + 1;
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    beforeLast.swap(last);
-    last.swap(row);
+    std::swap(beforeLast, last);
+    std::swap(last, row);
     row[0] = i;
     std::size_t nearest = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
@@ -48,31 +51,31 @@ std::optional<std::size_t> editDistance(std::string_view a, std::string_view b, 
     }
     if (nearest > limit) return std::nullopt;
   }
-  if (row.back() > limit) return std::nullopt;
-  return row.back();
+  if (row[b.size()] > limit) return std::nullopt;
+  return row[b.size()];
 }
 
 Suggestion::Suggestion(std::string_view word)
     : misspelt(word), limit(mistakesIn(word)), full(word.empty() || word.size() > kLongestName) {}
 
-void Suggestion::offer(std::string_view word) {
-  if (full || word.empty() || word == misspelt) return;
+bool Suggestion::offer(std::string_view word) {
+  if (full || word.empty() || word == misspelt) return false;
   const auto distance = editDistance(misspelt, word, limit);
-  if (!distance) return;
+  if (!distance) return false;
   const bool other = !isWithin(misspelt, word) && !isWithin(word, misspelt);
   const bool isNearer = found.empty() || *distance < nearest;
-  if (!isNearer && (other || !replaced)) return;
+  if (!isNearer && (other || !replaced)) return false;
   found = word;
   replaced = other;
   nearest = limit = *distance;
   full = nearest == 0;
+  return true;
 }
 
-void suggest(Diagnostic& diagnostic, const Suggestion& suggestion) {
-  const auto best = suggestion.best();
-  if (best.empty()) return;
+void suggest(Diagnostic& diagnostic, std::string_view word) {
+  if (word.empty()) return;
   diagnostic.fixes.push_back(
-      {fmt::format("did you mean `{}`?", best), diagnostic.location, std::string(best)});
+      {fmt::format("did you mean `{}`?", word), diagnostic.location, std::string(word)});
 }
 
 } // namespace proskill::syntax

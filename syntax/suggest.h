@@ -21,7 +21,8 @@ class Suggestion {
 public:
   explicit Suggestion(std::string_view misspelt);
 
-  void offer(std::string_view word);
+  /// Whether the word is the best one so far.
+  bool offer(std::string_view word);
   /// The word that was probably meant; empty where none is near enough.
   [[nodiscard]] std::string_view best() const { return found; }
 
@@ -34,7 +35,8 @@ private:
   bool full = false;       ///< nothing can be nearer
 };
 
-/// Gives the diagnostic of the misspelt word the edit that writes what was probably meant.
-void suggest(Diagnostic& diagnostic, const Suggestion& suggestion);
+/// Gives the diagnostic of the misspelt word the edit that writes what was probably meant; none
+/// where that is empty.
+void suggest(Diagnostic& diagnostic, std::string_view word);
 
 } // namespace proskill::syntax

@@ -28,10 +28,19 @@ bool hasPriorities(const fiacre::Program& program) {
     return std::ranges::any_of(process.transitions,
                                [](const auto& from) { return prefers(from.statement); });
   };
-  return std::ranges::any_of(program.processes, inProcess) ||
+  return !program.observers.empty() || std::ranges::any_of(program.processes, inProcess) ||
          std::ranges::any_of(program.components, [](const fiacre::Component& component) {
            return !component.priorities.empty();
          });
+}
+
+/// frac leaves observers and probes out unless it is told otherwise.
+bool isObserved(const fiacre::Program& program) {
+  const auto probed = [](const fiacre::Component& component) {
+    return std::ranges::any_of(component.ports,
+                               [](const fiacre::Port& port) { return port.probe.has_value(); });
+  };
+  return !program.observers.empty() || std::ranges::any_of(program.components, probed);
 }
 
 /// The model with the properties that are asked for, and no other: frac would observe those, too.
@@ -108,8 +117,9 @@ private:
   /// The state graph, and the formulas.
   std::optional<Stop> build() {
     const auto& tools = options.tools;
-    if (auto done = session.run("frac", {tools.frac, "model.fcr", "model.tts"}); !done)
-      return done.error();
+    std::vector<std::string> command{tools.frac, "model.fcr", "model.tts"};
+    if (isObserved(program)) command.insert(command.begin() + 1, "-obs");
+    if (auto done = session.run("frac", std::move(command)); !done) return done.error();
     const auto text = workspace.read("model.tts/model.ltl");
     if (!text) return Stop{false, "`frac` wrote no formulas: model.tts/model.ltl is missing"};
     formulas = readLtl(*text);

@@ -25,6 +25,10 @@ void assignClocks(System& system) {
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     Transition& transition = system.transitions[i];
     if (!isClocked(transition.interval)) continue;
+    if (transition.unseen != kNone) { // behind the one that it is the same as
+      transition.clock = system.transitions[transition.unseen].clock;
+      continue;
+    }
     const Path& path = system.paths[transition.parts[0]];
     Bits others = transition.guardReads;
     others.erase(system.instances[path.instance].location);

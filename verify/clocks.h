@@ -17,7 +17,7 @@ namespace proskill::verify {
 
 /// Gives clocks to the transitions that need one. Those of one location of one instance share the
 /// instance's clock where none of them can become enabled or disabled while the instance stays
-/// there; others have their own.
+/// there; others have their own, which a step with observers shares with the same one without.
 void assignClocks(System& system);
 
 } // namespace proskill::verify

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -51,11 +53,14 @@ void summarise(const System& system, Path& path) {
   if (path.tentative) path.guardReads |= path.reads;
 }
 
+/// By port: what its probe watches for. Nothing where it has none.
+using Probes = std::vector<std::optional<NodeId>>;
+
 class Assembler {
 public:
-  Assembler(const fiacre::Program& of, const Elaboration& from, Expressions& in,
-            const Events& known, System& to)
-      : program(of), model(from), expressions(in), events(known), system(to) {}
+  Assembler(const Elaboration& from, Probes watched, Expressions& in, const Events& known,
+            System& to)
+      : model(from), probes(std::move(watched)), expressions(in), events(known), system(to) {}
 
   void run() {
     for (const auto& interval : model.intervals) {
@@ -66,13 +71,19 @@ public:
     const auto written = static_cast<PathId>(system.paths.size());
     for (PathId i = 0; i < written; ++i)
       if (system.paths[i].port == kNone) addTransition({i});
+    std::vector<std::pair<std::uint32_t, std::vector<std::vector<PathId>>>> watching;
     for (std::uint32_t port = 0; port < system.ports.size(); ++port) {
       pathsWith.assign(system.instances.size(), {});
       for (PathId i = 0; i < written; ++i)
         if (system.paths[i].port == port) pathsWith[system.paths[i].instance].push_back(i);
-      for (auto& parts : synchronised(model.composition, port)) join(std::move(parts));
+      auto choices = synchronised(model.composition, port);
+      if (isOfSteps(port))
+        watching.emplace_back(port, std::move(choices));
+      else
+        for (auto& parts : choices) join(std::move(parts), probes[port]);
     }
     findBlockers();
+    for (const auto& [port, choices] : watching) addSeen(port, choices);
   }
 
 private:
@@ -123,6 +134,83 @@ private:
     std::ranges::move(errors, std::back_inserter(paths));
   }
 
+  [[nodiscard]] bool isOfSteps(std::uint32_t port) const {
+    return probes[port] && fiacre::watchesSteps(*model.probes[port]);
+  }
+
+  [[nodiscard]] bool observes(InstanceId instance) const { return instance >= model.firstObserver; }
+  [[nodiscard]] bool observes(const Transition& transition) const {
+    return observes(system.paths[transition.parts[0]].instance);
+  }
+
+  /// Each step of the model is one with those who watch for it, too, which goes before the one
+  /// without.
+  void addSeen(std::uint32_t port, const std::vector<std::vector<PathId>>& choices) {
+    const auto most = static_cast<TransitionId>(system.transitions.size());
+    for (TransitionId i = 0; i < most; ++i)
+      for (const auto& parts : choices)
+        if (mayBeSeen(system.transitions[i], port, parts)) addSeen(i, port, parts);
+  }
+
+  [[nodiscard]] bool mayBeSeen(const Transition& step, std::uint32_t port,
+                               const std::vector<PathId>& parts) {
+    if (step.fails || observes(step)) return false;
+    Bits happening;
+    for (auto event : step.events) happening.insert(event);
+    std::set<InstanceId> moving;
+    for (auto id : step.parts) {
+      moving.insert(system.paths[id].instance);
+      for (const auto& instruction : system.paths[id].code)
+        if (instruction.event != kNone) happening.insert(instruction.event);
+    }
+    if (std::ranges::any_of(parts,
+                            [&](PathId id) { return moving.contains(system.paths[id].instance); }))
+      return false;
+    auto& nodes = expressions.nodes();
+    const NodeId seen = nodes.substitute(*probes[port], [&](const Node& leaf) {
+      const bool never = leaf.op == NodeOp::Happens && !happening.contains(leaf.a);
+      return never ? std::optional(nodes.number(0)) : std::nullopt;
+    });
+    return nodes.constant(seen) != 0;
+  }
+
+  void addSeen(TransitionId step, std::uint32_t port, const std::vector<PathId>& watchers) {
+    const Transition base = system.transitions[step];
+    auto parts = base.parts;
+    parts.insert(parts.end(), watchers.begin(), watchers.end());
+    for (auto id : watchers)
+      if (system.paths[id].receives || !system.paths[id].sent.empty())
+        unsupported("a probe of steps that carries values", system.paths[id].origin);
+    addTransition(std::move(parts), base.guard);
+    const auto id = static_cast<TransitionId>(system.transitions.size() - 1);
+    Transition& made = system.transitions[id];
+    made.events = base.events;
+    if (const auto event = events.askedPort(port); event != kNone) made.events.push_back(event);
+    made.seen = base.seen;
+    made.seen.push_back(*probes[port]);
+    made.tentative = true;
+    made.unseen = base.unseen == kNone ? step : base.unseen;
+    addReads(system, *probes[port], made.guardReads);
+    made.guardReads |= made.reads; // what the step does decides whether it is seen
+    std::ranges::copy_if(base.blockers, std::back_inserter(made.blockers), [&](TransitionId other) {
+      return system.transitions[other].unseen == kNone;
+    });
+    made.laterBlockers = base.laterBlockers;
+    putBeforeFewer(id);
+  }
+
+  /// Before the same step with fewer observers: who watches and can take part does.
+  void putBeforeFewer(TransitionId id) {
+    const auto& made = system.transitions[id];
+    const std::set<PathId> all(made.parts.begin(), made.parts.end());
+    for (TransitionId i = made.unseen; i < id; ++i) {
+      auto& other = system.transitions[i];
+      const bool same = i == made.unseen || other.unseen == made.unseen;
+      if (same && std::ranges::all_of(other.parts, [&](PathId part) { return all.contains(part); }))
+        other.blockers.push_back(id);
+    }
+  }
+
   void addTransition(std::vector<PathId> parts, std::optional<NodeId> agree = {}) {
     if (system.transitions.size() >= kMostTransitions)
       unsupported("too many steps: more than 30000");
@@ -149,7 +237,8 @@ private:
     made.port = first.port;
     if (made.port != kNone) {
       made.interval = model.intervals[made.port].value_or(fiacre::Interval{});
-      made.event = events.askedPort(made.port);
+      if (const auto event = events.askedPort(made.port); event != kNone)
+        made.events.push_back(event);
     } else if (first.wait) {
       made.interval = *first.wait;
     }
@@ -190,11 +279,11 @@ private:
     return all;
   }
 
-  /// What one part puts on the port, the others take: receivers become paths of their own for each
-  /// sender.
-  void join(std::vector<PathId> parts) {
+  /// What its probe watches for has to hold. What one part puts on the port, the others take:
+  /// receivers become paths of their own for each sender.
+  void join(std::vector<PathId> parts, std::optional<NodeId> probe) {
     const std::vector<NodeId>* sent = nullptr;
-    NodeId agree = expressions.nodes().number(1);
+    NodeId agree = probe.value_or(expressions.nodes().number(1));
     bool receives = false;
     for (auto id : parts) {
       const Path& path = system.paths[id];
@@ -268,6 +357,13 @@ private:
       for (auto first : all)
         for (auto second : all)
           if (group(first) > group(second)) putBefore(first, second);
+    putObserversBefore();
+  }
+
+  void putObserversBefore() {
+    for (TransitionId i = 0; i < system.transitions.size(); ++i)
+      for (TransitionId j = 0; j < system.transitions.size(); ++j)
+        if (observes(system.transitions[i]) && !observes(system.transitions[j])) putBefore(i, j);
   }
 
   /// By port: those that have to let it go first, by what is said and what follows from it.
@@ -296,8 +392,8 @@ private:
     system.hasPriorities = true;
   }
 
-  const fiacre::Program& program;
   const Elaboration& model;
+  Probes probes;
   Expressions& expressions;
   const Events& events;
   System& system;
@@ -316,10 +412,15 @@ std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
     Expressions expressions(program, types, made.system);
     Elaboration model = elaborate(program, types, expressions, made.system);
     Events events(made.system);
-    Observer observer(model, expressions, events, made.system);
+    Observer observer(program, model, expressions, events, made.system);
     for (auto question : questions)
       made.goals.push_back(observer.goal(program.properties.at(question.property)));
-    Assembler(program, model, expressions, events, made.system).run();
+    Probes probes;
+    for (const auto* probe : model.probes) {
+      probes.push_back(probe ? std::optional(observer.node(*probe)) : std::nullopt);
+      made.system.hasPriorities = made.system.hasPriorities || probe;
+    }
+    Assembler(model, std::move(probes), expressions, events, made.system).run();
     assignClocks(made.system);
     watch(provenance, model, types, made.system);
     return made;

@@ -63,21 +63,39 @@ public:
 
   Elaboration run() {
     for (const auto& constant : program.constants) addConstant(constant);
-    const auto component = find(program.components, program.main);
-    const auto process = find(program.processes, program.main);
-    if (component) {
-      if (!component->interfacePorts.empty() || !component->parameters.empty())
-        unsupported("the main component has parameters");
-      made.composition = addComponent(*component, {}, made.componentScope, {});
-    } else if (process) { // a process alone: a path to it has no places
-      made.composition = addProcess(*process, {.process = process->name}, {}, {}, {});
-    } else {
-      unsupported("the component `" + program.main + "` is not declared");
-    }
+    made.composition = addAlone(program.main, {}, made.componentScope);
+    if (!program.observers.empty()) addObservers();
     return std::move(made);
   }
 
 private:
+  /// The model or an observer: a component, or a process.
+  Branch addAlone(const std::string& name, const ModelPath& path, Scope& scope) {
+    const auto component = find(program.components, name);
+    const auto process = find(program.processes, name);
+    if (component) {
+      if (!component->interfacePorts.empty() || !component->parameters.empty())
+        unsupported("the main component has parameters");
+      return addComponent(*component, path, scope, {});
+    }
+    if (process) // a process alone: a path to it has no places
+      return addProcess(*process, {.process = process->name}, path, {}, {});
+    unsupported("the component `" + name + "` is not declared");
+  }
+
+  /// They run beside the model, and share no port with it or with each other.
+  void addObservers() {
+    Branch all;
+    all.children.push_back(std::move(made.composition));
+    made.firstObserver = static_cast<InstanceId>(system.instances.size());
+    for (std::uint32_t k = 1; k <= program.observers.size(); ++k) {
+      Scope scope;
+      all.children.push_back(addAlone(program.observers[k - 1].observer, {0, k}, scope));
+    }
+    for (const auto& child : all.children) all.ports.insert(child.ports.begin(), child.ports.end());
+    made.composition = std::move(all);
+  }
+
   void addConstant(const fiacre::Constant& constant) {
     const Type& type = types.resolve(constant.type);
     Value value = expressions.value(constant.value, {}, &type);
@@ -102,6 +120,7 @@ private:
   std::uint32_t addPort(const fiacre::Port& port) {
     system.ports.push_back(port.name);
     made.intervals.push_back(port.interval);
+    made.probes.push_back(port.probe ? &*port.probe : nullptr);
     return static_cast<std::uint32_t>(system.ports.size() - 1);
   }
 
@@ -117,15 +136,21 @@ private:
     for (const auto& port : component.ports) ports[port.name] = addPort(port);
     for (const auto& [name, port] : ports) made.portAt[{path, name}] = port;
     addPriorities(component, ports);
+    Branch branch = addParts(component.instances, path, scope, ports);
+    if (!path.empty()) made.scopeAt[path] = scope;
+    return branch;
+  }
+
+  Branch addParts(const std::vector<fiacre::Instance>& parts, const ModelPath& path,
+                  const Scope& scope, const PortNames& ports) {
     Branch branch;
-    for (std::size_t i = 0; i < component.instances.size(); ++i) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
       ModelPath below = path;
       below.push_back(static_cast<std::uint32_t>(i + 1));
-      branch.children.push_back(addInstance(component.instances[i], below, scope, ports));
+      branch.children.push_back(addInstance(parts[i], below, scope, ports));
       const auto& added = branch.children.back().ports;
       branch.ports.insert(added.begin(), added.end());
     }
-    if (!path.empty()) made.scopeAt[path] = scope;
     return branch;
   }
 
@@ -142,7 +167,9 @@ private:
   Branch addInstance(const fiacre::Instance& instance, const ModelPath& path, const Scope& outer,
                      const PortNames& ports) {
     Branch branch;
-    if (const auto* process = find(program.processes, instance.process)) {
+    if (!instance.parts.empty()) {
+      branch = addParts(instance.parts, path, outer, ports);
+    } else if (const auto* process = find(program.processes, instance.process)) {
       branch = addProcess(*process, instance, path, outer, ports);
     } else if (const auto* component = find(program.components, instance.process)) {
       Scope scope = bind(component->parameters, {}, instance, instance.process, outer);
@@ -317,6 +344,17 @@ private:
 };
 
 } // namespace
+
+ModelPath pathOf(const fiacre::Program& program, const fiacre::Observable& observable) {
+  if (observable.observer.empty()) return observable.path;
+  const auto found =
+      std::ranges::find(program.observers, observable.observer, &fiacre::Attachment::observer);
+  if (found == program.observers.end())
+    unsupported("`" + observable.observer + "` observes nothing");
+  ModelPath path{0, static_cast<std::uint32_t>(found - program.observers.begin()) + 1};
+  path.insert(path.end(), observable.path.begin(), observable.path.end());
+  return path;
+}
 
 Elaboration elaborate(const fiacre::Program& program, const Types& types, Expressions& expressions,
                       System& system) {

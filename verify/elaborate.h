@@ -48,7 +48,8 @@ private:
   std::map<std::uint32_t, EventId> ports;
 };
 
-/// Places in `par`, from 1, from the main component down.
+/// Places in `par`, from 1, from the main component down. Those of the k-th observer, counted from
+/// 1, begin with 0 and k.
 using ModelPath = std::vector<std::uint32_t>;
 
 /// A composition of instances and of compositions, for what synchronises with what.
@@ -75,17 +76,23 @@ struct Elaboration {
   Scope componentScope;
   Branch composition;
   std::map<ModelPath, InstanceId> instanceAt;
-  std::map<ModelPath, Scope> scopeAt; ///< of components within the main one
+  std::map<ModelPath, Scope> scopeAt; ///< of components within the main one, and of observers
   std::map<std::pair<ModelPath, std::string>, std::uint32_t> portAt;
   std::vector<std::optional<fiacre::Interval>> intervals; ///< by port
   std::vector<PortPriority> priorities;
-  std::vector<const fiacre::Type*> cellTypes; ///< by cell; null: where an instance is
+  std::vector<const fiacre::Observable*> probes; ///< by port: what has to be seen; null: nothing
+  InstanceId firstObserver = kNone;              ///< instances from it on are of observers
+  std::vector<const fiacre::Type*> cellTypes;    ///< by cell; null: where an instance is
   std::map<std::string, std::int64_t, std::less<>> constants; ///< those that are one number
   std::vector<const fiacre::Process*> processes;              ///< by instance
   std::vector<Scope> scopes;                                  ///< by instance
   /// By instance: System::ports of its formal ports.
   std::vector<std::vector<std::uint32_t>> portsOf;
 };
+
+/// A path of a property or a probe. \throw CompileError where its observer is none
+[[nodiscard]] ModelPath pathOf(const fiacre::Program& program,
+                               const fiacre::Observable& observable);
 
 /// Gives the system its cells, instances, ports and initial values. \throw CompileError
 [[nodiscard]] Elaboration elaborate(const fiacre::Program& program, const Types& types,

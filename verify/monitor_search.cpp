@@ -1,6 +1,6 @@
 #include "verify/monitor_search.h"
 
-#include "verify/components.h"
+#include "graph/components.h"
 #include "verify/evaluate.h"
 #include "verify/place.h"
 
@@ -63,7 +63,15 @@ public:
     start();
     constexpr NodeIndex kBetweenChecks = 256;
     NodeIndex next = 0;
+    NodeIndex looked = 512; ///< nodes when cycles were last looked for
     for (; next < nodes.size() && !done(); ++next) {
+      // A cycle of a part is one of the whole. Each time the part has doubled: the looks together
+      // cost no more than one more at the end.
+      if (cycles && next == 2 * looked) {
+        looked = next;
+        findCycle();
+        if (done()) break;
+      }
       if (next % kBetweenChecks == 0) {
         result.statistics.stopped = limits.met(progress(next));
         if (!result.statistics.stopped.empty()) break;
@@ -319,8 +327,8 @@ private:
 
   /// A cycle through an accepting location: every node of a component with a cycle is on one.
   void findCycle() {
-    const auto component = componentsOf(nodes.size(), [&](NodeIndex node, std::size_t i) {
-      return i < arcs[node].size() ? arcs[node][i].target : kNone;
+    const auto component = graph::componentsOf(nodes.size(), [&](NodeIndex node, std::size_t i) {
+      return i < arcs[node].size() ? arcs[node][i].target : graph::kNoNode;
     });
     std::vector<NodeIndex> size(nodes.size());
     for (auto id : component) ++size[id];

@@ -13,22 +13,9 @@ using fiacre::Observable;
 using fiacre::ObservableKind;
 using fiacre::PatternKind;
 
-namespace {
-
-bool watchesSteps(const Observable& observable) {
-  switch (observable.kind) {
-  case ObservableKind::Tag:
-  case ObservableKind::Event:
-  case ObservableKind::Enter:
-  case ObservableKind::Leave: return true;
-  default: return std::ranges::any_of(observable.operands, watchesSteps);
-  }
-}
-
-} // namespace
-
-Observer::Observer(const Elaboration& of, Expressions& in, Events& known, System& to)
-    : model(of), expressions(in), events(known), system(to) {}
+Observer::Observer(const fiacre::Program& asked, const Elaboration& of, Expressions& in,
+                   Events& known, System& to)
+    : program(asked), model(of), expressions(in), events(known), system(to) {}
 
 Goal Observer::goal(const fiacre::Property& property) {
   const auto& pattern = property.pattern;
@@ -136,8 +123,9 @@ NodeId Observer::stateNode(const Observable& observable) {
 
 /// What has no value, such as `10 / x > 2` where x is 0, does not hold.
 NodeId Observer::valueNode(const Observable& observable) {
-  const auto component = model.scopeAt.find(observable.path);
-  const bool isWhole = observable.path.empty() && !model.instanceAt.contains({});
+  const auto path = pathOf(program, observable);
+  const auto component = model.scopeAt.find(path);
+  const bool isWhole = path.empty() && !model.instanceAt.contains({});
   const Scope& scope = isWhole                            ? model.componentScope
                        : component != model.scopeAt.end() ? component->second
                                                           : model.scopes[instance(observable)];
@@ -155,7 +143,7 @@ NodeId Observer::happens(const std::vector<EventId>& of) {
 }
 
 InstanceId Observer::instance(const Observable& observable) const {
-  const auto found = model.instanceAt.find(observable.path);
+  const auto found = model.instanceAt.find(pathOf(program, observable));
   if (found == model.instanceAt.end())
     unsupported("a property names an instance that the model does not have");
   return found->second;
@@ -171,16 +159,18 @@ std::uint32_t Observer::location(const Observable& observable) const {
 }
 
 std::vector<EventId> Observer::tagEvents(const Observable& observable) {
+  const auto whole = pathOf(program, observable);
+  const bool ofModel = observable.observer.empty();
   std::vector<EventId> all;
   for (const auto& [path, id] : model.instanceAt)
-    if (path.size() >= observable.path.size() &&
-        std::equal(observable.path.begin(), observable.path.end(), path.begin()))
+    if (path.size() >= whole.size() && std::equal(whole.begin(), whole.end(), path.begin()) &&
+        !(ofModel && id >= model.firstObserver))
       all.push_back(events.tag(id, observable.name));
   return all;
 }
 
 EventId Observer::portEvent(const Observable& observable) {
-  const auto port = model.portAt.find({observable.path, observable.name});
+  const auto port = model.portAt.find({pathOf(program, observable), observable.name});
   if (port == model.portAt.end())
     unsupported("a property names the port `" + observable.name +
                 "`, which the model does not have");

@@ -40,7 +40,8 @@ bool isWatched(const System& system, const std::vector<Goal>& goals, const Trans
     observed |= goal.events;
     addEvents(system, goal.condition, observed);
   }
-  bool seen = transition.event != kNone && observed.contains(transition.event);
+  bool seen = std::ranges::any_of(transition.events,
+                                  [&](EventId event) { return observed.contains(event); });
   for (auto part : transition.parts)
     for (const auto& instruction : system.paths[part].code)
       seen = seen || (instruction.event != kNone && observed.contains(instruction.event));

@@ -112,17 +112,37 @@ Outcome fireApart(const System& system, const Transition& transition, Word* stat
   return Outcome::Done;
 }
 
-} // namespace
-
-Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
-  const Transition& transition = system.transitions[id];
-  if (transition.event != kNone) log.events.push_back(transition.event);
+Outcome firePaths(const System& system, const Transition& transition, Word* state, StepLog& log) {
   if (transition.apart) return fireApart(system, transition, state, log);
   for (auto part : transition.parts) {
     auto outcome = firePath(system, system.paths[part], state, log);
     if (outcome != Outcome::Done) return outcome;
   }
   return Outcome::Done;
+}
+
+/// Whether the step is one that its observers wait for.
+bool isSeen(const System& system, const Transition& transition, const Word* before,
+            const Word* after, std::span<const EventId> happened) {
+  Bits events;
+  for (auto event : happened) events.insert(event);
+  return std::ranges::all_of(transition.seen, [&](NodeId condition) {
+    return holdsAt(system, condition, {before, after, &events});
+  });
+}
+
+} // namespace
+
+Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
+  const Transition& transition = system.transitions[id];
+  const auto first = log.events.size();
+  log.events.insert(log.events.end(), transition.events.begin(), transition.events.end());
+  if (transition.seen.empty()) return firePaths(system, transition, state, log);
+  const std::vector<Word> before(state, state + system.words);
+  const auto outcome = firePaths(system, transition, state, log);
+  if (outcome != Outcome::Done) return outcome;
+  const std::span happened = std::span(log.events).subspan(first);
+  return isSeen(system, transition, before.data(), state, happened) ? outcome : Outcome::GaveUp;
 }
 
 bool isEnabled(const System& system, TransitionId id, const Word* state) {

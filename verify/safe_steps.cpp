@@ -152,7 +152,8 @@ void SafeSteps::findCandidates(const std::vector<Goal>& goals, const Bits& dropp
     const auto& transition = system.transitions[i];
     if (!transition.urgent || dropped.contains(i) || transition.writes.meets(visibleCells))
       continue;
-    bool seen = transition.event != kNone && visibleEvents.contains(transition.event);
+    bool seen = std::ranges::any_of(transition.events,
+                                    [&](EventId event) { return visibleEvents.contains(event); });
     for (auto part : transition.parts) seen = seen || system.paths[part].mayFail;
     for (auto part : transition.parts)
       for (const auto& instruction : system.paths[part].code)

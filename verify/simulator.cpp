@@ -77,8 +77,10 @@ std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, st
   log.clear();
   if (fire(system, id, next.state.data(), log) != Outcome::Done) return std::nullopt;
   for (auto other : enabledIn(next.state)) {
-    auto before = now.since.find(other);
-    bool goesOn = before != now.since.end() && other != id && !disturbs(id, other);
+    const auto clocked = withoutObservers(other);
+    auto before = now.since.find(clocked);
+    bool goesOn =
+        before != now.since.end() && clocked != withoutObservers(id) && !disturbs(id, clocked);
     next.since[other] = goesOn ? before->second : date;
   }
   return next;
@@ -107,6 +109,12 @@ std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) c
   for (TransitionId id = 0; id < system.transitions.size(); ++id)
     if (isEnabled(system, id, state.data())) all.push_back(id);
   return all;
+}
+
+/// The same step without those who watch for it: whether they do does not matter to its time.
+TransitionId Simulator::withoutObservers(TransitionId id) const {
+  const auto unseen = system.transitions[id].unseen;
+  return unseen == kNone ? id : unseen;
 }
 
 /// Whether something that has priority is enabled.

@@ -51,6 +51,7 @@ private:
   [[nodiscard]] std::vector<TransitionId> enabledIn(const std::vector<Word>& state) const;
   [[nodiscard]] bool isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool isBlocked(const Concrete& now, TransitionId id) const;
+  [[nodiscard]] TransitionId withoutObservers(TransitionId id) const;
   [[nodiscard]] bool disturbs(TransitionId fired, TransitionId other) const;
   [[nodiscard]] bool mayWaitALittle(const Concrete& now, std::int64_t date) const;
 

@@ -157,11 +157,15 @@ struct Path {
   std::uint32_t select = 0; ///< of that `unless`, within the process; 0: none
 };
 
-/// A silent path, or paths of several instances that synchronise on a port.
+/// A silent path, or paths of several instances that synchronise on a port; with those of observers
+/// that take part in the step because they watch for it.
 struct Transition {
-  std::vector<PathId> parts; ///< by instance
+  std::vector<PathId> parts; ///< by instance; those of observers behind the others
   std::uint32_t port = kNone;
-  EventId event = kNone; ///< of the port
+  std::vector<EventId> events; ///< of the port, and of those that observers pass
+  /// What the step has to be for the observers that take part: over it and the states around it.
+  std::vector<NodeId> seen;
+  TransitionId unseen = kNone; ///< the same without observers: its clock is the one of both
   fiacre::Interval interval;
   bool urgent = false;        ///< [0,0]
   ClockId clock = kNone;      ///< nothing: urgent, or [0,...[
@@ -210,7 +214,7 @@ struct System {
   std::vector<std::string> faults{"", "a division by zero", "a number beyond 2^62"};
   std::vector<Instance> instances;
   std::vector<std::string> ports;
-  bool hasPriorities = false; ///< some transition has blockers
+  bool hasPriorities = false; ///< some transition has blockers, or is observed
   std::vector<Path> paths;
   std::vector<Transition> transitions;
   std::vector<Clock> clocks;

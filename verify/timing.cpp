@@ -20,7 +20,8 @@ bool resets(const System& system, TransitionId transition, ClockId id) {
   const Clock& clock = system.clocks[id];
   const Bits& consumed = system.transitions[transition].consumed;
   if (clock.instance != kNone) return consumed.contains(clock.instance);
-  if (clock.transition == transition) return true;
+  if (clock.transition == transition || clock.transition == system.transitions[transition].unseen)
+    return true;
   return std::ranges::any_of(system.transitions[clock.transition].parts, [&](PathId part) {
     return consumed.contains(system.paths[part].instance);
   });

@@ -1,5 +1,6 @@
 #include "analysis/flow/checks.h"
 #include "syntax/codes.h"
+#include "syntax/enumerate.h"
 
 #include <algorithm>
 #include <deque>
@@ -127,16 +128,11 @@ private:
   void reportBeyond(std::size_t resource, const std::vector<std::size_t>& holders,
                     std::size_t wanter, Location call) {
     const auto& skills = report.program.skills.all;
-    std::string names;
-    for (std::size_t i = 0; i < holders.size(); ++i)
-      names += fmt::format("{}`{}`",
-                           i == 0                   ? ""
-                           : i + 1 < holders.size() ? ", "
-                                                    : " and ",
-                           skills[holders[i]].name());
+    auto names =
+        holders | std::views::transform([&](std::size_t holder) { return skills[holder].name(); });
     Finding finding = report.findings.report(Code::ResourceHeldByCaller, call,
                                              report.program.resources.all[resource].name(),
-                                             skills[wanter].name(), names);
+                                             skills[wanter].name(), syntax::enumerateNames(names));
     for (std::size_t holder : holders)
       finding.related(skills[holder].at(placeOf(*skills[holder].node, resource)), "taken here");
     finding.related(skills[wanter].at(placeOf(*skills[wanter].node, resource)), "wanted here");

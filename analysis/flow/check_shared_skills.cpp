@@ -2,6 +2,8 @@
 #include "syntax/codes.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 /// Skills that are called by more than one of those that start with the program: the mission and
@@ -12,12 +14,22 @@ namespace {
 
 constexpr std::size_t kMostRelated = 10;
 
-/// A call, by what starts with the program.
-struct Call {
-  Site site;
+/// Who calls a skill: a skill, or a branch of it, within what starts with the program. All calls of
+/// one caller are contested, or none.
+struct Caller {
   ProcessId root = kNoProcess;
-  Location at;
+  ProcessId skill = kNoProcess;
+  auto operator<=>(const Caller&) const = default;
 };
+
+struct ByPlace {
+  bool operator()(const Location& a, const Location& b) const {
+    return std::tuple(a.file, a.range.begin) < std::tuple(b.file, b.range.begin);
+  }
+};
+
+using Places = std::set<Location, ByPlace>;
+using Calls = std::map<Caller, std::vector<Location>>;
 
 class SharedSkills {
 public:
@@ -37,49 +49,46 @@ private:
   void checkSkill(ProcessId skill) {
     // Whoever calls it holds a lock, so that it is free.
     if (system.exclusive(skill).contains(skill)) return;
-    const std::vector<Call> calls = callsOf(skill);
-    std::vector<Location> contested;
-    for (const Call& call : calls) {
-      auto mayRun = [&](const Call& other) { return mayBeAtOnce(call, other); };
-      if (std::ranges::any_of(calls, mayRun) && std::ranges::count(contested, call.at) == 0)
-        contested.push_back(call.at);
+    const Calls calls = callsOf(skill);
+    Places contested;
+    for (const auto& [caller, places] : calls) {
+      auto mayRun = [&](const auto& other) { return mayBeAtOnce(caller, other.first); };
+      if (std::ranges::any_of(calls, mayRun)) contested.insert(places.begin(), places.end());
     }
-    if (!contested.empty()) tell(skill, std::move(contested));
+    if (!contested.empty()) tell(skill, contested);
   }
 
-  [[nodiscard]] std::vector<Call> callsOf(ProcessId skill) const {
-    std::vector<Call> calls;
+  [[nodiscard]] Calls callsOf(ProcessId skill) const {
+    Calls calls;
     for (const Site& site : system.callers(skill)) {
       const Process& caller = system[site.caller];
       if (!caller.analysed || !report.solver.reachable(site.caller, site.node)) continue;
       const Node& node = (*caller.graph)[site.node];
       for (ProcessId root : roots)
         if (system.activity(root).contains(site.caller))
-          calls.push_back({site, root, system.at(caller, node.statement->head.range)});
+          calls[{root, skillOf(site.caller)}].push_back(
+              system.at(caller, node.statement->head.range));
     }
     return calls;
   }
 
-  [[nodiscard]] bool mayBeAtOnce(const Call& a, const Call& b) const {
-    if (a.root == b.root || !system.concurrent(a.root).contains(b.root)) return false;
-    const ProcessId first = skillOf(a.site.caller);
-    const ProcessId second = skillOf(b.site.caller);
-    return first != second && !system.exclusive(first).contains(second);
+  [[nodiscard]] bool mayBeAtOnce(const Caller& a, const Caller& b) const {
+    return a.root != b.root && a.skill != b.skill && system.concurrent(a.root).contains(b.root) &&
+           !system.exclusive(a.skill).contains(b.skill);
   }
 
   [[nodiscard]] ProcessId skillOf(ProcessId id) const {
     return system.ofSkill(system[id].definition);
   }
 
-  void tell(ProcessId skill, std::vector<Location> calls) {
-    std::ranges::sort(calls, {},
-                      [](const Location& at) { return std::tuple(at.file, at.range.begin); });
+  void tell(ProcessId skill, const Places& calls) {
+    const auto last = std::prev(calls.end());
     Finding finding =
-        report.findings.report(syntax::Code::CallMayWait, calls.back(),
+        report.findings.report(syntax::Code::CallMayWait, *last,
                                report.program.skills.all[system[skill].definition].name());
-    calls.pop_back();
-    for (std::size_t i = 0; i < std::min(calls.size(), kMostRelated); ++i)
-      finding.related(calls[i], "may run it at the same time");
+    std::size_t told = 0;
+    for (auto call = calls.begin(); call != last && told < kMostRelated; ++call, ++told)
+      finding.related(*call, "may run it at the same time");
   }
 
   Report& report;

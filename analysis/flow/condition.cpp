@@ -5,6 +5,18 @@
 
 namespace proskill::analysis::flow {
 
+Comparison negated(Comparison comparison) {
+  switch (comparison) {
+  case Comparison::Equal: return Comparison::NotEqual;
+  case Comparison::NotEqual: return Comparison::Equal;
+  case Comparison::Less: return Comparison::GreaterEqual;
+  case Comparison::LessEqual: return Comparison::Greater;
+  case Comparison::Greater: return Comparison::LessEqual;
+  case Comparison::GreaterEqual: return Comparison::Less;
+  }
+  return comparison;
+}
+
 namespace {
 
 constexpr std::size_t kMostSpans = 64;
@@ -52,18 +64,6 @@ bool mayCompare(Comparison comparison, Span a, Span b) {
   case Comparison::GreaterEqual: return a.last >= b.first;
   }
   return true;
-}
-
-Comparison negated(Comparison comparison) {
-  switch (comparison) {
-  case Comparison::Equal: return Comparison::NotEqual;
-  case Comparison::NotEqual: return Comparison::Equal;
-  case Comparison::Less: return Comparison::GreaterEqual;
-  case Comparison::LessEqual: return Comparison::Greater;
-  case Comparison::Greater: return Comparison::LessEqual;
-  case Comparison::GreaterEqual: return Comparison::Less;
-  }
-  return comparison;
 }
 
 bool mayCompare(const Condition& condition, const State& state, bool holds) {

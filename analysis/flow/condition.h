@@ -22,6 +22,8 @@ struct Term {
 [[nodiscard]] std::optional<std::vector<Span>> evaluate(const Term& term, const State& state);
 
 enum class Comparison : std::uint8_t { Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual };
+/// Holds where the other fails.
+[[nodiscard]] Comparison negated(Comparison comparison);
 
 /// A condition over the slots of one process.
 struct Condition {

@@ -60,12 +60,17 @@ private:
     return found == usage.writes.end() ? nullptr : &found->second;
   }
 
+  /// Calls `visit(node, write)` for the writes of a process.
+  template <class Visit> void eachWrite(ProcessId id, Visit&& visit) const {
+    for (auto it = usage.writes.lower_bound({id, 0});
+         it != usage.writes.end() && it->first.first == id; ++it)
+      visit(it->first.second, it->second);
+  }
+
   /// Of a process, by node.
   [[nodiscard]] std::vector<const Write*> writesOf(ProcessId id, std::size_t nodes) const {
     std::vector<const Write*> result(nodes, nullptr);
-    for (auto it = usage.writes.lower_bound({id, 0});
-         it != usage.writes.end() && it->first.first == id; ++it)
-      result[it->first.second] = &it->second;
+    eachWrite(id, [&](NodeId node, const Write& write) { result[node] = &write; });
     return result;
   }
 
@@ -78,8 +83,7 @@ private:
   void follow(ProcessId id) {
     const Process& process = system[id];
     if (!process.graph) {
-      for (NodeId event = 0; event < process.actions.size(); ++event)
-        if (const Write* made = write(id, event)) isLock &= !frees(*made) && !takes(*made);
+      eachWrite(id, [this](NodeId, const Write& made) { isLock &= !frees(made) && !takes(made); });
       return;
     }
     std::vector<bool> held(process.graph->nodes.size(), true);
@@ -154,10 +158,11 @@ void collect(const System& system, ProcessId id, std::map<VariableId, Usage>& us
   const auto matters = [&](const Assignment& each) {
     return each.source && !system.variables()[each.variable].domain.isNumeric();
   };
+  const State unknown = unknownState(system, process);
   for (NodeId node = 0; node < process.actions.size(); ++node) {
     const Action& action = process.actions[node];
     if (std::ranges::none_of(action.assignments, matters)) continue;
-    State before = unknownState(system, process);
+    State before = unknown;
     bool guarded = process.graph && (*process.graph)[node].kind != NodeKind::InvariantFailure;
     if (guarded) refineAll(before, action.conditions, true);
     if (!before.reachable) continue;

@@ -8,7 +8,7 @@
 namespace proskill::analysis::flow {
 
 /// The loops of a graph that stay within some of its nodes: its strongly connected components that
-/// have an edge inside. R. Tarjan, "Depth-first search and linear graph algorithms", 1972.
+/// have an edge inside, each with its nodes in their order.
 [[nodiscard]] std::vector<std::vector<NodeId>> loopsOf(const Graph& graph,
                                                        const std::function<bool(NodeId)>& within);
 

@@ -72,15 +72,7 @@ bool mayHold(Comparison comparison, Span span, std::int64_t number) {
 
 /// Whether it fails between some number of the span, and the number.
 bool mayFail(Comparison comparison, Span span, std::int64_t number) {
-  switch (comparison) {
-  case Comparison::Equal: return mayHold(Comparison::NotEqual, span, number);
-  case Comparison::NotEqual: return mayHold(Comparison::Equal, span, number);
-  case Comparison::Less: return mayHold(Comparison::GreaterEqual, span, number);
-  case Comparison::LessEqual: return mayHold(Comparison::Greater, span, number);
-  case Comparison::Greater: return mayHold(Comparison::LessEqual, span, number);
-  case Comparison::GreaterEqual: return mayHold(Comparison::Less, span, number);
-  }
-  return true;
+  return mayHold(negated(comparison), span, number);
 }
 
 /// Most comparisons are of a variable with a value: what `simplified` gives, without the detour.

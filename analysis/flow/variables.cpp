@@ -2,6 +2,7 @@
 
 #include "analysis/flow/numbers.h"
 #include "analysis/types.h"
+#include "syntax/enumerate.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -142,12 +143,7 @@ std::string Variables::words(VariableId id, ValueSet values) const {
     else
       parts.push_back(fmt::format("{}..{}", span.first, span.last));
   });
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += i + 1 == parts.size() ? " or " : ", ";
-    text += parts[i];
-  }
-  return text;
+  return syntax::enumerate(parts, " or ");
 }
 
 } // namespace proskill::analysis::flow

@@ -260,7 +260,7 @@ PARTS are those of the form around it."
 (defconst fiacre--builtins
   '("and" "append" "dequeue" "empty" "enqueue" "first" "full" "not" "or" "until"
     "absent" "after" "always" "before" "between" "deadlockfree" "duration" "enter" "event"
-    "for" "infinitelyoften" "interval" "lasting" "leadsto" "leave" "ltl" "mortal" "obs"
+    "for" "infinitelyoften" "interval" "lasting" "leadsto" "leave" "ltl" "mortal"
     "precedes" "present" "state" "tag" "value" "within"))
 
 (defconst fiacre--font-lock

@@ -1,3 +1,4 @@
+#include "syntax/codes.h"
 #include "tests/analysis/findings.h"
 
 #include <catch2/catch.hpp>
@@ -176,4 +177,17 @@ TEST_CASE("a fragment may use what only its root defines") {
   CHECK(findings(fragment, Extent::Fragment) == "PS0202H motion, PS0201H hover");
   CHECK(findings(kWorld + "(defevent e :effects (battery Empty))", Extent::Fragment) ==
         "PS0203 Empty");
+}
+
+TEST_CASE("among thousands of unknown names what was meant is not looked for without end") {
+  std::string text;
+  for (int i = 0; i < 3000; ++i)
+    text += "(defskill skill" + std::to_string(i) + " :body ((skil" + std::to_string(i) + ")))\n";
+  const auto found = diagnose(text);
+  std::vector<std::size_t> fixes;
+  for (const auto& it : found)
+    if (it.code == proskill::syntax::Code::UnknownSkill) fixes.push_back(it.fixes.size());
+  REQUIRE(fixes.size() == 3000);
+  CHECK(fixes.front() == 1);
+  CHECK(fixes.back() == 0);
 }

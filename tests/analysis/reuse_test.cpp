@@ -113,6 +113,25 @@ TEST_CASE("after any edit the analysis equals a fresh one") {
   CHECK(counts.flows > 5);
 }
 
+TEST_CASE("after an edit of a program with misspelt names the analysis equals a fresh one") {
+  std::uint64_t seed = 200;
+  Counts counts;
+  for (const auto& text : test::allPrograms()) {
+    test::RandomEdits edits(seed++);
+    Document document = Document::parse(text);
+    for (int i = 0; i < 40; ++i) {
+      const auto edit = i % 3 == 1 ? edits.touch(document.text()) : edits.misspell(document.text());
+      const Document edited = document.edit(edit.range, edit.text);
+      INFO("edit " << i << " at " << edit.range.begin << "-" << edit.range.end << ": " << edit.text
+                   << "\nof\n"
+                   << document.text());
+      compare(document, edited, counts);
+      document = i % 20 == 19 ? Document::parse(text) : edited;
+    }
+  }
+  CHECK(counts.analyses > counts.edits / 3);
+}
+
 TEST_CASE("after several edits at once the analysis equals a fresh one") {
   std::uint64_t seed = 100;
   Counts counts;
@@ -136,6 +155,28 @@ TEST_CASE("an edit within a skill leaves the others as they are") {
   CHECK(counts.analyses == 1);
 }
 
+TEST_CASE("names that mean nothing do not have the other definitions looked at again") {
+  const std::string text = std::string(kLamp) + "(defskill s :start (lamp O|) :action (a))\n"
+                                                "(defskill t :body ((s) (r) (r) (emit dawn)))\n"
+                                                "(defskill u :start (lam Onn) :body ((r)))\n";
+  CHECK(countsOf(text, "n").analyses == 1);
+  CHECK(countsOf(text, "x").analyses == 1);
+  CHECK(countsOf(text, "n ; a comment\n").analyses == 1);
+  CHECK(
+      countsOf("(defskill s :body ((se) (se)))\n(defskill t :body ((s) (see|)))\n", "d").analyses ==
+      1);
+}
+
+TEST_CASE("what nobody else sees of a definition does not matter elsewhere") {
+  const std::string user = "(defskill m :start (lamp On) :resources (r) :body ((emit dusk)))\n";
+  CHECK(countsOf("(defsv lamp :states (On Off) :init O|)\n" + user, "n").analyses == 1);
+  CHECK(countsOf(kLamp + user + "(defevent dusk :effects (lamp O|))\n", "n").analyses == 1);
+  CHECK(countsOf(kLamp + user + "(defresource r :capacity |)\n", "1").analyses == 1);
+  const std::string number = "(defskill m :start (height 7) :action (a))\n";
+  CHECK(countsOf("(defsv height :min 0 :max 1| :init 1)\n" + number, "0").analyses == 0);
+  CHECK(countsOf("(defsv height :min 0 :max 10 :init |)\n" + number, "1").analyses == 1);
+}
+
 TEST_CASE("what others see of a definition matters everywhere") {
   const std::string call = "(defskill m :body ((s) (^ (lamp On))))\n";
   const std::string skill = "(defskill s | :action (a))\n";
@@ -155,4 +196,12 @@ TEST_CASE("a comment changes nothing but places") {
                " it does");
   CHECK(counts.analyses == 1);
   CHECK(counts.flows == 1);
+}
+
+TEST_CASE("a comment in a state variable does not matter to the edit that allows a move") {
+  const std::string text = "(defsv lamp\n  :states (On Off Dim)|\n  :init Off\n"
+                           "  :transitions ((Off Dim) (Dim On)))\n"
+                           "(defskill m :success well :body ((set (lamp On)) (success well)))\n";
+  CHECK(countsOf(text, " ; of the hall").flows == 1);
+  CHECK(countsOf(text, "\n").flows == 1);
 }

@@ -1,3 +1,4 @@
+#include "tests/cli/forbidden_move.h"
 #include "tests/support/run.h"
 #include "tests/support/stand_ins.h"
 #include "tests/where.h"
@@ -15,16 +16,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The move from Off to Broken is not allowed.
-constexpr auto kProgram =
-    R"((defsv lamp :states (Off On Broken) :init Off :transitions ((Off On) (On Broken)))
-(defskill kick
-  :time_interval [1,2]
-  :action (kick)
-  :success done (:effects (lamp Broken)))
-(defskill mission
-  :body ((kick)))
-)";
 const std::string kProperty = "lamp.no_forbidden_transition";
 
 std::string contents(const std::string& path) {
@@ -34,7 +25,7 @@ std::string contents(const std::string& path) {
 
 /// The program above with the one property, by programs that stand in for Tina.
 struct Scene {
-  Scene() : program(files.write("lamp.proskill", kProgram)) {
+  Scene() : program(files.write("lamp.proskill", kForbiddenMove)) {
     tools.formulas("op p = [] - x;\np;\n");
     tools.verdicts("FALSE\n");
     tools.graph(graph());

@@ -1,3 +1,4 @@
+#include "tests/cli/forbidden_move.h"
 #include "tests/support/run.h"
 #include "tests/where.h"
 
@@ -33,17 +34,6 @@ constexpr auto kGood = R"((defsv lamp :states (Off On) :init Off)
          (^ (lamp On))))
 )";
 
-/// The move from Off to Broken is not allowed.
-constexpr auto kBad =
-    R"((defsv lamp :states (Off On Broken) :init Off :transitions ((Off On) (On Broken)))
-(defskill kick
-  :time_interval [1,2]
-  :action (kick)
-  :success done (:effects (lamp Broken)))
-(defskill mission
-  :body ((kick)))
-)";
-
 Finished verify(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {PROSKILL_PROGRAM, "verify"});
   return run(arguments);
@@ -74,7 +64,7 @@ TEST_CASE("a program that is all good ends with 0") {
 
 TEST_CASE("a violation ends with 1 and shows its trace, every step with its place") {
   TemporaryDirectory files;
-  auto path = files.write("bad.proskill", kBad);
+  auto path = files.write("bad.proskill", kForbiddenMove);
   auto result = verify({path});
   CHECK(result.exitCode == 1);
   CHECK(result.out.find("`lamp` makes no forbidden move: violated") != std::string::npos);
@@ -84,7 +74,7 @@ TEST_CASE("a violation ends with 1 and shows its trace, every step with its plac
 
 TEST_CASE("the report as JSON has verdicts, traces and what was explored") {
   TemporaryDirectory files;
-  auto path = files.write("bad.proskill", kBad);
+  auto path = files.write("bad.proskill", kForbiddenMove);
   auto report = Json::parse(verify({path, "--format", "json"}).out);
   CHECK(report["version"] == 1);
   CHECK(report["main"] == "mission");
@@ -129,7 +119,7 @@ TEST_CASE("the drone's verdicts are all decided, and are those of the paper") {
 
 TEST_CASE("only the properties that are named are asked") {
   TemporaryDirectory files;
-  auto path = files.write("bad.proskill", kBad);
+  auto path = files.write("bad.proskill", kForbiddenMove);
   auto report = Json::parse(verify({path, "--property", "kick", "--format", "json"}).out);
   CHECK(!report["properties"].empty());
   for (const auto& row : report["properties"]) CHECK(row["subject"] == "kick");
@@ -175,7 +165,7 @@ TEST_CASE("bad usage, missing files and programs with errors end with 2") {
 
 TEST_CASE("JUnit has a test case a property, and a failure for the bad one") {
   TemporaryDirectory files;
-  auto result = verify({files.write("bad.proskill", kBad), "--format", "junit"});
+  auto result = verify({files.write("bad.proskill", kForbiddenMove), "--format", "junit"});
   CHECK(result.exitCode == 1);
   CHECK(result.out.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>"));
   CHECK(result.out.find("<failure type=\"violated\"") != std::string::npos);
@@ -185,7 +175,8 @@ TEST_CASE("JUnit has a test case a property, and a failure for the bad one") {
 
 TEST_CASE("SARIF has a result with the trace as a code flow") {
   TemporaryDirectory files;
-  auto log = Json::parse(verify({files.write("bad.proskill", kBad), "--format", "sarif"}).out);
+  auto log =
+      Json::parse(verify({files.write("bad.proskill", kForbiddenMove), "--format", "sarif"}).out);
   CHECK(log["version"] == "2.1.0");
   const auto& results = log["runs"][0]["results"];
   auto bad = std::ranges::find_if(
@@ -198,7 +189,7 @@ TEST_CASE("SARIF has a result with the trace as a code flow") {
 
 TEST_CASE("traces are saved as JSON and text") {
   TemporaryDirectory files;
-  auto path = files.write("bad.proskill", kBad);
+  auto path = files.write("bad.proskill", kForbiddenMove);
   verify({path, "--save-traces", files.path("deep/traces")});
   auto base = files.path("deep/traces/lamp.no_forbidden_transition");
   auto trace = Json::parse(contents(base + ".json"));
@@ -210,7 +201,7 @@ TEST_CASE("traces are saved as JSON and text") {
 
 TEST_CASE("traces that cannot be saved are an error, after the report") {
   TemporaryDirectory files;
-  auto path = files.write("bad.proskill", kBad);
+  auto path = files.write("bad.proskill", kForbiddenMove);
   auto result = verify({path, "--save-traces", path + "/below/a/file"});
   CHECK(result.exitCode == 2);
   CHECK(result.err.find("cannot be made a directory") != std::string::npos);

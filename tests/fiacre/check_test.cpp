@@ -1,6 +1,7 @@
 #include "tests/fiacre/build.h"
 
 #include "fiacre/check.h"
+#include "fiacre/parse.h"
 #include "fiacre/words.h"
 
 #include <catch2/catch.hpp>
@@ -101,6 +102,8 @@ TEST_CASE("nothing is wrong with a clean model") {
 TEST_CASE("words of Fiacre, of H-Fiacre and of patterns are reserved, others are not") {
   for (const auto* word : {"from", "select", "start", "task", "event", "leadsto", "value", "union"})
     CHECK(isReserved(word));
+  for (const auto* word : {"from", "start", "union"}) CHECK(isKeyword(word));
+  for (const auto* word : {"leadsto", "value", "write", "obs"}) CHECK_FALSE(isKeyword(word));
   for (const auto* word : {"start_", "battery", "From", ""}) CHECK_FALSE(isReserved(word));
   CHECK(isIdentifier("sv_battery2"));
   for (const auto* word : {"", "2nd", "a-b", "a'", "é"}) CHECK_FALSE(isIdentifier(word));
@@ -400,6 +403,40 @@ TEST_CASE("the components hang together") {
         }) == Found{"component main: the port `go` is not declared"});
   CHECK(changed([](Program& p) { p.components.push_back({.name = "idle_one"}); }) ==
         Found{"component idle_one: there is no instance"});
+}
+
+TEST_CASE("observers stand beside the model, and probes look at it") {
+  const auto problem = [](const std::string& probe, const std::string& attached) {
+    const auto parsed = parse("process P is states s, t from s #gone; to t "
+                              "component main is port a: sync par par P end || P end "
+                              "process W [p: sync] is states u, v from u p; to v "
+                              "component watch is port p: " +
+                              probe + " par W[p] end main " + attached);
+    REQUIRE(parsed.problems.empty());
+    std::string all;
+    for (const auto& each : check(parsed.program)) all += each.place + ": " + each.message + "\n";
+    return all;
+  };
+  const std::string component = "component watch: ";
+  CHECK(problem("sync in [0,0] is main/1/1/state s", "watch > main") == "");
+  CHECK(problem("sync is main/2/tag gone", "watch > main") == "");
+  CHECK(problem("sync in [0,0] is main/1/state s", "watch > main") ==
+        component + "`state s` is of no process\n");
+  CHECK(problem("sync is main/1/1/state u", "watch > main") ==
+        component + "process P has no state `u`\n");
+  CHECK(problem("sync is main/1/2/state s", "watch > main") ==
+        component + "the path main/1/2 leads nowhere\n");
+  CHECK(problem("sync in [1,1] is main/2/tag gone", "watch > main") ==
+        component + "the probe of `p` is of steps: it is passed with them, and has no time of its "
+                    "own\n");
+  CHECK(problem("sync in [0,0] is watch/1/state u", "watch > main") ==
+        component + "the probe of `p` looks at an observer: it can look at the model alone\n");
+  CHECK(problem("sync", "watch > watch") ==
+        "observer watch: `watch` is observed, and the model is `main`\n");
+  CHECK(problem("sync", "watch > main watch > main") ==
+        "observer watch: `watch` is there already\n");
+  CHECK(problem("sync", "W > main") == "observer W: the component `W` wants ports or arguments\n");
+  CHECK(problem("sync", "nobody > main") == "observer nobody: there is no component `nobody`\n");
 }
 
 TEST_CASE("what properties look at exists") {

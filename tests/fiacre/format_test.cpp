@@ -116,6 +116,35 @@ TEST_CASE("models are printed in the layout") {
   }
 }
 
+TEST_CASE("models with observers are printed in the layout") {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto text = fiacre::print(test::randomModelWithObserver(seed));
+    CHECK(firstDifference(checked(text), text) == "");
+  }
+}
+
+TEST_CASE("compositions, probes and observers have their layout") {
+  const std::string wide = "component m is port a:sync in [0,0] is(m/1/value x/2=1)and m/2/state s,"
+                           "b:sync is m/event c , d:sync par*in par a->P[a]||Q end||R end m "
+                           "o>m p  >  m type t is 0..1";
+  CHECK(checked(wide) == R"(component m is
+port a: sync in [0,0] is (m/1/value x / 2 = 1) and m/2/state s, b: sync is m/event c, d: sync
+par * in
+    par
+        a -> P [a]
+    ||  Q
+    end
+||  R
+end
+
+m
+
+o > m
+p > m
+type t is 0..1
+)");
+}
+
 TEST_CASE("models of random programs are printed in the layout") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const auto program = test::programOfText(test::textOf(test::randomProgram(seed)));

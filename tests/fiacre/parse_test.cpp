@@ -59,6 +59,10 @@ TEST_CASE("what is printed of random models is read as it was") {
   for (std::uint64_t seed = 0; seed < 500; ++seed) comesBack(test::randomModel(seed));
 }
 
+TEST_CASE("what is printed of random models with observers is read as it was") {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) comesBack(test::randomModelWithObserver(seed));
+}
+
 TEST_CASE("what is printed of the models of random programs is read as it was") {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const auto program = test::programOfText(test::textOf(test::randomProgram(seed)));
@@ -155,6 +159,97 @@ TEST_CASE("instances synchronise on what is said") {
   CHECK(instances("par a -> P[a] || Q[b] end")[1].synchronised == Ports{});
 }
 
+TEST_CASE("a composition within a composition, with ports of its own") {
+  constexpr std::string_view text = R"(component C is
+port a: sync, b: sync
+par
+    a -> par * in
+        P [a]
+    ||  par
+            P [a]
+        ||  b -> Q [a, b]
+        end
+    end
+||  Q [a, b]
+end
+
+C
+)";
+  const auto parsed = fiacre::parse(text);
+  CHECK(problemsOf(parsed, text) == "");
+  const auto& parts = parsed.program.components[0].instances;
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].synchronised == std::vector<std::string>{"a"});
+  REQUIRE(parts[0].parts.size() == 2);
+  CHECK_FALSE(parts[0].parts[0].synchronised);
+  CHECK(parts[0].parts[1].parts[1].process == "Q");
+  CHECK(fiacre::print(parsed.program) == text);
+}
+
+TEST_CASE("probes and observers are read as they are printed") {
+  constexpr std::string_view text = R"(component main is
+par * in
+    P
+end
+
+component watch is
+port seen: sync in [0,0] is (main/1/value x) and (not (main/1/state s)), t: sync in [2,2],
+     left: sync is leave (main/1/state s)
+par * in
+    W [seen, t, left]
+end
+
+main
+
+watch > main
+
+property p is absent watch/1/state late
+assert p
+)";
+  const auto parsed = fiacre::parse(text);
+  CHECK(problemsOf(parsed, text) == "");
+  REQUIRE(parsed.program.observers.size() == 1);
+  CHECK(parsed.program.observers[0].model == "main");
+  const auto& ports = parsed.program.components[1].ports;
+  REQUIRE(ports.size() == 3);
+  CHECK(ports[0].probe);
+  CHECK_FALSE(ports[1].probe);
+  CHECK(ports[0].probe->operands[0].observer.empty());
+  CHECK(parsed.program.properties[0].pattern.operands[0].observer == "watch");
+  CHECK(fiacre::print(parsed.program) == text);
+}
+
+TEST_CASE("a probe stands where a component declares a port") {
+  CHECK(problemsOf("process P [a: sync is main/1/state s] is states s") ==
+        "`is`: a probe belongs to a port that a component declares behind `port`\n");
+  CHECK(problemsOf("component C is par P end C o > C property p is absent x/1/state s") ==
+        "`x`: the path begins with `x`, and the model is `C`\n");
+}
+
+TEST_CASE("words of patterns are names elsewhere, and formulas of time have names, too") {
+  constexpr std::string_view text = R"(
+function state (value: nat, always: bool): bool is begin return value > 2 and always end
+process P is states within, tag var read: nat from within read := 3; #present; to tag
+component main is par * in P end
+main
+property write is ltl (main/1/state within)
+property p is ltl [] (write => <> main/1/value (state(read, true)))
+)";
+  const auto parsed = fiacre::parse(text);
+  CHECK(problemsOf(parsed, text) == "");
+  REQUIRE(parsed.program.properties.size() == 2);
+  CHECK(fiacre::printPattern(parsed.program.properties[1].pattern, "main") ==
+        "ltl [] ((main/1/state within) => (<> (main/1/value state(read, true))))");
+}
+
+TEST_CASE("declarations may stand behind the model's name") {
+  constexpr std::string_view text =
+      "process P is states s from s null; to s component main is par P end main "
+      "type bit is 0..1 process W is states s component watch is par W end watch > main";
+  CHECK(problemsOf(text) == "");
+  CHECK(fiacre::parse(text).program.processes.size() == 2);
+}
+
 TEST_CASE("properties are read, and formulas that others name") {
   constexpr std::string_view text = R"(
 process P is states s, t var x: nat from s to t
@@ -240,7 +335,29 @@ TEST_CASE("whatever the text, reading ends") {
                     .problems.empty());
 }
 
-TEST_CASE("a scope or a time that comes twice is a mistake, and so are patterns that are joined") {
+TEST_CASE("patterns without scope and times are joined, by their names, too") {
+  const auto joined = [](const std::string& pattern) {
+    const auto text = "process P is states a, b from a to b P property q is mortal P/state b "
+                      "property p is " +
+                      pattern + " assert p";
+    const auto parsed = fiacre::parse(text);
+    REQUIRE(problemsOf(parsed, text) == "");
+    REQUIRE(parsed.program.properties.size() == 2);
+    CHECK(parsed.program.properties[1].asserted);
+    return fiacre::printPattern(parsed.program.properties[1].pattern, "P");
+  };
+  CHECK(joined("(absent P/state a) and (present P/state b)") ==
+        "ltl ([] (not (P/state a))) and (<> (P/state b))");
+  CHECK(joined("not (always P/state a)") == "ltl not ([] (P/state a))");
+  CHECK(joined("not infinitelyoften P/state a") == "ltl not ([] (<> (P/state a)))");
+  CHECK(joined("(P/state a leadsto P/state b) => q") ==
+        "ltl ([] ((P/state a) => (<> (P/state b)))) => (<> ([] (not (P/state b))))");
+  CHECK(
+      joined("((P/state a) precedes (P/state b)) or (ltl () P/state b)") ==
+      "ltl (((not (P/state b)) until (P/state a)) or ([] (not (P/state b)))) or (() (P/state b))");
+}
+
+TEST_CASE("a scope or a time that comes twice is a mistake, and so is one that is joined") {
   const auto problems = [](const std::string& pattern) {
     return problemsOf("process P is states a, b from a to b\nproperty p is " + pattern + "\nP");
   };
@@ -253,7 +370,10 @@ TEST_CASE("a scope or a time that comes twice is a mistake, and so are patterns 
         "`within`: `within` comes twice in one pattern\n");
   CHECK(problems("absent P/state a for duration 1 for duration 2") ==
         "`for`: `for` comes twice in one pattern\n");
-  CHECK_THAT(problems("(absent P/state a) and (absent P/state b)"),
-             Catch::Contains("patterns are not joined"));
-  CHECK_THAT(problems("not absent P/state a"), Catch::Contains("patterns are not joined"));
+  const auto apart = "this pattern is not joined to others";
+  CHECK_THAT(problems("(absent P/state a within [0,1]) and (absent P/state b)"),
+             Catch::Contains("`absent`: " + std::string(apart)));
+  CHECK_THAT(problems("not deadlockfree"), Catch::Contains(apart));
+  CHECK_THAT(problems("(P/state a leadsto P/state b within [0,1]) and (absent P/state b)"),
+             Catch::Contains("`P`: " + std::string(apart)));
 }

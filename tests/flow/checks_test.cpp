@@ -1,9 +1,12 @@
 #include "analysis/flow/inspect.h"
+#include "syntax/codes.h"
 #include "tests/support/marked_source.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 using namespace proskill;
@@ -239,6 +242,21 @@ TEST_CASE("A skill that a monitor and the mission call is told once") {
   });
 }
 
+TEST_CASE("A skill that is called at once in thousands of places is told once, with some of them") {
+  std::string calls;
+  for (int i = 0; i < 5000; ++i) calls += "(survey) ";
+  const auto found = analysis::flow::inspect(
+      test::programOfText(
+          "(defskill survey :action (survey))\n(defskill watch :monitor t :body ((^ 5) " + calls +
+          "))\n(defskill mission :body (" + calls + "))"),
+      {});
+  std::vector<syntax::Diagnostic> shared;
+  std::ranges::copy_if(found, std::back_inserter(shared),
+                       [](const auto& it) { return it.code == syntax::Code::CallMayWait; });
+  REQUIRE(shared.size() == 1);
+  CHECK(shared[0].related.size() == 10);
+}
+
 TEST_CASE("A skill that is only called under a lock is free") {
   const std::string lock = "(defsv zone :states (Free Taken) :init Free)\n"
                            "(defskill survey :action (survey))\n";
@@ -312,4 +330,24 @@ TEST_CASE("Bounds are rounded to whole ticks, and a postcondition to what the ou
   CHECK(mended(skill(":postcondition (d B)")) == skill(":effects (d B) :postcondition (d B)"));
   CHECK(mended(skill(":effects (d A) :postcondition (d B)")) ==
         skill(":effects (d A) :postcondition (d A)"));
+}
+
+TEST_CASE("An effect that a postcondition wants stands before its keyword, whatever comments say") {
+  const std::string before = R"((defsv flight :states (OnGround InAir) :init OnGround)
+(defskill takeoff
+  :action (takeoff)
+  :success up ()";
+  const std::string behind = R"(:postcondition ; a :postcondition must hold
+    (flight InAir)))
+(defskill mission :body ((takeoff) (set (flight InAir))))
+)";
+  const auto found = analysis::flow::inspect(test::programOfText(before + behind), {});
+  const auto wanted =
+      std::ranges::find(found, syntax::Code::PostconditionNeverHolds, &syntax::Diagnostic::code);
+  REQUIRE(wanted != found.end());
+  REQUIRE_FALSE(wanted->fixes.empty());
+  const auto& fix = wanted->fixes[0];
+  CHECK(fix.location.range == syntax::Range{static_cast<syntax::Offset>(before.size()),
+                                            static_cast<syntax::Offset>(before.size())});
+  CHECK(fix.text == ":effects (flight InAir) ");
 }

@@ -269,3 +269,14 @@ TEST_CASE("renaming is refused where a name would mean something else, or nothin
                      "g"),
              Catch::Contains("the model would be wrong"));
 }
+
+TEST_CASE("a refused renaming tells what it would do, not what is wrong anyway") {
+  const std::string wrongAnyway =
+      "process W is states a var ok: bool from a ok := 7; to a component c is par P || W end c";
+  const auto said = renamed("type r is record ^f: nat end type s is record f: nat end process P is "
+                            "states a var x: r, y: s from a x.f := 1; y.f := 1; to a " +
+                                wrongAnyway,
+                            "g");
+  CHECK_THAT(said, Catch::Contains("the model would be wrong"));
+  CHECK_THAT(said, Catch::Contains("`y` has no field `g`"));
+}

@@ -56,3 +56,15 @@ TEST_CASE("no signature at the top level, in comments, and of a call of nobody")
   for (const auto* text : {"^", "; (go ^", "(defskill f ^", "(^"}) CHECK(helpText(text).empty());
   CHECK(helpText("(defskill f :body ((nobody ^") == "<:body (STATEMENT…)>");
 }
+
+TEST_CASE("a text that is nested without end, or is one line of strings, is looked at in no time") {
+  const std::size_t much = 50'000;
+  CHECK(helpText("(defskill m :body " + std::string(much, '(') + "^").empty());
+  std::string ifs, strings;
+  for (std::size_t i = 0; i < much; ++i) {
+    ifs += "(if (lamp On) ";
+    strings += "\"a\" ";
+  }
+  CHECK(helpText("(defskill m :body (" + ifs + "(printf ^").starts_with("(printf"));
+  CHECK(helpText(kGo + "(defskill m :body ((go " + strings + "x ^").starts_with("(go"));
+}

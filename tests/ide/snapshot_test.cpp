@@ -1,5 +1,9 @@
 #include "ide/diagnostics.h"
+#include "ide/hover.h"
+#include "ide/inlay_hints.h"
 #include "tests/support/memory_files.h"
+#include "tests/support/random_edits.h"
+#include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>
 
@@ -36,6 +40,33 @@ syntax::Document edited(const syntax::Document& document, std::string_view place
   return document.edit({at, at}, put);
 }
 
+Snapshot after(const Snapshot& snapshot, const syntax::Document& document) {
+  return snapshot->with(textsOf(document), {{kPath, {}}});
+}
+
+/// The same flow, not another one of the same program.
+bool isSameFlow(const Snapshot& a, const Snapshot& b) {
+  const auto* first = a->view(kPath).owner->flowIfKnown();
+  const auto* second = b->view(kPath).owner->flowIfKnown();
+  return first && second && &first->flow() == &second->flow();
+}
+
+/// What the flow tells at every place.
+std::string shown(const Snapshot& snapshot) {
+  const auto view = snapshot->view(kPath);
+  const auto end = static_cast<syntax::Offset>(view.text().size());
+  std::string all;
+  for (const auto& hint : ide::inlayHints(view, {0, end}))
+    all += fmt::format("{} {} {}\n", hint.at, hint.label, hint.tooltip);
+  for (syntax::Offset at = 0; at <= end; ++at) {
+    for (const auto& hint : ide::inlayHints(view, {at, std::min(end, at + 30)}))
+      all += fmt::format("from {}: {} {}\n", at, hint.at, hint.label);
+    if (const auto hover = ide::hover(view, at))
+      all += fmt::format("{}-{} {}\n", hover->range.begin, hover->range.end, hover->text.plain());
+  }
+  return all;
+}
+
 std::string said(const Snapshot& snapshot) {
   std::string all;
   for (const auto& finding : ide::diagnostics(*snapshot, kPath)) {
@@ -45,6 +76,9 @@ std::string said(const Snapshot& snapshot) {
     for (const auto& related : it.related)
       all += fmt::format("  {}-{} {}\n", related.location.range.begin, related.location.range.end,
                          related.message);
+    for (const auto& fix : it.fixes)
+      all += fmt::format("  {}-{} {} to {}\n", fix.location.range.begin, fix.location.range.end,
+                         fix.title, fix.text);
   }
   return all;
 }
@@ -69,14 +103,13 @@ TEST_CASE("after an edit the findings are those of a fresh snapshot") {
   }
 }
 
-TEST_CASE("a comment behind a definition does not have the flow computed again") {
+TEST_CASE("a comment does not have the flow computed again") {
   const auto before = syntax::Document::parse(kText);
   const auto first = snapshotOf(before);
   REQUIRE(said(first) != "");
-  const auto next = first->with(textsOf(edited(before, "(defsv", "; a lamp\n")), {{kPath, {}}});
+  const auto next = after(first, edited(before, "(defsv", "; a lamp\n"));
   REQUIRE(said(next) != "");
-  CHECK(next->view(kPath).owner->flowIfKnown() == nullptr);
-  CHECK(first->view(kPath).owner->flowIfKnown() != nullptr);
+  CHECK(isSameFlow(first, next));
 }
 
 TEST_CASE("an edit that was never looked at does not lose what was known before it") {
@@ -87,10 +120,83 @@ TEST_CASE("an edit that was never looked at does not lose what was known before 
   auto snapshot = first;
   for (int i = 0; i < 3; ++i) {
     document = edited(document, "(defsv", "; a lamp\n");
-    snapshot = snapshot->with(textsOf(document), {{kPath, {}}});
+    snapshot = after(snapshot, document);
   }
   CHECK(said(snapshot) == said(snapshotOf(document)));
-  CHECK(snapshot->view(kPath).owner->flowIfKnown() == nullptr);
+  CHECK(isSameFlow(first, snapshot));
+}
+
+TEST_CASE("letters that are typed and taken back do not have the flow computed again") {
+  const auto before = syntax::Document::parse(kText);
+  const auto first = snapshotOf(before);
+  const auto told = said(first);
+  REQUIRE(told != "");
+  const auto begin = static_cast<syntax::Offset>(before.text().find("on) (if"));
+  auto document = before;
+  auto snapshot = first;
+  auto end = begin;
+  for (const char* letter : {"(", "x", "y"}) {
+    document = document.edit({end, end}, letter);
+    ++end;
+    snapshot = after(snapshot, document);
+    CHECK(said(snapshot) == said(snapshotOf(document)));
+    CHECK(snapshot->view(kPath).owner->flow() == nullptr);
+  }
+  document = document.edit({begin, end}, "");
+  snapshot = after(snapshot, document);
+  CHECK(said(snapshot) == told);
+  CHECK(isSameFlow(first, snapshot));
+}
+
+TEST_CASE("what the flow tells of a place moves with the place") {
+  const auto before = syntax::Document::parse(
+      "(defsv lamp :states (On Off Dim) :init Off)\n"
+      "(defevent dusk :effects (lamp On))\n"
+      "(defskill on :start (lamp On) :time_interval [1,3] :action (on) :success lit :failure no)\n"
+      "(defskill main :success well :failure dark\n"
+      "  :body ((on) (if (= on.status success) (^ 1) else (failure dark)) (success well)))\n");
+  const auto first = snapshotOf(before);
+  (void)said(first);
+  REQUIRE_THAT(shown(first), Catch::Matchers::Contains("= success or failure"));
+  auto document = before;
+  auto snapshot = first;
+  for (const auto& [place, put] :
+       std::vector<std::pair<const char*, const char*>>{{"(if", "; what if?\n   "},
+                                                        {"(defsv", "; a lamp\n\n"},
+                                                        {"success) (^", "  "},
+                                                        {"(^", "; wait\n"},
+                                                        {"(success", " ; well\n"},
+                                                        {"; wait", "\n"},
+                                                        {":body", "\n"}}) {
+    document = edited(document, place, put);
+    snapshot = after(snapshot, document);
+    const auto fresh = snapshotOf(document);
+    REQUIRE(said(snapshot) == said(fresh));
+    CHECK(shown(snapshot) == shown(fresh));
+    CHECK(isSameFlow(first, snapshot));
+  }
+}
+
+TEST_CASE("after any edits the findings are those of a fresh snapshot") {
+  std::uint64_t seed = 1;
+  for (const auto& text : test::allPrograms()) {
+    test::RandomEdits edits(seed++);
+    auto document = syntax::Document::parse(text);
+    auto snapshot = snapshotOf(document);
+    for (int i = 0; i < 30; ++i) {
+      const auto edit = edits.any(document.text());
+      const auto back = document;
+      document = document.edit(edit.range, edit.text);
+      INFO("edit " << i << " at " << edit.range.begin << "-" << edit.range.end << ": " << edit.text
+                   << "\nof\n"
+                   << back.text());
+      snapshot = after(snapshot, document);
+      if (edits.pick(4) != 0) CHECK(said(snapshot) == said(snapshotOf(document)));
+      if (edits.pick(3) != 0) document = back.edit({0, 0}, "");
+      snapshot = after(snapshot, document);
+      if (edits.pick(4) != 0) CHECK(said(snapshot) == said(snapshotOf(document)));
+    }
+  }
 }
 
 TEST_CASE("the program before an edit is given to be forgotten, once") {

@@ -80,7 +80,6 @@ const Json& itemsOf(const Json& answer) {
 Desk::Desk(const std::map<std::string, std::string>& files, lsp::Encoding encoding)
     : client(featuresOf(encoding)) {
   ide::OpenTexts texts;
-  ide::Includes includes;
   for (const auto& [name, text] : files) {
     auto document = syntax::Document::parse(text);
     const auto path = std::filesystem::path("/w") / name;
@@ -88,8 +87,8 @@ Desk::Desk(const std::map<std::string, std::string>& files, lsp::Encoding encodi
     documents.emplace(uriOf(name), document);
     texts[path] = {uriOf(name), 1, std::move(document)};
   }
-  snapshot = std::make_shared<ide::Snapshot>(std::make_shared<MemoryFiles>(), std::move(texts),
-                                             std::move(includes));
+  snapshot =
+      std::make_shared<ide::Snapshot>(std::make_shared<MemoryFiles>(), std::move(texts), includes);
 }
 
 std::vector<std::string> Desk::methodsOfPlaces() const {
@@ -161,6 +160,34 @@ Json Desk::inBytes(const std::string& method, const Json& answer, const std::str
 
 Json Desk::ask(const std::string& method, const std::string& file, syntax::Offset at) const {
   return inBytes(method, raw(method, params(method, file, at)), uriOf(file));
+}
+
+Json Desk::answer(const std::string& method, const std::string& file, const Json& more) const {
+  auto members = params(method, file, 0);
+  members.update(more);
+  return raw(method, members);
+}
+
+Json Desk::inParts(const std::string& method, const std::string& file) const {
+  const auto members = params(method, file, 0);
+  lsp::Request request{
+      .params = members, .snapshot = *snapshot, .client = client, .cancellation = {}};
+  request.progress = std::make_shared<lsp::Progress>([](auto&&...) {}, Json(), Json("parts"));
+  const auto answer = registry.methods.find(method)->second.handler(request);
+  auto items = Json::array();
+  if (!answer || !answer->is_array()) return "no list";
+  for (const auto& item : *answer) items.push_back(Json::parse(lsp::dump(item)));
+  return items;
+}
+
+void Desk::edit(const std::string& file, const syntax::TextEdit& edit) {
+  auto& document = documents.at(uriOf(file));
+  document = document.edit(edit.range, edit.text);
+  const auto path = std::filesystem::path("/w") / file;
+  auto texts = snapshot->open();
+  texts[path].document = document;
+  includes[path] = ide::includesOf(path, document);
+  snapshot = snapshot->with(std::move(texts), includes);
 }
 
 std::vector<std::pair<std::string, Json>>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lsp/registry.h"
+#include "syntax/edit.h"
 
 #include <map>
 #include <set>
@@ -32,7 +33,14 @@ public:
   [[nodiscard]] std::vector<std::pair<std::string, lsp::Json>>
   followUps(const std::string& method, const std::string& file, syntax::Offset at) const;
 
+  /// The answer as it is sent. \param more members of the request beside the usual ones
+  [[nodiscard]] lsp::Json answer(const std::string& method, const std::string& file,
+                                 const lsp::Json& more = lsp::Json::object()) const;
+  /// The items of an answer that is a list, as they are where the client takes lists in parts.
+  [[nodiscard]] lsp::Json inParts(const std::string& method, const std::string& file) const;
+
   [[nodiscard]] const std::string& text(const std::string& file) const;
+  void edit(const std::string& file, const syntax::TextEdit& edit);
 
 private:
   [[nodiscard]] lsp::Json raw(const std::string& method, const lsp::Json& params) const;
@@ -44,6 +52,7 @@ private:
   lsp::Registry registry = lsp::allFeatures();
   lsp::ClientFeatures client;
   std::map<std::string, syntax::Document> documents; ///< by their URIs
+  ide::Includes includes;
   std::shared_ptr<const ide::Snapshot> snapshot;
 };
 

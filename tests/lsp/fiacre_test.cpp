@@ -67,7 +67,9 @@ TEST_CASE("what is wrong with a model is told, and nothing of programs") {
   CHECK(told[0]["message"] == "process P, state a: the state `c` is not declared");
   CHECK(told[0]["range"] == test::rangeOf(2, 10, 11));
   const auto document = Json{{"textDocument", {{"uri", kUri}}}};
-  CHECK(session.result("textDocument/codeLens", document).is_null());
+  const auto lenses = session.result("textDocument/codeLens", document);
+  REQUIRE(lenses.size() == 1);
+  CHECK(lenses[0]["command"]["title"] == "verify");
   CHECK(session.ask("proskill/model", document)["error"]["message"].get<std::string>().find(
             "no program") != std::string::npos);
 }

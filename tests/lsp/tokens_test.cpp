@@ -1,8 +1,7 @@
 #include "tests/lsp/session.h"
+#include "tests/lsp/token_edits.h"
 
 #include <catch2/catch.hpp>
-
-#include <algorithm>
 
 using namespace proskill;
 using lsp::Json;
@@ -17,17 +16,6 @@ Json changed(Session& session, const Json& before) {
   Json params = kText;
   params["previousResultId"] = before["resultId"];
   return session.result("textDocument/semanticTokens/full/delta", params);
-}
-
-/// As a client applies them.
-Json applied(Json data, const Json& edits) {
-  for (const auto& edit : edits) {
-    auto begin = data.begin() + edit["start"].get<long>();
-    auto at = data.erase(begin, begin + edit["deleteCount"].get<long>());
-    auto position = at - data.begin();
-    for (const auto& number : edit["data"]) data.insert(data.begin() + position++, number);
-  }
-  return data;
 }
 
 } // namespace
@@ -62,7 +50,7 @@ TEST_CASE("changes of tokens give the tokens of the whole") {
         std::pair(test::rangeOf(2, 0, 24), ""), std::pair(test::rangeOf(3, 0, 5), "")}) {
     session.change(kMain, ++version, range, text);
     last = changed(session, last);
-    data = applied(data, last["edits"]);
+    data = test::afterEdits(data, last["edits"]);
     CHECK(data == session.result("textDocument/semanticTokens/full", kText)["data"]);
     last = session.result("textDocument/semanticTokens/full", kText);
   }

@@ -86,6 +86,33 @@ TEST_CASE("engine and oracle agree on random models with data and priorities") {
   CHECK(withPriorities > 10);
 }
 
+TEST_CASE("engine and oracle agree on random models with observers") {
+  std::size_t compared = 0;
+  std::size_t seen = 0;
+  constexpr std::uint64_t kObserved = 500;
+  for (std::uint64_t seed = 0; seed < kObserved; ++seed) {
+    fiacre::Program program = test::randomModelWithObserver(seed);
+    const auto problems = fiacre::check(program);
+    INFO("seed " << seed << (problems.empty() ? "" : ": " + problems[0].message) << "\n"
+                 << fiacre::print(program));
+    REQUIRE(problems.empty());
+    oracle::Judged judged = oracle::judge(program, 1500);
+    if (!judged.complete) continue;
+    ++compared;
+    for (std::size_t i = judged.truths.size() - 2; i < judged.truths.size(); ++i)
+      seen += judged.truths[i] == false ? 1 : 0;
+    for (std::size_t i = seed % 5; i < oracle::settings().size(); i += 5) {
+      auto wrong =
+          oracle::disagreement(program, watchingEverything(program), judged, oracle::settings()[i]);
+      INFO(wrong.value_or(""));
+      REQUIRE_FALSE(wrong.has_value());
+    }
+  }
+  INFO(compared << " models, in which " << seen << " probes saw something");
+  CHECK(compared > kObserved / 3);
+  CHECK(seen > compared / 4);
+}
+
 TEST_CASE("the engine counts state classes as the textbook does") {
   std::size_t compared = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {

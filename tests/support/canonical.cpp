@@ -82,9 +82,16 @@ void mend(std::vector<Variable>& variables) {
   }
 }
 
+void mend(Observable& observable) {
+  mend(observable.value);
+  for (auto& operand : observable.operands) mend(operand);
+}
+
 void mend(std::vector<Port>& ports) {
   for (auto& port : ports) {
     port.comment.clear();
+    port.origin = 0;
+    if (port.probe) mend(*port.probe);
     for (auto& value : port.values) mend(value);
   }
 }
@@ -102,21 +109,21 @@ void mend(Process& process) {
   }
 }
 
+void mend(std::vector<Instance>& instances) {
+  for (auto& instance : instances) {
+    mend(instance.parts);
+    instance.references.resize(instance.arguments.size());
+    for (auto& argument : instance.arguments) mend(argument);
+  }
+}
+
 void mend(Component& component) {
   component.comment.clear();
   mend(component.interfacePorts);
   mend(component.variables);
   mend(component.ports);
   if (component.init) mend(*component.init);
-  for (auto& instance : component.instances) {
-    instance.references.resize(instance.arguments.size());
-    for (auto& argument : instance.arguments) mend(argument);
-  }
-}
-
-void mend(Observable& observable) {
-  mend(observable.value);
-  for (auto& operand : observable.operands) mend(operand);
+  mend(component.instances);
 }
 
 void mend(Property& property) {
@@ -143,6 +150,7 @@ Program canonical(Program program) {
   }
   for (auto& process : program.processes) mend(process);
   for (auto& component : program.components) mend(component);
+  for (auto& each : program.observers) each.origin = 0;
   std::erase_if(program.properties,
                 [](const Property& it) { return it.pattern.kind == PatternKind::Progress; });
   for (auto& property : program.properties) mend(property);

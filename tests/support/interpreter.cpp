@@ -1,5 +1,6 @@
 #include "tests/support/interpreter.h"
 
+#include "tests/support/judge.h"
 #include "tests/support/path_walk.h"
 
 #include <algorithm>
@@ -57,12 +58,16 @@ Interpreter::Interpreter(const fiacre::Program& of) : program(of) {
   for (const auto& type : program.types) types[type.name] = &type;
   for (const auto& constant : program.constants) constants[constant.name] = &constant;
   for (const auto& function : program.functions) functions[function.name] = &function;
-  const auto* main = findNamed(program.components, program.main);
-  if (!main) throw ModelError("no main component");
-  countInstances(*main);
+  const auto& main = componentNamed(program.main);
+  countInstances(main.instances);
+  for (const auto& each : program.observers)
+    countInstances(componentNamed(each.observer).instances);
   first.assign(elaborated.size(), 0);
   elaborated.clear();
-  elaborate(*main, {}, {}, {});
+  elaborate(main, {}, {}, {});
+  firstObserver = elaborated.size();
+  for (std::uint32_t k = 1; k <= program.observers.size(); ++k)
+    elaborate(componentNamed(program.observers[k - 1].observer), {0, k}, {}, {});
   for (bool more = true; more;) { // what goes before what goes before goes before
     const auto said = priorities;
     for (const auto& [high, middle] : said)
@@ -80,14 +85,30 @@ const Type& Interpreter::resolve(const Type& type) const {
   return resolve(found->second->type);
 }
 
+const fiacre::Component& Interpreter::componentNamed(const std::string& name) const {
+  const auto* found = findNamed(program.components, name);
+  if (!found) throw ModelError("no component " + name);
+  return *found;
+}
+
 // The states of all instances come before the variables, so their number has to be known first.
-void Interpreter::countInstances(const fiacre::Component& component) {
-  for (const auto& instance : component.instances) {
-    if (const auto* inner = findNamed(program.components, instance.process))
-      countInstances(*inner);
+void Interpreter::countInstances(const std::vector<fiacre::Instance>& parts) {
+  for (const auto& part : parts) {
+    if (!part.parts.empty())
+      countInstances(part.parts);
+    else if (const auto* inner = findNamed(program.components, part.process))
+      countInstances(inner->instances);
     else
       elaborated.emplace_back();
   }
+}
+
+std::vector<std::uint32_t> Interpreter::pathOf(const fiacre::Observable& observable) const {
+  std::vector<std::uint32_t> path;
+  for (std::uint32_t k = 1; k <= program.observers.size(); ++k)
+    if (program.observers[k - 1].observer == observable.observer) path = {0, k};
+  path.insert(path.end(), observable.path.begin(), observable.path.end());
+  return path;
 }
 
 void Interpreter::elaborate(const fiacre::Component& component, std::vector<std::uint32_t> path,
@@ -104,10 +125,21 @@ void Interpreter::elaborate(const fiacre::Component& component, std::vector<std:
     for (const auto& high : priority.higher)
       for (const auto& low : priority.lower) priorities.insert({ports.at(high), ports.at(low)});
   componentScopes[path] = scope;
-  for (std::uint32_t i = 0; i < component.instances.size(); ++i) {
-    const auto& instance = component.instances[i];
+  addParts(component.instances, path, scope, ports);
+}
+
+// Sets of ports are not known here: all wait for all.
+void Interpreter::addParts(const std::vector<fiacre::Instance>& parts,
+                           const std::vector<std::uint32_t>& path, const Scope& scope,
+                           const PortMap& ports) {
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const auto& instance = parts[i];
     auto innerPath = path;
     innerPath.push_back(i + 1);
+    if (!instance.parts.empty()) {
+      addParts(instance.parts, innerPath, scope, ports);
+      continue;
+    }
     if (const auto* process = findNamed(program.processes, instance.process)) {
       addInstance(*process, instance, std::move(innerPath), scope, ports);
       continue;
@@ -200,13 +232,66 @@ std::vector<Firing> Interpreter::firings(const Store& store) const {
     for (const auto& path : all.back())
       if (!path.port) result.push_back(combine(std::vector{&path}, store));
   }
-  for (std::size_t port = 0; port < slots.size(); ++port) synchronise(port, all, store, result);
+  const auto ofSteps = [&](std::size_t port) {
+    return slots[port].port->probe && watchesSteps(*slots[port].port->probe);
+  };
+  for (std::size_t port = 0; port < slots.size(); ++port)
+    if (!ofSteps(port) && isProbed(port, store)) synchronise(port, all, store, result);
+  for (std::size_t port = 0; port < slots.size(); ++port)
+    if (ofSteps(port)) watch(port, all, store, result);
   return result;
 }
 
-// Every instance that is given the port takes part: the product of their paths with it.
+bool Interpreter::isProbed(std::size_t port, const Store& store) const {
+  const auto& probe = slots[port].port->probe;
+  return !probe || observed(*this, *probe, {&store, nullptr});
+}
+
+bool Interpreter::observes(const Firing& firing) const {
+  return firing.participants.front() >= firstObserver;
+}
+
+// A step that is watched for is taken with those who can take part, and not without them.
+void Interpreter::watch(std::size_t port, const std::vector<std::vector<Path>>& all,
+                        const Store& store, std::vector<Firing>& result) const {
+  std::vector<Firing> made;
+  for (const auto& firing : result) {
+    bool watched = false;
+    const bool seen =
+        !observes(firing) && observed(*this, *slots[port].port->probe, {&store, &firing});
+    for (const auto& parts : seen ? choices(port, all) : std::vector<std::vector<const Path*>>{}) {
+      const Firing own = combine(parts, store);
+      std::vector<std::size_t> both;
+      std::ranges::set_intersection(own.participants, firing.participants,
+                                    std::back_inserter(both));
+      if (!both.empty()) continue;
+      watched = true;
+      Firing& with = made.emplace_back(firing);
+      with.watchers.push_back(port);
+      with.participants.insert(with.participants.end(), own.participants.begin(),
+                               own.participants.end());
+      std::ranges::sort(with.participants);
+      with.movers.insert(with.movers.end(), own.movers.begin(), own.movers.end());
+      with.tags.insert(with.tags.end(), own.tags.begin(), own.tags.end());
+      with.origins.insert(with.origins.end(), own.origins.begin(), own.origins.end());
+      for (std::size_t i = 0; i < store.size(); ++i)
+        if (own.after[i] != store[i]) with.after[i] = own.after[i];
+    }
+    if (!watched) made.push_back(firing);
+  }
+  result = std::move(made);
+}
+
 void Interpreter::synchronise(std::size_t port, const std::vector<std::vector<Path>>& all,
                               const Store& store, std::vector<Firing>& result) const {
+  const auto takes = [](const Path* part) { return part->takes; };
+  for (const auto& parts : choices(port, all)) // what nobody sends nobody gets
+    if (!std::ranges::all_of(parts, takes)) result.push_back(combine(parts, store));
+}
+
+// Every instance that is given the port takes part: the product of their paths with it.
+std::vector<std::vector<const Path*>>
+Interpreter::choices(std::size_t port, const std::vector<std::vector<Path>>& all) const {
   std::vector<std::vector<const Path*>> together{{}};
   for (std::size_t i = 0; i < elaborated.size(); ++i) {
     bool given = std::ranges::any_of(elaborated[i].ports,
@@ -222,14 +307,16 @@ void Interpreter::synchronise(std::size_t port, const std::vector<std::vector<Pa
       }
     together = std::move(longer);
   }
-  const auto takes = [](const Path* part) { return part->takes; };
-  for (const auto& parts : together) // what nobody sends nobody gets
-    if (!std::ranges::all_of(parts, takes)) result.push_back(combine(parts, store));
+  // Nobody at all passes nothing.
+  std::erase_if(together, [](const auto& parts) { return parts.empty(); });
+  return together;
 }
 
 bool Interpreter::goesBefore(const Firing& high, const Firing& low) const {
+  if (observes(high) && !observes(low)) return true;
   if (high.port && low.port) return priorities.contains({*high.port, *low.port});
-  return high.rank && low.rank && high.participants == low.participants &&
+  // Observers that watch stand behind.
+  return high.rank && low.rank && high.participants.front() == low.participants.front() &&
          high.rank->first == low.rank->first && high.rank->second > low.rank->second;
 }
 

@@ -44,7 +44,8 @@ struct PortSlot {
 /// A process in the composition.
 struct Instance {
   const fiacre::Process* process = nullptr;
-  std::vector<std::uint32_t> path; ///< 1-based places in `par`, from the main component down
+  /// 1-based places in `par`, from the main component down; 0 and k before those of observer k.
+  std::vector<std::uint32_t> path;
   Scope scope;
   PortMap ports;
 };
@@ -61,6 +62,7 @@ struct Firing {
   std::vector<std::size_t> participants; ///< instances, ascending
   std::vector<std::size_t> movers;       ///< those that did not end in `loop`
   std::optional<std::size_t> port;
+  std::vector<std::size_t> watchers;                     ///< ports that observers pass with it
   std::vector<std::pair<std::size_t, std::string>> tags; ///< by instance
   std::vector<fiacre::OriginId> origins;                 ///< of the statements passed
   /// Of a `select` with `unless`, in which part of it.
@@ -82,6 +84,7 @@ public:
   [[nodiscard]] bool goesBefore(const Firing& high, const Firing& low) const;
   [[nodiscard]] const std::vector<Instance>& instances() const { return elaborated; }
   [[nodiscard]] const std::vector<PortSlot>& ports() const { return slots; }
+  [[nodiscard]] std::vector<std::uint32_t> pathOf(const fiacre::Observable& observable) const;
   /// The instances that take part in a transition of this clock.
   [[nodiscard]] const std::vector<std::size_t>& participants(ClockId clock) const;
 
@@ -100,7 +103,10 @@ private:
   friend const fiacre::Type& resolveType(const Interpreter&, const fiacre::Type&);
 
   [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
-  void countInstances(const fiacre::Component& component);
+  [[nodiscard]] const fiacre::Component& componentNamed(const std::string& name) const;
+  void countInstances(const std::vector<fiacre::Instance>& parts);
+  void addParts(const std::vector<fiacre::Instance>& parts, const std::vector<std::uint32_t>& path,
+                const Scope& scope, const PortMap& ports);
   void elaborate(const fiacre::Component& component, std::vector<std::uint32_t> path, Scope scope,
                  PortMap ports);
   void addInstance(const fiacre::Process& process, const fiacre::Instance& instance,
@@ -115,6 +121,12 @@ private:
   [[nodiscard]] std::vector<Path> paths(std::size_t instance, const Store& store) const;
   void synchronise(std::size_t port, const std::vector<std::vector<Path>>& all, const Store& store,
                    std::vector<Firing>& result) const;
+  [[nodiscard]] bool isProbed(std::size_t port, const Store& store) const;
+  [[nodiscard]] bool observes(const Firing& firing) const;
+  void watch(std::size_t port, const std::vector<std::vector<Path>>& all, const Store& store,
+             std::vector<Firing>& result) const;
+  [[nodiscard]] std::vector<std::vector<const Path*>>
+  choices(std::size_t port, const std::vector<std::vector<Path>>& all) const;
   [[nodiscard]] Firing combine(std::span<const Path* const> parts, const Store& store) const;
   [[nodiscard]] ClockId clockOf(std::span<const Path* const> parts) const;
 
@@ -125,6 +137,7 @@ private:
   std::vector<Instance> elaborated;
   std::map<std::vector<std::uint32_t>, Scope> componentScopes;
   std::vector<PortSlot> slots;
+  std::size_t firstObserver = 0; ///< instances from it on are of observers
   std::set<std::pair<std::size_t, std::size_t>> priorities; ///< ports: the first goes first
   Store first;
 

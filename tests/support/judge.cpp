@@ -18,17 +18,21 @@ std::optional<std::size_t> instanceAt(const Interpreter& model,
 }
 
 bool bearsTag(const Interpreter& model, const Observable& tag, const Firing& firing) {
+  const auto path = model.pathOf(tag);
   return std::ranges::any_of(firing.tags, [&](const auto& borne) {
     const auto& at = model.instances()[borne.first].path;
-    bool below = std::ranges::mismatch(tag.path, at).in1 == tag.path.end();
+    bool below = std::ranges::mismatch(path, at).in1 == path.end();
+    if (path.empty() && at[0] == 0) below = false; // an observer is no part of the model
     return borne.second == tag.name && below;
   });
 }
 
 bool isEvent(const Interpreter& model, const Observable& event, const Firing& firing) {
-  if (!firing.port) return false;
-  const auto& port = model.ports()[*firing.port];
-  return port.name == event.name && port.component == event.path;
+  const auto is = [&](std::size_t slot) {
+    const auto& port = model.ports()[slot];
+    return port.name == event.name && port.component == model.pathOf(event);
+  };
+  return (firing.port && is(*firing.port)) || std::ranges::any_of(firing.watchers, is);
 }
 
 template <class Predicate> bool somewhere(const RegionGraph& graph, Predicate predicate) {
@@ -82,10 +86,11 @@ bool observed(const Interpreter& model, const Observable& observable, Moment mom
   };
   switch (observable.kind) {
   case ObservableKind::State: {
-    auto instance = instanceAt(model, observable.path);
+    auto instance = instanceAt(model, model.pathOf(observable));
     return instance && model.stateName(*instance, *moment.before) == observable.name;
   }
-  case ObservableKind::Value: return model.holds(observable.path, observable.value, *moment.before);
+  case ObservableKind::Value:
+    return model.holds(model.pathOf(observable), observable.value, *moment.before);
   case ObservableKind::Tag: return moment.firing && bearsTag(model, observable, *moment.firing);
   case ObservableKind::Event: return moment.firing && isEvent(model, observable, *moment.firing);
   case ObservableKind::Enter:

@@ -45,6 +45,24 @@ public:
     return edit(at, at, kTouches[pick(kTouches.size())]);
   }
 
+  /// A letter of a word typed twice or taken out, as in a name that is being typed.
+  syntax::TextEdit misspell(const std::string& text) {
+    static constexpr std::string_view kLetters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    const auto at = text.find_first_of(kLetters, pick(text.size() + 1));
+    if (at == std::string::npos) return edit(text.size(), text.size(), "x");
+    return pick(2) == 0 ? edit(at, at, text.substr(at, 1)) : edit(at, at + 1, "");
+  }
+
+  /// Any of them.
+  syntax::TextEdit any(const std::string& text) {
+    switch (pick(3)) {
+    case 0: return slip(text);
+    case 1: return touch(text);
+    default: return misspell(text);
+    }
+  }
+
   std::size_t pick(std::size_t bound) { return random.below(bound); }
 
 private:

@@ -15,4 +15,8 @@ namespace proskill::test {
 /// processes, priorities between ports and `unless`.
 [[nodiscard]] fiacre::Program randomModelWithData(std::uint64_t seed);
 
+/// Either of these with an observer, and a composition within its composition: probes of states and
+/// of steps, watched by two processes. Its properties ask for their states, too.
+[[nodiscard]] fiacre::Program randomModelWithObserver(std::uint64_t seed);
+
 } // namespace proskill::test

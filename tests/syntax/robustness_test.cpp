@@ -5,6 +5,7 @@
 
 using namespace proskill;
 using syntax::Document;
+using syntax::Offset;
 using namespace std::string_literals;
 
 namespace {
@@ -126,8 +127,22 @@ TEST_CASE("what is nested too deep does not hide its neighbours") {
 
 TEST_CASE("a hundred megabytes in one line are one diagnostic") {
   auto document = Document::parse(repeated("a b (c) ", 100'000'000 / 8));
-  CHECK(test::codesOf(document) == "PS0004");
+  CHECK(test::codesOf(document) == "PS0003");
   CHECK(document.forms().size() == 1);
+  CHECK(test::codesOf(Document::parse(repeated("a b (c) ", 300'000))) == "PS0004");
+}
+
+TEST_CASE("a text that is too long is kept, and read when it has become shorter") {
+  const std::string line = "(defsv a :init 1 :min 0 :max 2)\n";
+  const std::string text = repeated(line, 17'000'000 / line.size());
+  const auto document = Document::parse(text);
+  CHECK(test::codesOf(document) == "PS0003");
+  CHECK(document.text() == text);
+  CHECK(document.edit({5, 5}, "x").text().size() == text.size() + 1);
+  const auto shorter =
+      document.edit({static_cast<Offset>(2 * line.size()), static_cast<Offset>(text.size())}, "");
+  CHECK(shorter.forms().size() == 2);
+  CHECK(shorter.dump() == Document::parse(line + line).dump());
 }
 
 TEST_CASE("a hundred thousand comments in a row are read") {

@@ -2,6 +2,8 @@
 #include "tests/support/models.h"
 
 #include "codegen/model.h"
+#include "fiacre/check.h"
+#include "fiacre/parse.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>
@@ -38,6 +40,37 @@ verify::Result answers(const codegen::Model& model, const verify::Options& optio
 }
 
 } // namespace
+
+TEST_CASE("the models in Fiacre have the verdicts that they tell") {
+  std::size_t models = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(PROSKILL_SOURCE_DIR "/examples/fiacre")) {
+    if (entry.path().extension() != ".fcr") continue;
+    ++models;
+    std::stringstream read;
+    read << std::ifstream(entry.path()).rdbuf();
+    const std::string text = read.str();
+    const auto parsed = fiacre::parse(text);
+    REQUIRE(parsed.problems.empty());
+    REQUIRE(fiacre::check(parsed.program).empty());
+    std::vector<verify::Question> questions;
+    for (std::size_t i = 0; i < parsed.program.properties.size(); ++i)
+      if (parsed.program.properties[i].asserted) questions.push_back({i});
+    CHECK(questions.size() >= 2);
+    const auto result = verify::verify(parsed.program, parsed.provenance, questions);
+    REQUIRE(result.has_value());
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const auto& name = parsed.program.properties[questions[i].property].name;
+      const auto place = text.find("\nproperty " + name + " ");
+      REQUIRE(place != std::string::npos);
+      const auto line = text.rfind('\n', place - 1) + 1;
+      const bool violated = text.substr(line, place - line).starts_with("// violated");
+      INFO(entry.path().filename() << ": " << name);
+      CHECK(result->answers[i].truth == (violated ? Truth::False : Truth::True));
+    }
+  }
+  CHECK(models > 12);
+}
 
 TEST_CASE("The answers to an example do not depend on any one of the reductions") {
   auto [folder, root] = GENERATE(table<std::string, std::string>({{"drone", "drone.proskill"},

@@ -170,3 +170,21 @@ TEST_CASE(
   REQUIRE(untimed.has_value());
   CHECK(untimed->counts.markings == 2); // a, and b by p
 }
+
+TEST_CASE("A run that never comes to something is found in a part of what can be reached") {
+  const auto turns = [](const std::string& name, int last) {
+    const auto most = std::to_string(last);
+    return "process " + name + " is states a var x: 0.." + most + " := 0 from a if x < " + most +
+           " then x := x + 1 else x := 0 end; to a\n";
+  };
+  const auto read = fiacre::parse(turns("Ten", 9) + turns("Three", 2) +
+                                  "component main is par * in Ten" + repeated(" || Three", 10) +
+                                  " end\nproperty five is ltl <> (main/1/value (x = 5))\n"
+                                  "assert five\nmain");
+  REQUIRE(read.problems.empty());
+  verify::Options options;
+  options.limits.classes = 20'000; // of 590,490
+  const auto result = verify::verify(read.program, read.provenance, {{0}}, options);
+  REQUIRE(result.has_value());
+  CHECK(result->answers[0].truth == Truth::False);
+}

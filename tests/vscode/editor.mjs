@@ -10,7 +10,7 @@ export class Editor {
   }
 
   async open(url, folder) {
-    await this.page.goto(`${url}/?folder=${folder}`, { waitUntil: 'domcontentloaded' });
+    await this.page.goto(`${url}/?folder=${folder}`, { waitUntil: 'domcontentloaded', timeout: 60_000 });
     await this.page.waitForSelector('.monaco-workbench .statusbar-item', { timeout: 60_000 });
   }
 

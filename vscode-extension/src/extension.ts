@@ -4,7 +4,7 @@ import { AutomatonPreview } from './automaton';
 import { Client } from './client';
 import { Debugging } from './debug';
 import { FiacreView } from './model';
-import { currentText } from './places';
+import { currentText, isVerified } from './places';
 import { Programs } from './programs';
 import * as protocol from './protocol';
 import { showReferences } from './show_references';
@@ -77,7 +77,7 @@ export async function deactivate(): Promise<void> {
 }
 
 function tellInView(server: Client, editor: vscode.TextEditor | undefined): void {
-  if (editor?.document.languageId !== 'proskill' || !server.ready) return;
+  if (!editor || !isVerified(editor.document) || !server.ready) return;
   void server.running.sendNotification(protocol.inView, { textDocument: { uri: editor.document.uri.toString() } });
 }
 

@@ -26,10 +26,14 @@ export async function reveal(location: panel.Location, focus: boolean): Promise<
   editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
+/** A program, or a model that is written by hand; a model that is only shown is neither. */
+export const isVerified = (document: vscode.TextDocument): boolean =>
+  document.languageId === 'proskill' || (document.languageId === 'fiacre' && document.uri.scheme === 'file');
+
 /** The text that a command without arguments is about. */
 export function currentText(): vscode.TextDocument {
   const active = vscode.window.activeTextEditor?.document;
-  const found = active?.languageId === 'proskill'
+  const found = active && isVerified(active)
     ? active
     : vscode.window.visibleTextEditors.map((editor) => editor.document).find((it) => it.languageId === 'proskill');
   if (!found) throw new Error('Open a ProSkill program first.');

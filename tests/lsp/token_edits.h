@@ -1,0 +1,25 @@
+#pragma once
+
+#include "lsp/rpc.h"
+
+namespace proskill::test {
+
+/// An array of tokens after the protocol's edits, all of which are of the array as it was; they
+/// must be in its order and not overlap. Throws `std::runtime_error` where they are not.
+[[nodiscard]] inline lsp::Json afterEdits(const lsp::Json& tokens, const lsp::Json& edits) {
+  auto result = lsp::Json::array();
+  std::size_t done = 0;
+  auto copyTo = [&](std::size_t end) {
+    if (end < done || end > tokens.size()) throw std::runtime_error("an edit out of order");
+    while (done < end) result.push_back(tokens[done++]);
+  };
+  for (const auto& edit : edits) {
+    copyTo(edit["start"]);
+    done += edit["deleteCount"].get<std::size_t>();
+    for (const auto& number : edit["data"]) result.push_back(number);
+  }
+  copyTo(tokens.size());
+  return result;
+}
+
+} // namespace proskill::test
