@@ -81,14 +81,18 @@ void FrameReader::skip() {
 
 /// Reads a header, and the body where it is there already.
 std::optional<Frame> FrameReader::readHeader() {
+  // Also of what looked like a header when fewer of its bytes had come.
+  if (lost) position += nextHeader(std::string_view(buffer).substr(position));
   auto pending = std::string_view(buffer).substr(position);
-  auto end = pending.find(kHeaderEnd);
+  constexpr auto kLongest = kLongestHeader + kHeaderEnd.size();
+  auto end = pending.substr(0, kLongest).find(kHeaderEnd);
   if (end == std::string_view::npos) {
-    if (pending.size() <= kLongestHeader) return std::nullopt;
+    if (pending.size() < kLongest) return std::nullopt;
     return resynchronise("no header in the first bytes of a message");
   }
   auto length = lengthInHeader(pending.substr(0, end));
   if (!length) return resynchronise("a header without a Content-Length");
+  lost = false;
   position += end + kHeaderEnd.size();
   if (*length > limit) {
     toSkip = *length;
@@ -107,9 +111,10 @@ std::optional<Frame> FrameReader::readBody() {
   return body;
 }
 
-/// Drops what cannot be a header, up to the next place that may be one.
+/// Goes on at the next place that may be a header.
 Frame FrameReader::resynchronise(std::string message) {
-  position += 1 + nextHeader(std::string_view(buffer).substr(position + 1));
+  ++position;
+  lost = true;
   return FramingError{std::move(message)};
 }
 

@@ -36,6 +36,7 @@ private:
   std::size_t limit;
   std::string buffer;
   std::size_t position = 0;              ///< what of the buffer is done with
+  bool lost = false;                     ///< what stands there need not be a header
   std::optional<std::size_t> bodyLength; ///< known: the header has been read
   std::size_t toSkip = 0;                ///< of a body that is too long
 };

@@ -76,6 +76,35 @@ TEST_CASE("two gibibytes are announced, and nothing is held for them") {
   CHECK(!reader.next());
 }
 
+TEST_CASE("what looks like a header only until more of it has come is none") {
+  const std::string stream = "noise\r\n\r\nno; content-length: 5, content-Length: 2\r\n"
+                             "Content-Length: 4\r\n\r\nabcd" +
+                             frame("{}");
+  for (std::size_t piece = 1; piece <= stream.size(); ++piece) {
+    const auto frames = readAll(stream, piece);
+    INFO("pieces of " << piece);
+    CHECK(body(frames.back()) == "{}");
+    std::vector<std::string> bodies;
+    for (const auto& each : frames)
+      if (std::holds_alternative<std::string>(each)) bodies.push_back(body(each));
+    CHECK(bodies == std::vector<std::string>{"abcd", "{}"});
+  }
+}
+
+TEST_CASE("a header that is too long is none, however the stream is cut") {
+  const auto headerOf = [](std::size_t length) {
+    return "X: " + std::string(length - 22, 'x') + "\r\nContent-Length: 2\r\n\r\n{}";
+  };
+  for (const std::size_t length : {8000u, 8192u, 8193u, 9000u}) {
+    const auto stream = headerOf(length);
+    const auto whole = readAll(stream, stream.size());
+    INFO(length);
+    CHECK(readAll(stream, 1).size() == whole.size());
+    CHECK(body(whole.back()) == "{}");
+    CHECK((whole.size() == 1) == (length <= 8192));
+  }
+}
+
 TEST_CASE("noise without a header is dropped, and the next message is read") {
   auto frames = readAll(std::string(20000, '\0') + frame("{}"), 777);
   REQUIRE(!frames.empty());
