@@ -12,6 +12,9 @@ constexpr std::size_t kTogether = 4096;
 /// So many edits cost what it costs to parse a long text anew.
 constexpr unsigned kMostEdits = 16;
 
+/// Whether it gives the text as a whole.
+bool isWhole(const Json& change) { return !change.contains("range"); }
+
 std::optional<EditorPosition> editorPosition(const Json& json) {
   const Json& line = memberAt(json, {"line"});
   const Json& character = memberAt(json, {"character"});
@@ -38,7 +41,7 @@ public:
     const Json& words = memberAt(change, {"text"});
     if (!words.is_string()) return false;
     const auto& inserted = words.get_ref<const std::string&>();
-    if (!change.contains("range")) {
+    if (isWhole(change)) {
       replace({0, static_cast<syntax::Offset>(text.size())}, inserted);
       return true;
     }
@@ -100,10 +103,18 @@ std::optional<syntax::Document> changedOnce(const syntax::Document& document, co
   const Json& words = memberAt(change, {"text"});
   if (!words.is_string()) return std::nullopt;
   const auto& inserted = words.get_ref<const std::string&>();
-  if (!change.contains("range")) return syntax::Document::parse(inserted);
+  if (isWhole(change)) return syntax::Document::parse(inserted);
   const auto range = rangeIn(document.text(), document.lines(), change["range"], encoding);
   if (!range) return std::nullopt;
   return document.edit(*range, inserted);
+}
+
+/// The last change that gives the whole text heals whatever was wrong before it.
+Json::const_iterator firstThatCounts(const Json& changes) {
+  auto it = changes.end();
+  while (it != changes.begin())
+    if (isWhole(*--it) && memberAt(*it, {"text"}).is_string()) return it;
+  return changes.begin();
 }
 
 } // namespace
@@ -111,11 +122,13 @@ std::optional<syntax::Document> changedOnce(const syntax::Document& document, co
 std::optional<syntax::Document> changed(syntax::Document document, const Json& changes,
                                         Encoding encoding) {
   if (!changes.is_array()) return std::nullopt;
-  if (changes.empty()) return document;
-  if (changes.size() == 1) return changedOnce(document, changes[0], encoding);
+  const auto first = firstThatCounts(changes);
+  const auto count = changes.end() - first;
+  if (count == 0) return document;
+  if (count == 1) return changedOnce(document, *first, encoding);
   Edited edited(std::move(document));
-  for (const auto& change : changes)
-    if (!edited.apply(change, encoding)) return std::nullopt;
+  for (auto change = first; change != changes.end(); ++change)
+    if (!edited.apply(*change, encoding)) return std::nullopt;
   return std::move(edited).parsed();
 }
 

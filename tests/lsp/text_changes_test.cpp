@@ -86,6 +86,20 @@ TEST_CASE("changes of which one does not fit are none") {
   CHECK_FALSE(lsp::changed(document, nullptr, Encoding::Utf8));
 }
 
+TEST_CASE("a whole text heals the changes before it that do not fit") {
+  const auto document = syntax::Document::parse("a\n");
+  const Json bad = change(5, 0, 5, 0, "x");
+  const Json whole{{"text", "new\n"}};
+  for (const Json& healed : {Json{bad, whole}, Json{change(0, 0, 0, 1, "b"), bad, whole}}) {
+    const auto after = lsp::changed(document, healed, Encoding::Utf8);
+    REQUIRE(after);
+    CHECK(after->text() == "new\n");
+  }
+  CHECK(lsp::changed(document, {bad, whole, change(0, 3, 0, 3, "er")}, Encoding::Utf8)->text() ==
+        "newer\n");
+  CHECK_FALSE(lsp::changed(document, {whole, bad}, Encoding::Utf8));
+}
+
 TEST_CASE("an edit makes only those requests stale that came before it") {
   lsp::Pending pending;
   const auto hover = [](int id) {
