@@ -151,6 +151,7 @@ struct Invariant {
 struct Outcome {
   Name tag;
   Effects effects;
+  std::optional<Range> postconditionField; ///< keyword and value
   std::optional<Expr> postcondition;
   Range range;
 };

@@ -101,10 +101,15 @@ bool isRepeated(Builder& builder, const Field& field, std::vector<Name>& seen) {
   return true;
 }
 
-/// Reads the fields of a clause: `condition` is what `:guard` or `:postcondition` says. Returns
-/// whether there is nothing else in it.
+/// What `:guard` or `:postcondition` says.
+struct Condition {
+  Range field; ///< keyword and value
+  Expr says;
+};
+
+/// Reads the fields of a clause. Returns whether there is nothing else in it.
 bool readClause(Builder& builder, const Node& clause, std::string_view owner, Effects& effects,
-                std::optional<Expr>& condition) {
+                std::optional<Condition>& condition) {
   Parts parts(clause);
   bool empty = !parts.peek();
   if (empty) builder.report(Code::EmptyForm, clause.range);
@@ -118,7 +123,7 @@ bool readClause(Builder& builder, const Node& clause, std::string_view owner, Ef
     else if (field.kind == NodeKind::UnknownField)
       reportUnknownField(builder, field, owner, fieldsOfClause(owner));
     else
-      condition = conditionField(builder, field);
+      condition = {field.use.range, conditionField(builder, field)};
   }
   return !empty && !loose;
 }
@@ -135,10 +140,10 @@ Invariant invariantOf(Builder& builder, const Node& node) {
     builder.report(Code::MissingCondition, node.range, invariant.tag.text);
     return invariant;
   }
-  std::optional<Expr> guard;
+  std::optional<Condition> guard;
   bool plain = readClause(builder, *clause, ":invariant", invariant.effects, guard);
   if (guard)
-    invariant.guard = std::move(*guard);
+    invariant.guard = std::move(guard->says);
   else if (plain)
     builder.report(Code::MissingValue, clause->range, ":invariant", "a `:guard`");
   return invariant;
@@ -164,8 +169,13 @@ Outcome outcomeOf(Builder& builder, const Node& node) {
   outcome.range = node.range;
   Parts parts(node);
   outcome.tag = builder.nameOf(*parts.take());
+  std::optional<Condition> postcondition;
   if (const Node* clause = parts.take())
-    readClause(builder, *clause, "outcome", outcome.effects, outcome.postcondition);
+    readClause(builder, *clause, "outcome", outcome.effects, postcondition);
+  if (postcondition) {
+    outcome.postconditionField = postcondition->field;
+    outcome.postcondition = std::move(postcondition->says);
+  }
   return outcome;
 }
 
@@ -227,7 +237,7 @@ std::optional<Interrupt> interruptOf(Builder& builder, Field& field) {
   if (!value) return std::nullopt;
   Interrupt interrupt;
   interrupt.range = value->range;
-  std::optional<Expr> none;
+  std::optional<Condition> none;
   if (value->kind == NodeKind::InterruptClause)
     readClause(builder, *value, ":interrupt", interrupt.effects, none);
   else

@@ -16,7 +16,9 @@ auto members(Transition& x) { return std::tie(x.from, x.to, x.range); }
 auto members(Input& x) { return std::tie(x.name, x.type, x.range); }
 auto members(Precondition& x) { return std::tie(x.tag, x.condition, x.range); }
 auto members(Invariant& x) { return std::tie(x.tag, x.guard, x.effects, x.range); }
-auto members(Outcome& x) { return std::tie(x.tag, x.effects, x.postcondition, x.range); }
+auto members(Outcome& x) {
+  return std::tie(x.tag, x.effects, x.postconditionField, x.postcondition, x.range);
+}
 auto members(Action& x) { return std::tie(x.command, x.arguments, x.range); }
 auto members(Interrupt& x) { return std::tie(x.effects, x.range); }
 auto members(Argument& x) { return std::tie(x.name, x.value, x.range); }

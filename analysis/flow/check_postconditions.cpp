@@ -36,25 +36,6 @@ std::optional<Expected> expectedBy(const syntax::Expr& condition) {
   return std::nullopt;
 }
 
-/// Where the keyword stands. Between it and the condition is nothing but white space and comments,
-/// which may have the same word.
-std::optional<syntax::Offset> keywordOf(const syntax::Document& document,
-                                        const syntax::Outcome& outcome) {
-  constexpr std::string_view kKeyword = ":postcondition";
-  const auto before =
-      std::string_view(document.text()).substr(0, outcome.postcondition->range.begin);
-  auto isComment = [&](std::size_t at) {
-    return std::ranges::any_of(document.comments(), [&](syntax::Range comment) {
-      return comment.contains(static_cast<syntax::Offset>(at));
-    });
-  };
-  auto at = before.rfind(kKeyword);
-  while (at != std::string_view::npos && isComment(at))
-    at = at == 0 ? std::string_view::npos : before.rfind(kKeyword, at - 1);
-  if (at == std::string_view::npos || at < outcome.range.begin) return std::nullopt;
-  return static_cast<syntax::Offset>(at);
-}
-
 /// Effects of an outcome with one more.
 void offerEffect(Finding& finding, const Report& report, FileId file,
                  const syntax::Outcome& outcome, const std::string& effect) {
@@ -63,8 +44,8 @@ void offerEffect(Finding& finding, const Report& report, FileId file,
   const auto& items = outcome.effects.items;
   const syntax::Range old = outcome.effects.range;
   if (items.empty()) {
-    if (const auto at = keywordOf(report.program.files[file].document, outcome))
-      finding.fix(title, {file, {*at, *at}}, fmt::format(":effects {} ", effect));
+    const auto at = outcome.postconditionField->begin;
+    finding.fix(title, {file, {at, at}}, fmt::format(":effects {} ", effect));
   } else if (items.size() == 1 && items[0].range == old) {
     finding.fix(title, {file, old},
                 fmt::format("({} {})", text.substr(old.begin, old.length()), effect));
