@@ -165,11 +165,9 @@ Type Expressions::access(const Expr& expr) {
   if (!expr.member || expr.member.text == "status")
     return expr.member ? Type{TypeKind::Status, kNoSymbol} : Type{};
   if (expr.member.text == "res") return skill == kNoSymbol ? Type{} : Type{TypeKind::Result, skill};
-  syntax::Suggestion suggestion(expr.member.text);
-  suggestion.offer("status");
-  suggestion.offer("res");
+  constexpr std::string_view kMembers[] = {"status", "res"};
   context.findings.report(Code::UnknownMember, {file, expr.member.range}, expr.member.text)
-      .suggest(suggestion.best());
+      .suggest(syntax::nearest(expr.member.text, kMembers));
   return {};
 }
 

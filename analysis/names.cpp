@@ -96,10 +96,8 @@ void Names::useResult(const Name& tag, SymbolId skill) {
 
 void Names::useStatus(const Name& word, std::span<const std::string_view> allowed) {
   if (!word || std::ranges::find(allowed, word.text) != allowed.end()) return;
-  syntax::Suggestion suggestion(word.text);
-  for (std::string_view status : allowed) suggestion.offer(status);
   context.findings.report(Code::UnknownStatus, {file, word.range}, word.text)
-      .suggest(suggestion.best());
+      .suggest(syntax::nearest(word.text, allowed));
 }
 
 void Names::useLabelAnywhere(const Name& label) {

@@ -101,10 +101,10 @@ void printMarkdown() {
 }
 
 int failUnknown(const std::string& code) {
-  syntax::Suggestion suggestion(code);
-  for (const syntax::CodeInfo& known : syntax::allCodes()) suggestion.offer(known.id);
+  const auto ids = syntax::allCodes() | std::views::transform(&syntax::CodeInfo::id);
+  const auto meant = syntax::nearest(code, ids);
   std::cerr << "error: there is no code `" << code << "`";
-  if (!suggestion.best().empty()) std::cerr << "; did you mean " << suggestion.best() << "?";
+  if (!meant.empty()) std::cerr << "; did you mean " << meant << "?";
   std::cerr << " (`proskill explain --list` shows all)\n";
   return 2;
 }

@@ -51,10 +51,9 @@ std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
 
 int failUnknown(const CLI::App& app, const std::string& word) {
   const auto names = commandNames(app);
-  proskill::syntax::Suggestion suggestion(word);
-  for (const std::string& name : names) suggestion.offer(name);
+  const auto meant = proskill::syntax::nearest(word, names);
   std::cerr << "error: there is no command `" << word << "`";
-  if (!suggestion.best().empty()) std::cerr << "; did you mean `" << suggestion.best() << "`?";
+  if (!meant.empty()) std::cerr << "; did you mean `" << meant << "`?";
   std::cerr << "\nrun `proskill --help` for a list\n";
   return kUsage;
 }

@@ -179,12 +179,9 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
     builder.report(Code::EmptyForm, node.range);
     return {};
   }
-  if (!isDamaged(*head)) {
-    Suggestion suggestion(builder.textOf(*head));
-    for (const auto word : kDefinitionWords) suggestion.offer(word);
+  if (!isDamaged(*head))
     suggest(builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head)),
-            suggestion.best());
-  }
+            nearest(builder.textOf(*head), kDefinitionWords));
   if (!isWord(*head)) return {};
   const Node* name = parts.take();
   return {builder.nameOf(*head), name && isWord(*name) ? builder.nameOf(*name) : Name{}};

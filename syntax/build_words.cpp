@@ -62,11 +62,9 @@ void reportMalformed(Builder& builder, const Field& field, const Node& value,
 void reportUnknownField(Builder& builder, const Field& field, std::string_view owner,
                         const Keywords& known) {
   const Name& keyword = field.use.keyword;
-  Suggestion suggestion(keyword.text);
-  for (std::string_view word : known) suggestion.offer(word);
   suggest(builder.report(Code::UnknownField, keyword.range, owner, keyword.text,
                          known.empty() ? "none" : enumerateNames(known)),
-          suggestion.best());
+          nearest(keyword.text, known));
 }
 
 Name takeName(Builder& builder, Parts& parts, const Name& head) {

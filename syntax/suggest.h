@@ -35,6 +35,13 @@ private:
   bool full = false;       ///< nothing can be nearer
 };
 
+/// The word of these that was probably meant; empty where none is near enough.
+[[nodiscard]] std::string_view nearest(std::string_view misspelt, const auto& words) {
+  Suggestion suggestion(misspelt);
+  for (std::string_view word : words) suggestion.offer(word);
+  return suggestion.best();
+}
+
 /// Gives the diagnostic of the misspelt word the edit that writes what was probably meant; none
 /// where that is empty.
 void suggest(Diagnostic& diagnostic, std::string_view word);
