@@ -21,7 +21,7 @@ constexpr Check kChecks[] = {
 
 Analysis analyse(const Program& program, const Earlier* earlier) {
   SymbolTable symbols(program);
-  const auto reuse = earlier ? Reuse::find(*earlier, program, symbols) : std::nullopt;
+  auto reuse = earlier ? Reuse::find(*earlier, program, symbols) : std::nullopt;
   Findings all(program.diagnostics);
   std::vector<Occurrence> occurrences;
   std::vector<Found> ofDefinitions;
@@ -38,7 +38,7 @@ Analysis analyse(const Program& program, const Earlier* earlier) {
     all.add(found);
     if (check.ofDefinitions) ofDefinitions.push_back(std::move(found));
   }
-  Index index = reuse ? reuse->index(std::move(symbols), std::move(occurrences))
+  Index index = reuse ? std::move(*reuse).index(std::move(symbols), std::move(occurrences))
                       : Index(std::move(symbols), std::move(occurrences));
   Findings ofNames;
   reportUnknownNames(program, index, all.unknownNames(), ofNames);

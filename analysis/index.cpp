@@ -22,29 +22,17 @@ Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences)
   group();
 }
 
-Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences, const Index& before,
-             FileId file, const syntax::Replacement& edit)
-    : table(std::move(symbols)) {
-  auto isIn = [&](const Location& at, syntax::Range range) {
-    return at.file == file && range.contains(at.range.begin);
-  };
+Index::Index(SymbolTable symbols, std::vector<Occurrence> kept, std::vector<Occurrence> noted,
+             const Scope& scope)
+    : table(std::move(symbols)), places(std::move(kept)) {
   const auto& all = table.all();
   for (SymbolId id = 0; id < all.size(); ++id)
-    if (!all[id].name.empty() && isIn(all[id].at, edit.after()))
-      occurrences.push_back({id, all[id].at, Role::Definition});
-  std::ranges::stable_sort(occurrences, {}, place);
-
-  places.reserve(before.places.size() + occurrences.size());
-  auto old = before.places.begin();
-  const auto first = std::tuple(file, edit.begin);
-  for (; old != before.places.end() && std::tuple(old->at.file, old->at.range.begin) < first; ++old)
-    places.push_back(*old);
-  places.insert(places.end(), occurrences.begin(), occurrences.end());
-  for (; old != before.places.end(); ++old) {
-    if (isIn(old->at, edit.before())) continue;
-    places.push_back(*old);
-    if (old->at.file == file) places.back().at.range = *edit.moved(old->at.range);
-  }
+    if (!all[id].name.empty() && scope.holds(all[id].at.file, all[id].at.range.begin))
+      noted.push_back({id, all[id].at, Role::Definition});
+  std::ranges::stable_sort(noted, {}, place);
+  const auto middle = static_cast<std::ptrdiff_t>(places.size());
+  places.insert(places.end(), noted.begin(), noted.end());
+  std::ranges::inplace_merge(places, places.begin() + middle, {}, place);
   group();
 }
 

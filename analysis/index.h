@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/findings.h"
+#include "analysis/scope.h"
 #include "analysis/symbols.h"
 
 #include <cstdint>
@@ -31,11 +32,11 @@ class Index {
 public:
   /// \pre `occurrences` are of `symbols`; definitions are added here.
   Index(SymbolTable symbols, std::vector<Occurrence> occurrences);
-  /// After an edit that left the symbols what they were: as `before`, with what stands in the text
-  /// that was replaced noted anew.
-  /// \pre `occurrences` are of `symbols` and in the new text; definitions are added here
-  Index(SymbolTable symbols, std::vector<Occurrence> occurrences, const Index& before, FileId file,
-        const syntax::Replacement& edit);
+  /// After an edit: with what is kept of an earlier one.
+  /// \param kept     in their order
+  /// \param noted    in the scope, which definitions are added to here
+  Index(SymbolTable symbols, std::vector<Occurrence> kept, std::vector<Occurrence> noted,
+        const Scope& scope);
 
   [[nodiscard]] const SymbolTable& symbols() const { return table; }
   /// All of them, by file and place.

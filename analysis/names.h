@@ -2,22 +2,13 @@
 
 #include "analysis/findings.h"
 #include "analysis/index.h"
+#include "analysis/scope.h"
 #include "analysis/types.h"
 #include "analysis/walk.h"
 
 #include <vector>
 
 namespace proskill::analysis {
-
-/// Which definitions a check looks at: after an edit, those that were read anew.
-struct Scope {
-  bool isAll = true;
-  Location within{}; ///< where not all: those that begin here
-
-  [[nodiscard]] bool holds(FileId file, syntax::Offset begin) const {
-    return isAll || (file == within.file && within.range.contains(begin));
-  }
-};
 
 /// What every check sees: the program, its names, and where to put what it finds.
 struct Context {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace proskill::analysis {
 
@@ -99,8 +100,91 @@ bool looksSame(const Form* a, const Form* b) {
   return !std::holds_alternative<syntax::Include>(a->node);
 }
 
-bool isSameSymbol(const Symbol& a, const Symbol& b) {
-  return a.kind == b.kind && a.owner == b.owner && a.definition == b.definition && a.name == b.name;
+std::string_view nameOf(const Form& form) {
+  return std::visit(
+      [](const auto& node) -> std::string_view {
+        if constexpr (requires { node.name.text; }) return node.name.text;
+        return {};
+      },
+      form.node);
+}
+
+using Names = std::set<std::string_view>;
+
+/// Adds the definitions of which others see a difference beside the symbols. An include may matter
+/// anywhere.
+/// \return there is none
+bool addThoseSeen(const std::vector<const Form*>& before, const std::vector<const Form*>& now,
+                  Names& names) {
+  const auto isInclude = [](const Form* form) {
+    return std::holds_alternative<syntax::Include>(form->node);
+  };
+  if (std::ranges::any_of(before, isInclude) || std::ranges::any_of(now, isInclude)) return false;
+  for (const Form* form : now) {
+    const auto same = std::ranges::find_if(before, [&](const Form* it) {
+      return it->node.index() == form->node.index() && nameOf(*it) == nameOf(*form);
+    });
+    if (same != before.end() && !looksSame(*same, form)) names.insert(nameOf(*form));
+  }
+  return true;
+}
+
+/// Adds the skills with inputs of these types, and so on: who calls them gives them values.
+void addThoseTyped(const Program& program, Names& names) {
+  const auto isOne = [&](const syntax::Input& input) { return names.contains(input.type.text); };
+  for (auto before = names.size() + 1; before != names.size();) {
+    before = names.size();
+    for (const auto& skill : program.skills.all)
+      if (std::ranges::any_of(skill->inputs, isOne)) names.insert(skill.name());
+  }
+}
+
+bool isOfWord(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+/// Calls `visit` with each place of the word.
+template <class Visit>
+void forEachPlace(std::string_view text, std::string_view word, Visit visit) {
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const auto end = at + word.size();
+    const bool begins = at == 0 || !isOfWord(text[at - 1]);
+    if (begins && (end == text.size() || !isOfWord(text[end])))
+      visit(static_cast<syntax::Offset>(at));
+  }
+}
+
+/// The stretches of a text that have one of the words.
+std::set<std::size_t> stretchesWith(const syntax::Document& document,
+                                    std::span<const syntax::Stretch> stretches,
+                                    const Names& words) {
+  std::set<std::size_t> result;
+  for (const auto word : words)
+    forEachPlace(document.text(), word, [&](syntax::Offset at) {
+      const auto after = std::ranges::upper_bound(
+          stretches, at, {}, [](const auto& stretch) { return stretch.range.begin; });
+      result.insert(static_cast<std::size_t>(after - stretches.begin()) - 1);
+    });
+  return result;
+}
+
+/// Where one of the words stands, and what the edit has put in.
+Scope scopeOf(const Program& program, const Names& words, FileId file, Range edited) {
+  Scope scope{false, {{file, edited}}};
+  const auto isEdited = [&](FileId each, Range range) {
+    return each == file && edited.begin <= range.begin && range.end <= edited.end;
+  };
+  for (FileId each = 0; !words.empty() && each < program.files.size(); ++each) {
+    const auto& document = program.files[each].document;
+    const auto stretches = document.stretches();
+    for (const auto at : stretchesWith(document, stretches, words))
+      if (!isEdited(each, stretches[at].range)) scope.within.push_back({each, stretches[at].range});
+  }
+  std::ranges::sort(scope.within, {}, [](const Location& it) {
+    return std::tuple(it.file, it.range.begin, it.range.end);
+  });
+  return scope;
 }
 
 } // namespace
@@ -130,47 +214,83 @@ std::optional<std::vector<Diagnostic>> movedByLayout(const std::vector<Diagnosti
 std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
                                  const SymbolTable& symbols) {
   const auto edit = changeBetween(earlier.program, now);
-  if (!edit ||
-      !std::ranges::equal(earlier.analysis.index.symbols().all(), symbols.all(), isSameSymbol))
-    return std::nullopt;
+  if (!edit) return std::nullopt;
   const auto& [file, change] = *edit;
-  auto keeping = [&](const Replacement& replaced, bool isLayout) -> std::optional<Reuse> {
-    Reuse reuse(earlier.analysis.index, file, replaced, isLayout);
-    for (const Found& found : earlier.analysis.ofDefinitions)
-      if ((isLayout && anyQuotes(found.diagnostics, *edit)) || !reuse.keep(found))
-        return std::nullopt;
-    return reuse;
-  };
-  if (change.layout)
-    if (auto reuse = keeping(*change.layout, true)) return reuse;
+  const auto& index = earlier.analysis.index;
+  const auto& found = earlier.analysis.ofDefinitions;
+  auto symbolChange = changeBetween(index.symbols(), symbols);
+  const auto quotesLayout = [&](const Found& it) { return anyQuotes(it.diagnostics, *edit); };
+  if (change.layout && std::ranges::none_of(found, quotesLayout)) {
+    Reuse reuse(file, *change.layout, {false, {}}, symbolChange);
+    if (reuse.keep(found) && reuse.keep(index.occurrences())) return reuse;
+  }
   const auto& replaced = change.stretches;
-  const bool same =
-      std::ranges::equal(definitionsIn(earlier.program.files[file].document, replaced.before()),
-                         definitionsIn(now.files[file].document, replaced.after()),
-                         [](const Form* a, const Form* b) { return looksSame(a, b); });
-  return same ? keeping(replaced, false) : std::nullopt;
+  auto& names = symbolChange.names;
+  const bool isHere =
+      addThoseSeen(definitionsIn(earlier.program.files[file].document, replaced.before()),
+                   definitionsIn(now.files[file].document, replaced.after()), names);
+  if (!isHere) return std::nullopt;
+  addThoseTyped(now, names);
+  Scope scope = scopeOf(now, names, file, replaced.after());
+  Reuse reuse(file, replaced, std::move(scope), std::move(symbolChange));
+  if (reuse.keep(found) && reuse.keep(index.occurrences())) return reuse;
+  return std::nullopt;
 }
 
-/// \return all that is kept has a new place
+Reuse::Reuse(FileId file, Replacement edit, Scope scope, SymbolChange change)
+    : file(file),
+      edit(edit),
+      looked(std::move(scope)),
+      gone{false, {}},
+      symbols(std::move(change)) {
+  for (Location at : looked.within) {
+    if (at.file == file)
+      at.range = at.range == edit.after() ? edit.before() : *edit.inverse().moved(at.range);
+    gone.within.push_back(at);
+  }
+}
+
+bool Reuse::isGone(const Location& at) const { return gone.holds(at.file, at.range.begin); }
+
+/// \return it is there still
+bool Reuse::moveSymbol(SymbolId& symbol) const {
+  if (symbol == kNoSymbol) return true;
+  symbol = symbols.now[symbol];
+  return symbol != kNoSymbol;
+}
+
+bool Reuse::keep(const std::vector<Found>& found) {
+  return std::ranges::all_of(found, [this](const Found& each) { return keep(each); });
+}
+
 bool Reuse::keep(const Found& found) {
   const Move move{file, edit};
-  const auto isGone = [&](const Location& at) {
-    return !isLayout && at.file == file && edit.before().contains(at.range.begin);
-  };
   Found& now = kept.emplace_back();
   for (const Diagnostic& each : found.diagnostics)
     if (!isGone(each.location) && !move(now.diagnostics.emplace_back(each))) return false;
   for (const Location& each : found.notCalls)
     if (!isGone(each) && !move(now.notCalls.emplace_back(each))) return false;
-  for (const UnknownName& each : found.unknown)
-    if (!isGone(each.at) && !move(now.unknown.emplace_back(each).at)) return false;
+  for (const UnknownName& each : found.unknown) {
+    if (isGone(each.at)) continue;
+    UnknownName& it = now.unknown.emplace_back(each);
+    if (!move(it.at) || !moveSymbol(it.owner)) return false;
+  }
   return true;
 }
 
-Scope Reuse::scope() const { return {false, {file, isLayout ? Range{} : edit.after()}}; }
+bool Reuse::keep(std::span<const Occurrence> occurrences) {
+  const Move move{file, edit};
+  places.reserve(occurrences.size());
+  for (const Occurrence& each : occurrences) {
+    if (isGone(each.at)) continue;
+    Occurrence& it = places.emplace_back(each);
+    if (!move(it.at) || !moveSymbol(it.symbol)) return false;
+  }
+  return true;
+}
 
-Index Reuse::index(SymbolTable symbols, std::vector<Occurrence> occurrences) const {
-  return {std::move(symbols), std::move(occurrences), before, file, edit};
+Index Reuse::index(SymbolTable table, std::vector<Occurrence> noted) && {
+  return {std::move(table), std::move(places), std::move(noted), looked};
 }
 
 } // namespace proskill::analysis

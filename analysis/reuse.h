@@ -1,16 +1,17 @@
 #pragma once
 
 #include "analysis/index.h"
-#include "analysis/names.h"
+#include "analysis/scope.h"
+#include "analysis/symbol_change.h"
 #include "syntax/change.h"
 
 #include <optional>
 
 namespace proskill::analysis {
 
-/// What of an earlier analysis holds after an edit. A definition is looked at again where its text
-/// has changed; the others refer to it by its name, its parts and its inputs only, so that these
-/// must be the same.
+/// What of an earlier analysis holds after an edit. Looked at again are the definitions whose text
+/// has changed, and those that have a word of which the meaning may be another now: the names that
+/// came and went, and those of definitions of which others see more than the name and the parts.
 class Reuse {
 public:
   /// Nothing where the edit may matter anywhere.
@@ -18,22 +19,28 @@ public:
                                                  const SymbolTable& symbols);
 
   /// The definitions to be looked at.
-  [[nodiscard]] Scope scope() const;
+  [[nodiscard]] const Scope& scope() const { return looked; }
   /// What a check of definitions has found, but for those that are looked at again.
   [[nodiscard]] const std::vector<Found>& found() const { return kept; }
-  [[nodiscard]] Index index(SymbolTable symbols, std::vector<Occurrence> occurrences) const;
+  /// \param noted in the definitions that were looked at
+  [[nodiscard]] Index index(SymbolTable symbols, std::vector<Occurrence> noted) &&;
 
 private:
-  Reuse(const Index& before, FileId file, syntax::Replacement edit, bool isLayout)
-      : before(before), file(file), edit(edit), isLayout(isLayout) {}
+  Reuse(FileId file, syntax::Replacement edit, Scope looked, SymbolChange symbols);
 
+  bool keep(const std::vector<Found>& found);
   bool keep(const Found& found);
+  bool keep(std::span<const Occurrence> occurrences);
+  [[nodiscard]] bool isGone(const Location& at) const;
+  bool moveSymbol(SymbolId& symbol) const;
 
-  const Index& before;
   FileId file;
   syntax::Replacement edit;
-  bool isLayout;
+  Scope looked; ///< in the new texts
+  Scope gone;   ///< the same in the old ones
+  SymbolChange symbols;
   std::vector<Found> kept;
+  std::vector<Occurrence> places;
 };
 
 /// The one file in which a program differs from what it was, and how.

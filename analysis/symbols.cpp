@@ -3,7 +3,6 @@
 #include "analysis/walk.h"
 
 #include <algorithm>
-#include <bit>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -41,14 +40,14 @@ SymbolTable::SymbolTable(const Program& program) {
   // About four values, tags and inputs to each.
   const auto count = 5 * (program.stateVariables.all.size() + program.skills.all.size());
   symbols.reserve(count);
-  grow(count);
+  names.reserve(count);
   defineAll(SymbolKind::StateVariable, program.stateVariables);
   defineAll(SymbolKind::Event, program.events);
   defineAll(SymbolKind::Skill, program.skills);
   defineAll(SymbolKind::Resource, program.resources);
   defineAll(SymbolKind::Property, program.properties);
   defineAll(SymbolKind::Environment, program.environments);
-  parts.resize(symbols.size());
+  ofDefinitions.resize(symbols.size());
   defineAllParts(SymbolKind::StateVariable, program.stateVariables);
   defineAllParts(SymbolKind::Skill, program.skills);
   defineAllParts(SymbolKind::Environment, program.environments);
@@ -57,7 +56,8 @@ SymbolTable::SymbolTable(const Program& program) {
 }
 
 SymbolId SymbolTable::find(SymbolKind kind, std::string_view name, SymbolId owner) const {
-  return names[slotOf(hashOf(kind, owner, name), kind, owner, name)].symbol;
+  const auto found = names.find({kind, owner, name});
+  return found == names.end() ? kNoSymbol : found->second;
 }
 
 std::span<const SymbolId> SymbolTable::members(SymbolKind kind, SymbolId owner) const {
@@ -65,12 +65,16 @@ std::span<const SymbolId> SymbolTable::members(SymbolKind kind, SymbolId owner) 
   if (owner == kNoSymbol)
     return place < kTopLevelKinds ? std::span<const SymbolId>(definitions[place])
                                   : std::span<const SymbolId>();
-  const auto [begin, end] = owner < parts.size() ? parts[owner] : Parts{};
-  const auto all = std::span(ids).subspan(begin, end - begin);
+  const auto all = parts(owner);
   const auto first = std::ranges::find(all, kind, [&](SymbolId id) { return symbols[id].kind; });
   const auto last =
       std::find_if(first, all.end(), [&](SymbolId id) { return symbols[id].kind != kind; });
   return {first, last};
+}
+
+std::span<const SymbolId> SymbolTable::parts(SymbolId owner) const {
+  const auto [begin, end] = owner < ofDefinitions.size() ? ofDefinitions[owner] : Parts{};
+  return std::span(ids).subspan(begin, end - begin);
 }
 
 SymbolId SymbolTable::findResult(std::string_view tag, SymbolId skill) const {
@@ -85,53 +89,17 @@ std::span<const SymbolId> SymbolTable::labels(std::string_view name) const {
   return found->second;
 }
 
-std::uint32_t SymbolTable::hashOf(SymbolKind kind, SymbolId owner, std::string_view name) {
-  const std::size_t place = owner * std::size_t{31} + static_cast<std::size_t>(kind);
-  const std::size_t hash = std::hash<std::string_view>{}(name) ^ (place * 0x9E3779B97F4A7C15u);
-  return static_cast<std::uint32_t>(hash ^ (hash >> 32));
-}
-
-std::size_t SymbolTable::slotOf(std::uint32_t hash, SymbolKind kind, SymbolId owner,
-                                std::string_view name) const {
-  auto isIt = [&](const Slot& slot) {
-    if (slot.hash != hash) return false;
-    const Symbol& symbol = symbols[slot.symbol];
-    return symbol.kind == kind && symbol.owner == owner && symbol.name == name;
-  };
-  const std::size_t mask = names.size() - 1;
-  std::size_t at = hash & mask;
-  while (names[at].symbol != kNoSymbol && !isIt(names[at])) at = (at + 1) & mask;
-  return at;
-}
-
-/// Makes room for so many names.
-void SymbolTable::grow(std::size_t count) {
-  const auto old = std::exchange(names, std::vector<Slot>(std::bit_ceil(2 * count + 2)));
-  const std::size_t mask = names.size() - 1;
-  for (const Slot& slot : old) {
-    if (slot.symbol == kNoSymbol) continue;
-    std::size_t at = slot.hash & mask;
-    while (names[at].symbol != kNoSymbol) at = (at + 1) & mask;
-    names[at] = slot;
-  }
-}
-
-/// The first of a name has it.
-void SymbolTable::enter(SymbolId id) {
-  const Symbol& symbol = symbols[id];
-  if (2 * symbols.size() >= names.size()) grow(2 * symbols.size());
-  const auto hash = hashOf(symbol.kind, symbol.owner, symbol.name);
-  Slot& slot = names[slotOf(hash, symbol.kind, symbol.owner, symbol.name)];
-  if (slot.symbol == kNoSymbol)
-    slot = {id, hash};
-  else
-    twice.push_back({slot.symbol, id});
+std::size_t SymbolTable::HashOfKey::operator()(const Key& key) const {
+  const std::size_t place = key.owner * std::size_t{31} + static_cast<std::size_t>(key.kind);
+  return std::hash<std::string_view>{}(key.name) ^ (place * 0x9E3779B97F4A7C15u);
 }
 
 SymbolId SymbolTable::define(Symbol symbol) {
   const auto id = static_cast<SymbolId>(symbols.size());
   symbols.push_back(symbol);
-  if (!symbol.name.empty()) enter(id);
+  if (symbol.name.empty()) return id;
+  const auto [first, isNew] = names.try_emplace({symbol.kind, symbol.owner, symbol.name}, id);
+  if (!isNew) twice.push_back({first->second, id});
   return id;
 }
 
@@ -150,9 +118,9 @@ template <class Node> void SymbolTable::defineAll(SymbolKind kind, const Table<N
 template <class Node> void SymbolTable::defineAllParts(SymbolKind kind, const Table<Node>& table) {
   for (std::size_t i = 0; i < table.all.size(); ++i) {
     const SymbolId owner = topLevel(kind, i);
-    parts[owner].begin = static_cast<SymbolId>(symbols.size());
+    ofDefinitions[owner].begin = static_cast<SymbolId>(symbols.size());
     defineParts(table.all[i], owner);
-    parts[owner].end = static_cast<SymbolId>(symbols.size());
+    ofDefinitions[owner].end = static_cast<SymbolId>(symbols.size());
   }
 }
 

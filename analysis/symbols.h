@@ -66,6 +66,8 @@ public:
                               SymbolId owner = kNoSymbol) const;
   /// All of a kind and an owner, in the order of the program, second ones of a name included.
   [[nodiscard]] std::span<const SymbolId> members(SymbolKind kind, SymbolId owner) const;
+  /// All whose owner it is, kind by kind.
+  [[nodiscard]] std::span<const SymbolId> parts(SymbolId owner) const;
   /// What may follow `skill.res`: an outcome's tag, or that of an invariant that failed.
   [[nodiscard]] SymbolId findResult(std::string_view tag, SymbolId skill) const;
   /// All labels of a name, whatever the skill that they stand in.
@@ -77,10 +79,15 @@ public:
   [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return twice; }
 
 private:
-  /// Of the hash table of names: addressed openly, with linear probing.
-  struct Slot {
-    SymbolId symbol = kNoSymbol; ///< none: it is free
-    std::uint32_t hash = 0;
+  /// A name is one of a kind and an owner.
+  struct Key {
+    SymbolKind kind;
+    SymbolId owner;
+    std::string_view name;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct HashOfKey {
+    std::size_t operator()(const Key& key) const;
   };
   /// The symbols of an owner follow each other, kind by kind.
   struct Parts {
@@ -88,12 +95,6 @@ private:
     SymbolId end = 0;
   };
 
-  [[nodiscard]] static std::uint32_t hashOf(SymbolKind kind, SymbolId owner, std::string_view name);
-  /// Of the symbol of that name, or the free one where it would be.
-  [[nodiscard]] std::size_t slotOf(std::uint32_t hash, SymbolKind kind, SymbolId owner,
-                                   std::string_view name) const;
-  void enter(SymbolId id);
-  void grow(std::size_t count);
   SymbolId define(Symbol symbol);
   void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent,
                     SymbolId owner);
@@ -109,8 +110,8 @@ private:
   std::vector<Symbol> symbols;
   std::vector<SymbolId> ids; ///< of all symbols, in their order
   std::vector<SymbolId> definitions[kTopLevelKinds];
-  std::vector<Parts> parts; ///< of each definition at the top level
-  std::vector<Slot> names;  ///< a power of 2 of them, less than half of them taken
+  std::vector<Parts> ofDefinitions;                   ///< of each at the top level
+  std::unordered_map<Key, SymbolId, HashOfKey> names; ///< the first of each
   std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
   std::vector<Duplicate> twice;
 };
