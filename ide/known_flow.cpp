@@ -20,7 +20,7 @@ std::shared_ptr<const KnownFlow> KnownFlow::after(analysis::FileId file,
                                                   const syntax::Replacement& edit) const {
   if (steps.size() == kMostSteps) return nullptr;
   auto result = std::make_shared<KnownFlow>(*this);
-  if (edit != edit.inverse() || !edit.before().empty()) result->steps.push_back({file, edit});
+  if (!edit.isEmpty()) result->steps.push_back({file, edit});
   return result;
 }
 

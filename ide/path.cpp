@@ -48,11 +48,11 @@ private:
 
   /// \pre it is never asked for a place before the last one
   [[nodiscard]] Offset lineEnd(Offset from) {
-    if (from > lastLineEnd || lastLineEnd == 0) {
+    if (!lastLineEnd || from > *lastLineEnd) {
       auto end = text.find_first_of("\r\n", from);
       lastLineEnd = static_cast<Offset>(end == std::string_view::npos ? text.size() : end);
     }
-    return lastLineEnd;
+    return *lastLineEnd;
   }
 
   void step() {
@@ -129,7 +129,7 @@ private:
   Offset cursor;
   Offset at;
   bool lineHasToken;
-  Offset lastLineEnd = 0; ///< of the line of a string or a comment; a line may have thousands
+  std::optional<Offset> lastLineEnd; ///< of the line of a string or a comment; a line may have thousands
   bool found = false;
   Path path;
 };

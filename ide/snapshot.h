@@ -28,6 +28,8 @@ using OpenTexts = std::map<std::filesystem::path, OpenText>;
 /// A program and what is known of it. What takes long is computed when it is first asked for, once,
 /// by whoever asks first.
 class AnalysedProgram {
+  std::shared_ptr<const analysis::Program> shared; ///< what was computed of it may live longer
+
 public:
   /// \param earlier the program before some edits, null where it is not known: what still holds of
   ///        it is not computed again
@@ -36,10 +38,6 @@ public:
   AnalysedProgram(const AnalysedProgram&) = delete;
   AnalysedProgram& operator=(const AnalysedProgram&) = delete;
 
-private:
-  std::shared_ptr<const analysis::Program> shared; ///< what was computed of it may live longer
-
-public:
   const analysis::Program& program;
   const analysis::Analysis analysis;
   const analysis::flow::Settings settings;
@@ -55,8 +53,8 @@ private:
   /// All that was known of the flow of a program: what is kept for the next one that differs in
   /// white space and comments only, also where programs with errors come in between.
   struct FlowMemory {
-    std::shared_ptr<const analysis::Program> program; ///< null: nothing is known
-    std::shared_ptr<const KnownFlow> flow;
+    std::shared_ptr<const analysis::Program> program;
+    std::shared_ptr<const KnownFlow> flow; ///< null: it has errors
     std::vector<syntax::Diagnostic> findings;
   };
 

@@ -20,6 +20,8 @@ struct Replacement {
 
   [[nodiscard]] Range before() const { return {begin, oldEnd}; }
   [[nodiscard]] Range after() const { return {begin, newEnd}; }
+  /// Nothing stands in the place of nothing.
+  [[nodiscard]] bool isEmpty() const { return begin == oldEnd && begin == newEnd; }
   /// Where a range of the old text stands now; nothing where it begins or ends in what is gone.
   [[nodiscard]] std::optional<Range> moved(Range range) const;
   /// The same of any range: what of it is gone is left out, what was put into it is in it.
