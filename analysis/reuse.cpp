@@ -61,6 +61,11 @@ bool anyQuotes(const std::vector<Diagnostic>& diagnostics, const FileChange& edi
   return std::ranges::any_of(diagnostics, [&](const Diagnostic& it) { return quotes(it, edit); });
 }
 
+/// Whether it ends where another begins, or before.
+bool isBefore(Location it, Location other) {
+  return it.file < other.file || (it.file == other.file && it.range.end <= other.range.begin);
+}
+
 /// Those that define something, or include it.
 std::vector<const Form*> definitionsIn(const syntax::Document& document, Range range) {
   std::vector<const Form*> result;
@@ -281,8 +286,12 @@ bool Reuse::keep(const Found& found) {
 bool Reuse::keep(std::span<const Occurrence> occurrences) {
   const Move move{file, edit};
   places.reserve(occurrences.size());
+  auto hole = gone.within.begin();
   for (const Occurrence& each : occurrences) {
-    if (isGone(each.at)) continue;
+    while (hole != gone.within.end() && isBefore(*hole, each.at)) ++hole;
+    if (hole != gone.within.end() && hole->file == each.at.file &&
+        hole->range.begin <= each.at.range.begin)
+      continue;
     Occurrence& it = places.emplace_back(each);
     if (!move(it.at) || !moveSymbol(it.symbol)) return false;
   }

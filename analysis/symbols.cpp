@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace proskill::analysis {
@@ -40,7 +41,6 @@ SymbolTable::SymbolTable(const Program& program) {
   // About four values, tags and inputs to each.
   const auto count = 5 * (program.stateVariables.all.size() + program.skills.all.size());
   symbols.reserve(count);
-  names.reserve(count);
   defineAll(SymbolKind::StateVariable, program.stateVariables);
   defineAll(SymbolKind::Event, program.events);
   defineAll(SymbolKind::Skill, program.skills);
@@ -53,11 +53,26 @@ SymbolTable::SymbolTable(const Program& program) {
   defineAllParts(SymbolKind::Environment, program.environments);
   ids.resize(symbols.size());
   std::iota(ids.begin(), ids.end(), SymbolId{0});
+  byName = ids;
+  for (SymbolId owner = 0; owner < ofDefinitions.size(); ++owner) sortParts(owner);
 }
 
 SymbolId SymbolTable::find(SymbolKind kind, std::string_view name, SymbolId owner) const {
-  const auto found = names.find({kind, owner, name});
-  return found == names.end() ? kNoSymbol : found->second;
+  if (owner == kNoSymbol) {
+    const auto place = static_cast<std::size_t>(kind);
+    if (place >= kTopLevelKinds) return kNoSymbol;
+    const auto found = names[place].find(name);
+    return found == names[place].end() ? kNoSymbol : found->second;
+  }
+  const auto [begin, end] = owner < ofDefinitions.size() ? ofDefinitions[owner] : Parts{};
+  const auto all = std::span(byName).subspan(begin, end - begin);
+  const auto wanted = std::tuple(kind, name);
+  const auto found = std::ranges::lower_bound(all, wanted, {}, [this](SymbolId id) {
+    return std::tuple(symbols[id].kind, symbols[id].name);
+  });
+  const bool isIt =
+      found != all.end() && symbols[*found].kind == kind && symbols[*found].name == name;
+  return isIt ? *found : kNoSymbol;
 }
 
 std::span<const SymbolId> SymbolTable::members(SymbolKind kind, SymbolId owner) const {
@@ -89,18 +104,25 @@ std::span<const SymbolId> SymbolTable::labels(std::string_view name) const {
   return found->second;
 }
 
-std::size_t SymbolTable::HashOfKey::operator()(const Key& key) const {
-  const std::size_t place = key.owner * std::size_t{31} + static_cast<std::size_t>(key.kind);
-  return std::hash<std::string_view>{}(key.name) ^ (place * 0x9E3779B97F4A7C15u);
+SymbolId SymbolTable::define(Symbol symbol) {
+  symbols.push_back(symbol);
+  return static_cast<SymbolId>(symbols.size() - 1);
 }
 
-SymbolId SymbolTable::define(Symbol symbol) {
-  const auto id = static_cast<SymbolId>(symbols.size());
-  symbols.push_back(symbol);
-  if (symbol.name.empty()) return id;
-  const auto [first, isNew] = names.try_emplace({symbol.kind, symbol.owner, symbol.name}, id);
-  if (!isNew) twice.push_back({first->second, id});
-  return id;
+/// So that the first of a name comes first; those after it are noted.
+void SymbolTable::sortParts(SymbolId owner) {
+  const auto [begin, end] = ofDefinitions[owner];
+  const auto all = std::span(byName).subspan(begin, end - begin);
+  auto key = [this](SymbolId id) { return std::tuple(symbols[id].kind, symbols[id].name, id); };
+  std::ranges::sort(all, {}, key);
+  auto isSame = [this](SymbolId a, SymbolId b) {
+    return symbols[a].kind == symbols[b].kind && symbols[a].name == symbols[b].name;
+  };
+  for (auto first = all.begin(); first != all.end();) {
+    auto next = std::next(first);
+    for (; next != all.end() && isSame(*first, *next); ++next) twice.push_back({*first, *next});
+    first = next;
+  }
 }
 
 void SymbolTable::defineInside(SymbolKind kind, const Name& name, Range extent, SymbolId owner) {
@@ -111,7 +133,11 @@ template <class Node> void SymbolTable::defineAll(SymbolKind kind, const Table<N
   auto& ids = definitions[static_cast<std::size_t>(kind)];
   for (std::size_t i = 0; i < table.all.size(); ++i) {
     const Definition<Node>& it = table.all[i];
-    ids.push_back(define({kind, it.name(), it.at(it->name.range), it.form->range, kNoSymbol, i}));
+    const auto id = define({kind, it.name(), it.at(it->name.range), it.form->range, kNoSymbol, i});
+    ids.push_back(id);
+    if (it.name().empty()) continue;
+    const auto [first, isNew] = names[static_cast<std::size_t>(kind)].try_emplace(it.name(), id);
+    if (!isNew) twice.push_back({first->second, id});
   }
 }
 

@@ -79,16 +79,6 @@ public:
   [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return twice; }
 
 private:
-  /// A name is one of a kind and an owner.
-  struct Key {
-    SymbolKind kind;
-    SymbolId owner;
-    std::string_view name;
-    friend bool operator==(const Key&, const Key&) = default;
-  };
-  struct HashOfKey {
-    std::size_t operator()(const Key& key) const;
-  };
   /// The symbols of an owner follow each other, kind by kind.
   struct Parts {
     SymbolId begin = 0;
@@ -96,6 +86,7 @@ private:
   };
 
   SymbolId define(Symbol symbol);
+  void sortParts(SymbolId owner);
   void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent,
                     SymbolId owner);
   template <class Node> void defineAll(SymbolKind kind, const Table<Node>& table);
@@ -110,8 +101,9 @@ private:
   std::vector<Symbol> symbols;
   std::vector<SymbolId> ids; ///< of all symbols, in their order
   std::vector<SymbolId> definitions[kTopLevelKinds];
-  std::vector<Parts> ofDefinitions;                   ///< of each at the top level
-  std::unordered_map<Key, SymbolId, HashOfKey> names; ///< the first of each
+  std::vector<Parts> ofDefinitions; ///< of each at the top level
+  std::unordered_map<std::string_view, SymbolId> names[kTopLevelKinds]; ///< the first of each
+  std::vector<SymbolId> byName; ///< the parts of each owner, where `ids` has them, by kind and name
   std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
   std::vector<Duplicate> twice;
 };

@@ -4,6 +4,7 @@ the server's process, which says the same on a machine that does other things, t
 [--flat N] [--other COMMAND]"""
 
 import argparse
+import gc
 import pathlib
 import random
 import shlex
@@ -269,6 +270,7 @@ def main():
     parser.add_argument('--flat', type=int, default=10_000, help='edits over which memory is watched')
     parser.add_argument('--other', default='clangd', help='the server to compare with; empty: none')
     arguments = parser.parse_args()
+    gc.disable()  # the client's own pauses, which grow with all that was answered, are no waiting for the server
     source = subprocess.run([arguments.print_program, str(arguments.lines)], capture_output=True, text=True, check=True).stdout
     with tempfile.TemporaryDirectory() as folder:
         heading('proskill lsp')
