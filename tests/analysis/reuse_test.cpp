@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+
 using namespace proskill;
 using analysis::Analysis;
 using analysis::Program;
@@ -16,6 +18,29 @@ namespace {
 Program programOf(const Document& document) {
   return analysis::load(test::MemoryFiles(), "main.proskill", document);
 }
+
+/// A root file and one that it includes, as an editor holds them.
+struct TwoFiles : test::MemoryFiles {
+  std::array<Document, 2> documents;
+
+  /// The second half of a program's definitions includes the first.
+  explicit TwoFiles(const std::string& text)
+      : documents{Document::parse("(include \"rest.proskill\")\n" + text.substr(middleOf(text))),
+                  Document::parse(text.substr(0, middleOf(text)))} {}
+
+  static std::size_t middleOf(const std::string& text) {
+    const auto at = text.find("\n(def", text.size() / 2);
+    return at == std::string::npos ? text.size() : at + 1;
+  }
+  [[nodiscard]] std::expected<Document, std::string>
+  document(const std::filesystem::path& path) const override {
+    if (path == "rest.proskill") return documents[1];
+    return std::unexpected("no such file");
+  }
+  [[nodiscard]] Program program() const {
+    return analysis::load(*this, "main.proskill", documents[0]);
+  }
+};
 
 std::string words(const analysis::Location& at) {
   return fmt::format(" {}:{}-{}", at.file, at.range.begin, at.range.end);
@@ -166,6 +191,33 @@ TEST_CASE("after an edit of a program with misspelt names the analysis equals a 
     }
   }
   CHECK(counts.analyses > counts.edits / 3);
+}
+
+TEST_CASE("after an edit of one of two files the analysis equals a fresh one") {
+  std::uint64_t seed = 300;
+  int taken = 0;
+  int edited = 0;
+  for (const auto& text : test::allPrograms()) {
+    test::RandomEdits edits(seed++);
+    TwoFiles files(text);
+    for (int i = 0; i < 30; ++i) {
+      const Program before = files.program();
+      const Analysis earlier = analysis::analyse(before);
+      Document& document = files.documents[edits.pick(2)];
+      const auto edit = edits.any(document.text());
+      document = document.edit(edit.range, edit.text);
+      const Program now = files.program();
+      INFO("edit " << i << " at " << edit.range.begin << "-" << edit.range.end << ": " << edit.text
+                   << "\nnow\n"
+                   << document.text());
+      CHECK(words(analysis::analyse(now, {before, earlier})) == words(analysis::analyse(now)));
+      taken +=
+          analysis::Reuse::find({before, earlier}, now, analysis::SymbolTable(now)).has_value();
+      ++edited;
+      if (edits.pick(6) == 0) files = TwoFiles(text);
+    }
+  }
+  CHECK(taken > edited / 3);
 }
 
 TEST_CASE("after several edits at once the analysis equals a fresh one") {
