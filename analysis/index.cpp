@@ -7,7 +7,7 @@ namespace proskill::analysis {
 
 namespace {
 
-auto place(const Occurrence& it) {
+auto placeOf(const Occurrence& it) {
   return std::tuple(it.at.file, it.at.range.begin, it.at.range.end);
 }
 
@@ -18,7 +18,7 @@ Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences)
   const auto& all = table.all();
   for (SymbolId id = 0; id < all.size(); ++id)
     if (!all[id].name.empty()) places.push_back({id, all[id].at, Role::Definition});
-  std::ranges::stable_sort(places, {}, place);
+  std::ranges::stable_sort(places, {}, placeOf);
   group();
 }
 
@@ -29,10 +29,10 @@ Index::Index(SymbolTable symbols, std::vector<Occurrence> kept, std::vector<Occu
   for (SymbolId id = 0; id < all.size(); ++id)
     if (!all[id].name.empty() && scope.holds(all[id].at.file, all[id].at.range.begin))
       noted.push_back({id, all[id].at, Role::Definition});
-  std::ranges::stable_sort(noted, {}, place);
+  std::ranges::stable_sort(noted, {}, placeOf);
   const auto middle = static_cast<std::ptrdiff_t>(places.size());
   places.insert(places.end(), noted.begin(), noted.end());
-  std::ranges::inplace_merge(places, places.begin() + middle, {}, place);
+  std::ranges::inplace_merge(places, places.begin() + middle, {}, placeOf);
   group();
 }
 

@@ -50,7 +50,7 @@ Json artifactJson(const SourcePlaces& places, syntax::FileId file) {
   return {{"uri", uri(places.path(file))}};
 }
 
-Json locationJson(SourcePlaces& places, analysis::Location location) {
+Json sarifLocation(SourcePlaces& places, analysis::Location location) {
   return {{"physicalLocation",
            {{"artifactLocation", artifactJson(places, location.file)},
             {"region", regionJson(places, location)}}}};
@@ -69,10 +69,10 @@ Json resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
               {"ruleIndex", static_cast<std::size_t>(diagnostic.code)},
               {"level", level(diagnostic.severity)},
               {"message", {{"text", diagnostic.message}}},
-              {"locations", Json::array({locationJson(places, diagnostic.location)})}};
+              {"locations", Json::array({sarifLocation(places, diagnostic.location)})}};
   Json related = Json::array(), fixes = Json::array();
   for (const syntax::Related& it : diagnostic.related) {
-    Json location = locationJson(places, it.location);
+    Json location = sarifLocation(places, it.location);
     location["message"] = {{"text", it.message}};
     related.push_back(std::move(location));
   }

@@ -30,8 +30,6 @@ bool isForPerson(const syntax::Diagnostic& diagnostic) {
   return id >= "PS0500" && std::ranges::find(kWithoutAsking, id) == std::end(kWithoutAsking);
 }
 
-bool touch(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
-
 std::string apply(const Edited& file) {
   std::string text = *file.before;
   for (auto edit = file.edits.rbegin(); edit != file.edits.rend(); ++edit)
@@ -51,7 +49,7 @@ std::expected<FixCount, std::string> applyFixes(std::span<const CheckedProgram> 
       const analysis::File& file = checked.program.files[fix.location.file];
       Edited& edited = files[file.path];
       edited.before = &file.document.text();
-      auto clashes = [&](const Edit& other) { return touch(other.range, fix.location.range); };
+      auto clashes = [&](const Edit& other) { return other.range.touches(fix.location.range); };
       if (std::ranges::any_of(edited.edits, clashes)) continue;
       edited.edits.push_back({fix.location.range, fix.text});
       ++count.findings;

@@ -21,7 +21,7 @@ std::string small(std::string_view text) {
   return out;
 }
 
-std::string_view reason(int status) {
+std::string_view reasonPhrase(int status) {
   switch (status) {
   case 200: return "OK";
   case 400: return "Bad Request";
@@ -68,12 +68,12 @@ std::optional<HttpRequest> parseHead(std::string_view head) {
 }
 
 std::string toBytes(const HttpResponse& response) {
-  auto out =
-      fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
-                  "Connection: close\r\nCache-Control: no-store\r\n"
-                  "X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n"
-                  "Cross-Origin-Resource-Policy: same-origin\r\n",
-                  response.status, reason(response.status), response.type, response.body.size());
+  auto out = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
+                         "Connection: close\r\nCache-Control: no-store\r\n"
+                         "X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n"
+                         "Cross-Origin-Resource-Policy: same-origin\r\n",
+                         response.status, reasonPhrase(response.status), response.type,
+                         response.body.size());
   for (const auto& [name, value] : response.headers) out += fmt::format("{}: {}\r\n", name, value);
   return out + "\r\n" + response.body;
 }

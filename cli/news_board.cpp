@@ -9,7 +9,7 @@ namespace {
 /// A page that was asleep for longer sees the newest ones only, which tell the whole state.
 constexpr std::size_t kMost = 64;
 /// Then the page asks again, so that no connection is silent for too long.
-constexpr std::chrono::seconds kPatience{20};
+constexpr std::chrono::seconds kLongestWait{20};
 
 } // namespace
 
@@ -25,7 +25,7 @@ void NewsBoard::announce(std::string method, Json params) {
 
 NewsBoard::Json NewsBoard::after(std::size_t after) {
   std::unique_lock lock(mutex);
-  changed.wait_for(lock, kPatience, [&] { return closed || count > after; });
+  changed.wait_for(lock, kLongestWait, [&] { return closed || count > after; });
   Json news = Json::array();
   const auto first = count - kept.size();
   for (std::size_t i = 0; i < kept.size(); ++i)

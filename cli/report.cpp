@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Its script and its style stand in the page itself, and no others are let in.
-constexpr std::string_view kPage = R"(<!DOCTYPE html>
+constexpr std::string_view kReportPage = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="UTF-8">
@@ -95,7 +95,7 @@ std::optional<std::string> writeReport(const std::filesystem::path& directory,
     return fmt::format("{} cannot be made a directory: {}", directory.string(), error.message());
   const auto hashes = Json::parse(bundle::hashesJson);
   const auto page =
-      fmt::format(kPage, fmt::arg("script", hashes["script"].get<std::string>()),
+      fmt::format(kReportPage, fmt::arg("script", hashes["script"].get<std::string>()),
                   fmt::arg("style", hashes["style"].get<std::string>()),
                   fmt::arg("version", PROSKILL_VERSION), fmt::arg("css", bundle::panelCss),
                   fmt::arg("js", bundle::panelJs), fmt::arg("data", withinScript(dataOf(report))));

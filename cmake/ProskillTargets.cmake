@@ -46,6 +46,12 @@ function(proskill_use_precompiled target name)
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endfunction()
 
+# proskill_alone(FILE…): compiled by themselves where others of the folder are compiled together (the presets' unity
+# builds), as their own short names would meet those of others there.
+function(proskill_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # proskill_uses_asio(FILE): the thread sanitizer knows no fences; asio's memory is ordered by its mutexes without them.
 function(proskill_uses_asio file)
   if(PROSKILL_SANITIZE STREQUAL "thread")

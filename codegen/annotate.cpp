@@ -3,13 +3,11 @@
 namespace proskill::codegen {
 namespace {
 
-using fiacre::StatementKind;
-
 bool isOfOneLine(const fiacre::Statement& statement) { return statement.children.empty(); }
 
 void annotate(fiacre::Statement& statement, const fiacre::Provenance& provenance) {
   if (statement.comment.empty() && isOfOneLine(statement) &&
-      statement.kind != StatementKind::Sequence)
+      statement.kind != fiacre::StatementKind::Sequence)
     statement.comment = provenance.origins[statement.origin].words;
   for (auto& child : statement.children) annotate(child, provenance);
 }

@@ -5,15 +5,14 @@
 namespace proskill::codegen {
 namespace {
 
-using fiacre::StatementKind;
-
 void collect(const fiacre::Expr& expr, Mentioned& found) {
   if (expr.kind == fiacre::ExprKind::Name) found.names.insert(expr.name);
   for (const auto& operand : expr.operands) collect(operand, found);
 }
 
 void collect(const fiacre::Statement& statement, Mentioned& found) {
-  if (statement.kind == StatementKind::Send || statement.kind == StatementKind::Receive)
+  if (statement.kind == fiacre::StatementKind::Send ||
+      statement.kind == fiacre::StatementKind::Receive)
     found.ports.insert(statement.name);
   for (const auto& target : statement.targets) collect(target, found);
   for (const auto& value : statement.values) collect(value, found);

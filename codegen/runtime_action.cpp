@@ -6,7 +6,6 @@ namespace proskill::codegen {
 namespace {
 
 using fiacre::Statement;
-using fiacre::StatementKind;
 
 const std::string& taskOf(Context& context, std::string_view skill) {
   return context.names.foreign({"Fiacre", skill, "action_task"});
@@ -36,7 +35,7 @@ void RuntimeAction::addTo(fiacre::Process& process) {
   frame.addStart(process, "action");
 
   Statement start;
-  start.kind = StatementKind::Start;
+  start.kind = fiacre::StatementKind::Start;
   start.name = task;
   start.values.push_back(element(name("skill"), name(context.names.cell(skill.name()))));
   std::vector<Statement> action{atOnce()};
@@ -91,7 +90,7 @@ Statement RuntimeAction::returned() {
 /// The task's result, and where to go with it.
 Statement RuntimeAction::awaitTask(std::string_view next) {
   Statement sync;
-  sync.kind = StatementKind::Sync;
+  sync.kind = fiacre::StatementKind::Sync;
   sync.name = task;
   sync.targets.push_back(name("ret_val"));
   sync.origin = frame.origin(skill.skill().name.range, "its action returns");

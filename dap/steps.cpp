@@ -8,10 +8,10 @@ namespace proskill::dap {
 
 namespace {
 
-using Json = lsp::OrderedJson;
+using lsp::OrderedJson;
 
 /// As the reports have places: file, begin and end, counted from 1.
-Place placeInReport(const Json& json, const std::filesystem::path& base) {
+Place placeInReport(const OrderedJson& json, const std::filesystem::path& base) {
   const auto& begin = json.at("begin");
   const auto& end = json.at("end");
   return {oneSpelling(base / json.at("file").get<std::string>()), begin.at("line").get<unsigned>(),
@@ -20,7 +20,7 @@ Place placeInReport(const Json& json, const std::filesystem::path& base) {
 }
 
 /// As the language server has them, counted from 0.
-std::optional<Place> placeOfProtocol(const Json& json) {
+std::optional<Place> placeOfProtocol(const OrderedJson& json) {
   const auto path = lsp::toPath(json.at("uri").get<std::string>());
   if (!path) return std::nullopt;
   const auto& begin = json.at("range").at("start");
@@ -30,13 +30,13 @@ std::optional<Place> placeOfProtocol(const Json& json) {
                end.at("character").get<unsigned>() + 1};
 }
 
-std::optional<Place> placeOf(const Json& json, const std::filesystem::path& base) {
+std::optional<Place> placeOf(const OrderedJson& json, const std::filesystem::path& base) {
   if (!json.is_object()) return std::nullopt;
   if (json.contains("uri")) return placeOfProtocol(json);
   return placeInReport(json, base);
 }
 
-Step stepOf(const Json& json, const std::filesystem::path& base) {
+Step stepOf(const OrderedJson& json, const std::filesystem::path& base) {
   Step step;
   step.actor = json.at("actor").get<std::string>();
   step.words = json.at("words").get<std::string>();
@@ -58,7 +58,7 @@ Step stepOf(const Json& json, const std::filesystem::path& base) {
 }
 
 /// The language server gives the order of the variables beside their values.
-std::vector<verify::Change> initialOf(const Json& json) {
+std::vector<verify::Change> initialOf(const OrderedJson& json) {
   std::vector<verify::Change> initial;
   const auto& values = json.at("initial");
   if (auto variables = json.find("variables"); variables != json.end()) {
@@ -75,18 +75,19 @@ std::vector<verify::Change> initialOf(const Json& json) {
 
 } // namespace
 
-std::expected<Trace, std::string> readTrace(const Json& json, const std::filesystem::path& base) {
+std::expected<Trace, std::string> readTrace(const OrderedJson& json,
+                                            const std::filesystem::path& base) {
   try {
     Trace trace;
     trace.name = json.value("name", "");
     trace.words = json.value("words", "");
     trace.verdict = json.value("verdict", "");
     const auto inner = json.find("trace");
-    const Json& whole = inner != json.end() ? *inner : json;
+    const OrderedJson& whole = inner != json.end() ? *inner : json;
     trace.initial = initialOf(whole);
     for (const auto& step : whole.at("steps")) trace.steps.push_back(stepOf(step, base));
     return trace;
-  } catch (const Json::exception& error) {
+  } catch (const OrderedJson::exception& error) {
     return std::unexpected(fmt::format("this is no trace: {}", error.what()));
   }
 }

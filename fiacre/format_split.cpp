@@ -10,9 +10,6 @@ namespace {
 
 using Shape = FormatLine::Shape;
 
-constexpr auto kDeclarations = std::to_array<std::string_view>(
-    {"const", "type", "channel", "event", "task", "extern", "function", "process", "component",
-     "property", "assert", "prove"});
 /// What stands before an expression, so that `[]` behind it is an empty array.
 constexpr auto kBeforeExpression =
     std::to_array<std::string_view>({":=", ",", "=", "<>", "!", "?", ":", "return", "on", "where",
@@ -22,8 +19,6 @@ template <std::size_t N>
 bool isOneOf(std::string_view text, const std::array<std::string_view, N>& texts) {
   return std::ranges::find(texts, text) != texts.end();
 }
-
-bool isComment(const Token& token) { return token.kind == TokenKind::Comment; }
 
 class Splitter {
 public:

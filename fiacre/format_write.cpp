@@ -24,7 +24,6 @@ std::string unmasked(std::string text) {
   return text;
 }
 
-bool isComment(const Token& token) { return token.kind == TokenKind::Comment; }
 bool endsItsLine(const Token& token) { return isComment(token) && token.text.starts_with("//"); }
 
 /// How many parentheses and records are open, those of intervals of time among them.
@@ -118,9 +117,9 @@ private:
   bool typed = false; ///< the item at hand has its type: a comma is behind all of it
 };
 
-class Output {
+class Lines {
 public:
-  explicit Output(std::string_view of) : source(of) {}
+  explicit Lines(std::string_view of) : source(of) {}
 
   void write(const FormatLine& line) {
     if ((line.blank || afterHead) && !out.empty()) out += '\n';
@@ -267,7 +266,7 @@ std::string onOneLine(LineKind kind, const std::vector<Token>& tokens) {
 }
 
 std::string writeLines(std::string_view text, const std::vector<FormatLine>& lines) {
-  Output output(text);
+  Lines output(text);
   for (const auto& line : lines) output.write(line);
   return output.take();
 }

@@ -1,5 +1,7 @@
 #include "fiacre/lexer.h"
 
+#include "fiacre/words.h"
+
 #include <algorithm>
 #include <array>
 
@@ -13,7 +15,6 @@ constexpr auto kSymbols = std::to_array<std::string_view>(
      "}",   ",",  ";",  ":",  "|",  "&",  "!",  "?",  "#",  ".",  "$"});
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isWord(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || isDigit(c);
 }

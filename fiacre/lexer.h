@@ -27,6 +27,8 @@ struct Token {
   }
 };
 
+[[nodiscard]] inline bool isComment(const Token& token) { return token.kind == TokenKind::Comment; }
+
 /// The words and signs of a text, without its comments; an End token is last. Bytes that are none
 /// of Fiacre are problems, one for each run of them, and left out.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text,

@@ -1,6 +1,7 @@
 #include "fiacre/parse.h"
 
 #include "fiacre/parser.h"
+#include "fiacre/words.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,6 @@
 
 namespace proskill::fiacre {
 namespace {
-
-constexpr auto kDeclarations = std::to_array<std::string_view>(
-    {"const", "type", "channel", "event", "task", "extern", "function", "process", "component",
-     "property", "assert", "prove"});
 
 /// What is no Fiacre at all has as many problems as words: nobody reads them all.
 void shorten(std::vector<SyntaxProblem>& problems) {

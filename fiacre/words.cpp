@@ -105,7 +105,6 @@ constexpr auto kReserved = std::to_array<std::string_view>({
 });
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 } // namespace
 

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
 namespace proskill::fiacre {
+
+/// What a declaration begins with.
+inline constexpr auto kDeclarations = std::to_array<std::string_view>(
+    {"const", "type", "channel", "event", "task", "extern", "function", "process", "component",
+     "property", "assert", "prove"});
+
+[[nodiscard]] inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether a name means something to Fiacre or to H-Fiacre, so that nothing can be called so.
 [[nodiscard]] bool isKeyword(std::string_view name);

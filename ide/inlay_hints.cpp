@@ -20,8 +20,6 @@ using syntax::ExprKind;
 
 constexpr unsigned kMostValues = 3; ///< that a hint lists
 
-bool touches(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
-
 bool isLiteral(const syntax::Expr& expr) {
   return expr.kind == ExprKind::Number || expr.kind == ExprKind::String ||
          expr.kind == ExprKind::True || expr.kind == ExprKind::False;
@@ -39,7 +37,7 @@ public:
 
   std::vector<InlayHint> gather() && {
     for (const auto& form : view.document().forms()) {
-      if (!touches(form.range, range)) continue;
+      if (!form.range.touches(range)) continue;
       if (const auto* skill = std::get_if<syntax::Skill>(&form.node)) ofSkill(*skill);
     }
     if (flow) values();
@@ -56,7 +54,7 @@ private:
     if (!skill.body) return;
     analysis::forEachStatement(*skill.body, [&](const syntax::Statement& statement) {
       const bool isCall = statement.kind == syntax::StatementKind::Call;
-      if (isCall && touches(statement.range, range)) ofCall(statement);
+      if (isCall && statement.range.touches(range)) ofCall(statement);
     });
     if (flow) duration(skill);
   }

@@ -124,8 +124,6 @@ private:
   std::vector<Token> result;
 };
 
-bool touch(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
-
 } // namespace
 
 std::vector<Token> nameTokens(const View& view, syntax::Range within) {
@@ -152,11 +150,11 @@ std::vector<Token> tokens(const View& view, syntax::Range within) {
     result = FiacreText(view.text()).tokens();
   } else {
     for (const auto& stretch : view.document().stretches())
-      if (touch(stretch.range, within))
+      if (stretch.range.touches(within))
         std::ranges::copy(tokens(view, stretch, nameTokens(view, stretch.range)),
                           std::back_inserter(result));
   }
-  std::erase_if(result, [&](const Token& token) { return !touch(token.range, within); });
+  std::erase_if(result, [&](const Token& token) { return !token.range.touches(within); });
   return result;
 }
 

@@ -6,8 +6,6 @@ namespace proskill::lsp {
 
 namespace {
 
-RpcError invalid(std::string message) { return {ErrorCode::InvalidParams, std::move(message)}; }
-
 /// A number that fits a position; what is beyond it is beyond every text as well.
 std::optional<std::uint32_t> coordinate(const Json& position, const char* name) {
   if (!position.is_object()) return std::nullopt;
@@ -18,6 +16,10 @@ std::optional<std::uint32_t> coordinate(const Json& position, const char* name) 
 }
 
 } // namespace
+
+RpcError invalidParams(std::string message) {
+  return {ErrorCode::InvalidParams, std::move(message)};
+}
 
 Json Converter::position(analysis::FileId file, syntax::Offset at) const {
   const auto& document = program.files[file].document;
@@ -65,10 +67,10 @@ std::filesystem::path pathOf(std::string_view uri) {
 
 std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) {
   if (!params.is_object() || !params.contains("textDocument"))
-    return std::unexpected(invalid("`textDocument` is missing"));
+    return std::unexpected(invalidParams("`textDocument` is missing"));
   const auto& document = params["textDocument"];
   if (!document.is_object() || !document.contains("uri") || !document["uri"].is_string())
-    return std::unexpected(invalid("`textDocument.uri` is missing"));
+    return std::unexpected(invalidParams("`textDocument.uri` is missing"));
   return pathOf(document["uri"].get<std::string>());
 }
 
@@ -78,7 +80,8 @@ Json listAnswer(const Request& request, std::string_view list) {
 
 std::expected<std::string, RpcError> textIn(const Json& params, const char* name) {
   const auto& text = memberAt(params, {name});
-  if (!text.is_string()) return std::unexpected(invalid("`" + std::string(name) + "` is missing"));
+  if (!text.is_string())
+    return std::unexpected(invalidParams("`" + std::string(name) + "` is missing"));
   return text.get<std::string>();
 }
 
@@ -86,7 +89,7 @@ std::expected<ide::View, RpcError> documentView(const Request& request) {
   auto path = documentPath(request.params);
   if (!path) return std::unexpected(path.error());
   if (!request.snapshot.open().contains(*path))
-    return std::unexpected(invalid("the document is not open"));
+    return std::unexpected(invalidParams("the document is not open"));
   return request.snapshot.view(*path);
 }
 
@@ -94,7 +97,8 @@ std::expected<syntax::Offset, RpcError> offsetOf(const ide::View& view, const Js
                                                  Encoding encoding) {
   auto line = coordinate(position, "line");
   auto character = coordinate(position, "character");
-  if (!line || !character) return std::unexpected(invalid("a position has a line and a character"));
+  if (!line || !character)
+    return std::unexpected(invalidParams("a position has a line and a character"));
   return fromEditor(view.text(), view.document().lines(), {*line, *character}, encoding);
 }
 
@@ -102,7 +106,7 @@ std::expected<Cursor, RpcError> cursor(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   if (!request.params.contains("position"))
-    return std::unexpected(invalid("`position` is missing"));
+    return std::unexpected(invalidParams("`position` is missing"));
   auto at = offsetOf(*view, request.params["position"], request.client.encoding);
   if (!at) return std::unexpected(at.error());
   return Cursor{std::move(*view), *at};
@@ -111,7 +115,7 @@ std::expected<Cursor, RpcError> cursor(const Request& request) {
 std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view, const Json& range,
                                                Encoding encoding) {
   if (!range.is_object() || !range.contains("start") || !range.contains("end"))
-    return std::unexpected(invalid("a range has a start and an end"));
+    return std::unexpected(invalidParams("a range has a start and an end"));
   auto begin = offsetOf(view, range["start"], encoding);
   if (!begin) return std::unexpected(begin.error());
   auto end = offsetOf(view, range["end"], encoding);
@@ -121,7 +125,7 @@ std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view, const Json
 
 std::expected<syntax::Range, RpcError> rangeIn(const ide::View& view, const Json& params,
                                                Encoding encoding) {
-  if (!params.contains("range")) return std::unexpected(invalid("`range` is missing"));
+  if (!params.contains("range")) return std::unexpected(invalidParams("`range` is missing"));
   return rangeOf(view, params["range"], encoding);
 }
 

@@ -37,6 +37,8 @@ private:
   mutable std::uint32_t line = 0; ///< of the last place: the next one is mostly near
 };
 
+[[nodiscard]] RpcError invalidParams(std::string message);
+
 /// A request's text, by its `textDocument`. A URI that is no file gets a path that no file has.
 [[nodiscard]] std::expected<std::filesystem::path, RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);

@@ -93,7 +93,7 @@ Answer codeAction(const Request& request) {
 }
 
 /// Computes the actions again and takes the one that was chosen; its text must be the same still.
-Answer resolve(const Request& request) {
+Answer resolveAction(const Request& request) {
   if (request.params.contains("command")) return request.params; // some clients ask of all
   auto data = request.params.find("data");
   if (data == request.params.end() || !data->is_object() || !request.params.contains("title"))
@@ -129,7 +129,7 @@ Answer resolve(const Request& request) {
 
 void addActions(Registry& registry) {
   registry.add("textDocument/codeAction", codeAction);
-  registry.add("codeAction/resolve", resolve);
+  registry.add("codeAction/resolve", resolveAction);
   registry.capabilities["codeActionProvider"] = {{"codeActionKinds", kKinds},
                                                  {"resolveProvider", true}};
 }

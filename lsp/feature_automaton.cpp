@@ -12,8 +12,6 @@ namespace proskill::lsp {
 
 namespace {
 
-RpcError invalid(std::string message) { return {ErrorCode::InvalidParams, std::move(message)}; }
-
 /// The picture of a definition; of what has none, the calls.
 viz::Request pictureOf(const syntax::Form& form) {
   using viz::Kind;
@@ -49,8 +47,8 @@ std::expected<viz::Request, RpcError> pictureNamed(const analysis::Program& prog
     return pictureOf(program, name.get_ref<const std::string&>());
   const auto known =
       kind.is_string() ? viz::kindOf(kind.get_ref<const std::string&>()) : std::nullopt;
-  if (!known) return std::unexpected(invalid("`kind` is sv, skill, body or calls"));
-  if (!name.is_string()) return std::unexpected(invalid("`name` is no string"));
+  if (!known) return std::unexpected(invalidParams("`kind` is sv, skill, body or calls"));
+  if (!name.is_string()) return std::unexpected(invalidParams("`name` is no string"));
   return viz::Request{*known, name.get<std::string>(), false};
 }
 
@@ -104,7 +102,7 @@ std::expected<std::string, RpcError> contentOf(const viz::Graph& graph, const Js
   const auto format = params.value("format", Json("svg"));
   if (format == "json") return std::string();
   if (format != "svg" && format != "dot")
-    return std::unexpected(invalid("`format` is svg, dot or json"));
+    return std::unexpected(invalidParams("`format` is svg, dot or json"));
   const auto scheme = params.value("dark", Json()) == true ? viz::Scheme::Dark : viz::Scheme::Light;
   auto content = viz::render(graph, format == "svg" ? viz::Format::Svg : viz::Format::Dot, scheme);
   if (!content) return std::unexpected(RpcError{ErrorCode::RequestFailed, content.error()});

@@ -114,7 +114,7 @@ ide::Completion itemOf(const Json& data) {
   return item;
 }
 
-Answer resolve(const Request& request) {
+Answer resolveCompletion(const Request& request) {
   Json item = request.params;
   const auto& data = memberAt(request.params, {"data"});
   auto view = viewOfData(request, data);
@@ -131,7 +131,7 @@ void addCompletion(Registry& registry) {
       {"triggerCharacters", Json::array({"(", ":", ".", "$", " ", "\"", "/"})},
       {"resolveProvider", true}};
   registry.add("textDocument/completion", completion);
-  registry.add("completionItem/resolve", resolve);
+  registry.add("completionItem/resolve", resolveCompletion);
 }
 
 } // namespace proskill::lsp

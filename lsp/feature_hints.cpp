@@ -5,12 +5,12 @@ namespace proskill::lsp {
 
 namespace {
 
-struct Asked {
+struct AskedRange {
   ide::View view;
   syntax::Range range;
 };
 
-std::expected<Asked, RpcError> askedFor(const Request& request) {
+std::expected<AskedRange, RpcError> askedRange(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   const auto encoding = request.client.encoding;
@@ -18,14 +18,14 @@ std::expected<Asked, RpcError> askedFor(const Request& request) {
   if (!begin) return std::unexpected(begin.error());
   auto end = offsetOf(*view, memberAt(request.params, {"range", "end"}), encoding);
   if (!end) return std::unexpected(end.error());
-  return Asked{std::move(*view), {*begin, std::max(*begin, *end)}};
+  return AskedRange{std::move(*view), {*begin, std::max(*begin, *end)}};
 }
 
 /// 1: type, 2: parameter.
 int kindOf(ide::HintKind kind) { return kind == ide::HintKind::ArgumentType ? 2 : 1; }
 
 Answer inlayHint(const Request& request) {
-  auto asked = askedFor(request);
+  auto asked = askedRange(request);
   if (!asked) return std::unexpected(asked.error());
   const Converter convert(asked->view, request);
   Json result = Json::array();
@@ -42,7 +42,7 @@ Answer inlayHint(const Request& request) {
 
 /// What a debugger has not come to yet is not shown.
 Answer inlineValue(const Request& request) {
-  auto asked = askedFor(request);
+  auto asked = askedRange(request);
   if (!asked) return std::unexpected(asked.error());
   const auto& stopped = memberAt(request.params, {"context", "stoppedLocation", "end"});
   auto last = offsetOf(asked->view, stopped, request.client.encoding);

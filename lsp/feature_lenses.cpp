@@ -84,7 +84,7 @@ Json referencesCommand(const ide::View& view, analysis::SymbolId id, const Reque
 }
 
 /// A definition that is gone meanwhile has no references.
-Answer resolve(const Request& request) {
+Answer resolveLens(const Request& request) {
   Json lens = request.params;
   const auto& data = memberAt(request.params, {"data"});
   const auto key = symbolKey(memberAt(data, {"symbol"}));
@@ -101,7 +101,7 @@ Answer resolve(const Request& request) {
 void addLenses(Registry& registry) {
   registry.capabilities["codeLensProvider"] = {{"resolveProvider", true}};
   registry.add("textDocument/codeLens", codeLens);
-  registry.add("codeLens/resolve", resolve);
+  registry.add("codeLens/resolve", resolveLens);
 }
 
 } // namespace proskill::lsp

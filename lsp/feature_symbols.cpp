@@ -8,7 +8,7 @@ namespace proskill::lsp {
 
 namespace {
 
-int kindOf(const ide::OutlineEntry& entry) {
+int kindOfEntry(const ide::OutlineEntry& entry) {
   return entry.isFile ? kFileSymbol : symbolKind(entry.kind);
 }
 
@@ -35,7 +35,8 @@ Answer documentSymbol(const Request& request, LastOfTexts<SymbolParts>& last) {
     auto part = earlier.find(stretch.tree);
     if (!part) {
       JsonWriter mine;
-      writeOutline(mine, ide::outline(*view, stretch.range), convert, view->file, kindOf, request);
+      writeOutline(mine, ide::outline(*view, stretch.range), convert, view->file, kindOfEntry,
+                   request);
       part = std::make_shared<const SymbolPart>(stretch.tree, MovableJson(std::move(mine), line));
     }
     part->json.write(json, line);

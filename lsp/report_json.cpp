@@ -6,15 +6,13 @@ namespace proskill::lsp {
 
 namespace {
 
-using Json = OrderedJson;
-
 /// Line and column from 1, the column in characters.
-Json placeJson(const syntax::Document& document, syntax::Offset at) {
+OrderedJson placeJson(const syntax::Document& document, syntax::Offset at) {
   auto place = toEditor(document.text(), document.lines(), at, Encoding::Utf32);
   return {{"line", place.line + 1}, {"column", place.character + 1}};
 }
 
-Json rangeJson(const analysis::Program& program, analysis::Location location) {
+OrderedJson rangeJson(const analysis::Program& program, analysis::Location location) {
   const auto& file = program.files[location.file];
   return {{"file", file.path.generic_string()},
           {"begin", placeJson(file.document, location.range.begin)},
@@ -23,26 +21,26 @@ Json rangeJson(const analysis::Program& program, analysis::Location location) {
 }
 
 /// Seconds as an exact string and, for programs that plot, as a number.
-Json secondsJson(syntax::Rational value) {
+OrderedJson secondsJson(syntax::Rational value) {
   return {
       {"exact", syntax::toString(value)},
       {"seconds", static_cast<double>(value.numerator) / static_cast<double>(value.denominator)}};
 }
 
-Json momentJson(const ide::Moment& moment) {
-  Json json = secondsJson(moment.seconds);
+OrderedJson momentJson(const ide::Moment& moment) {
+  OrderedJson json = secondsJson(moment.seconds);
   json["strict"] = moment.strict;
   return json;
 }
 
-Json stepJson(const analysis::Program& program, const ide::TraceStep& step) {
-  Json json{{"actor", step.actor}, {"words", step.words}};
-  json["location"] = step.location ? rangeJson(program, *step.location) : Json();
+OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step) {
+  OrderedJson json{{"actor", step.actor}, {"words", step.words}};
+  json["location"] = step.location ? rangeJson(program, *step.location) : OrderedJson();
   json["date"] = secondsJson(step.date);
   json["delay"] = secondsJson(step.delay);
   json["earliest"] = momentJson(step.earliest);
-  json["latest"] = step.latest ? momentJson(*step.latest) : Json();
-  json["changes"] = Json::array();
+  json["latest"] = step.latest ? momentJson(*step.latest) : OrderedJson();
+  json["changes"] = OrderedJson::array();
   for (const auto& change : step.changes)
     json["changes"].push_back(
         {{"variable", change.variable}, {"before", change.before}, {"after", change.after}});
@@ -51,48 +49,49 @@ Json stepJson(const analysis::Program& program, const ide::TraceStep& step) {
   return json;
 }
 
-Json propertyJson(const analysis::Program& program, const ide::VerdictRow& row) {
+OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow& row) {
   const auto& check = *row.check;
-  Json json{{"name", check.name},
-            {"kind", check.kind},
-            {"subject", check.subject},
-            {"words", check.words},
-            {"verdict", ide::toString(row.verdict)},
-            {"good", row.good()},
-            {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};
-  json["location"] = row.location ? rangeJson(program, *row.location) : Json();
+  OrderedJson json{{"name", check.name},
+                   {"kind", check.kind},
+                   {"subject", check.subject},
+                   {"words", check.words},
+                   {"verdict", ide::toString(row.verdict)},
+                   {"good", row.good()},
+                   {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};
+  json["location"] = row.location ? rangeJson(program, *row.location) : OrderedJson();
   if (!row.reason.empty()) json["reason"] = row.reason;
-  json["trace"] = row.trace ? traceJson(program, *row.trace) : Json();
+  json["trace"] = row.trace ? traceJson(program, *row.trace) : OrderedJson();
   return json;
 }
 
 } // namespace
 
-Json traceJson(const analysis::Program& program, const ide::Trace& trace) {
-  Json initial = Json::object();
+OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace) {
+  OrderedJson initial = OrderedJson::object();
   for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
-  Json steps = Json::array();
+  OrderedJson steps = OrderedJson::array();
   for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  Json made{{"initial", initial}, {"steps", steps}};
+  OrderedJson made{{"initial", initial}, {"steps", steps}};
   if (trace.loop) made["loop"] = *trace.loop;
   if (trace.end) made["end"] = secondsJson(*trace.end);
   return made;
 }
 
-Json explorationJson(const verify::Exploration& exploration) {
+OrderedJson explorationJson(const verify::Exploration& exploration) {
   return {{"classes", exploration.classes},   {"markings", exploration.markings},
           {"domains", exploration.domains},   {"transitions", exploration.transitions},
           {"bytes", exploration.bytes},       {"seconds", exploration.seconds},
           {"complete", exploration.complete}, {"stopped", exploration.stopped}};
 }
 
-Json reportJson(const VerifyReport& report) {
-  Json json{{"version", 1},
-            {"program", report.program.files.front().path.string()},
-            {"main", report.mainSkill.empty() ? Json() : Json(report.mainSkill)},
-            {"unit", secondsJson(report.model.unit)}};
+OrderedJson reportJson(const VerifyReport& report) {
+  OrderedJson json{
+      {"version", 1},
+      {"program", report.program.files.front().path.string()},
+      {"main", report.mainSkill.empty() ? OrderedJson() : OrderedJson(report.mainSkill)},
+      {"unit", secondsJson(report.model.unit)}};
   if (!report.backend.empty()) json["backend"] = report.backend;
-  json["properties"] = Json::array();
+  json["properties"] = OrderedJson::array();
   for (const auto& row : report.result.rows)
     json["properties"].push_back(propertyJson(report.program, row));
   json["exploration"] = explorationJson(report.result.exploration);

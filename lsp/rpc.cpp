@@ -15,11 +15,11 @@ JsonWriter envelope(const Json& content) {
 
 bool isIdentifier(const Json& id) { return id.is_number_integer() || id.is_string(); }
 
-MalformedMessage invalid(std::string message, Json id = nullptr) {
+MalformedMessage malformed(std::string message, Json id = nullptr) {
   return {{ErrorCode::InvalidRequest, std::move(message)}, std::move(id)};
 }
 
-Json member(const Json& json, const char* name) {
+Json memberOrNull(const Json& json, const char* name) {
   auto found = json.find(name);
   return found == json.end() ? Json() : *found;
 }
@@ -28,12 +28,12 @@ std::expected<Message, MalformedMessage> call(const Json& json, Json id) {
   Message message;
   message.kind = json.contains("id") ? MessageKind::Request : MessageKind::Notification;
   message.method = json["method"].get<std::string>();
-  message.params = member(json, "params");
+  message.params = memberOrNull(json, "params");
   if (message.kind == MessageKind::Request && !isIdentifier(id))
-    return std::unexpected(invalid("`id` is neither a number nor a string"));
+    return std::unexpected(malformed("`id` is neither a number nor a string"));
   message.id = std::move(id);
   if (!message.params.is_null() && !message.params.is_structured())
-    return std::unexpected(invalid("`params` is neither an object nor an array", message.id));
+    return std::unexpected(malformed("`params` is neither an object nor an array", message.id));
   return message;
 }
 
@@ -43,19 +43,19 @@ std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
   auto json = Json::parse(body, nullptr, false);
   if (json.is_discarded())
     return std::unexpected(MalformedMessage{{ErrorCode::ParseError, "the message is no JSON"}, {}});
-  if (!json.is_object()) return std::unexpected(invalid("the message is no object"));
-  auto id = member(json, "id");
-  if (member(json, "jsonrpc") != "2.0")
-    return std::unexpected(invalid("`jsonrpc` is not \"2.0\"", isIdentifier(id) ? id : Json()));
-  auto method = member(json, "method");
+  if (!json.is_object()) return std::unexpected(malformed("the message is no object"));
+  auto id = memberOrNull(json, "id");
+  if (memberOrNull(json, "jsonrpc") != "2.0")
+    return std::unexpected(malformed("`jsonrpc` is not \"2.0\"", isIdentifier(id) ? id : Json()));
+  auto method = memberOrNull(json, "method");
   if (method.is_string()) return call(json, std::move(id));
   if (!method.is_null() || !json.contains("id"))
-    return std::unexpected(invalid("`method` is no string", isIdentifier(id) ? id : Json()));
+    return std::unexpected(malformed("`method` is no string", isIdentifier(id) ? id : Json()));
   Message message;
   message.kind = MessageKind::Response;
   message.id = std::move(id);
-  message.result = member(json, "result");
-  message.error = member(json, "error");
+  message.result = memberOrNull(json, "result");
+  message.error = memberOrNull(json, "error");
   return message;
 }
 

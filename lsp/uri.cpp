@@ -30,7 +30,7 @@ std::string decode(std::string_view text) {
 }
 
 /// What RFC 3986 allows in a path without an escape.
-bool isPlain(char c) {
+bool isUnescaped(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
          std::string_view("-._~/!$&'()*+,;=@").find(c) != std::string_view::npos;
 }
@@ -39,7 +39,7 @@ std::string encode(std::string_view text) {
   std::string result;
   for (char c : text)
     result +=
-        isPlain(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        isUnescaped(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   return result;
 }
 

@@ -164,20 +164,20 @@ const std::string* unknownName(const codegen::Model& model, const std::vector<st
 }
 
 /// What is verified: a program with its model, or a model by hand.
-struct Subject {
+struct Verifiable {
   analysis::Program program;
   codegen::Model model;
 };
 
-std::expected<Subject, std::string> ofFiacre(const WorkerText& text) {
+std::expected<Verifiable, std::string> ofFiacre(const WorkerText& text) {
   auto file = ide::readFiacre(text.path, text.text);
   if (!file.diagnostics.empty())
     return std::unexpected("the model has errors: " + file.diagnostics[0].message);
   if (!file.isModel()) return std::unexpected("the text names no model");
-  return Subject{std::move(file.program), std::move(file.model)};
+  return Verifiable{std::move(file.program), std::move(file.model)};
 }
 
-std::expected<Subject, std::string> subjectOf(const WorkerJob& job) {
+std::expected<Verifiable, std::string> verifiableOf(const WorkerJob& job) {
   if (ide::isFiacre(job.texts.front().path)) return ofFiacre(job.texts.front());
   auto program = analysis::load(JobFiles(job.texts), job.texts.front().path);
   for (const auto& diagnostic : analysis::check(program))
@@ -187,11 +187,11 @@ std::expected<Subject, std::string> subjectOf(const WorkerJob& job) {
   options.mainSkill = job.mainSkill;
   auto model = codegen::generate(program, options);
   if (!model) return std::unexpected(model.error().message);
-  return Subject{std::move(program), std::move(*model)};
+  return Verifiable{std::move(program), std::move(*model)};
 }
 
 void work(const WorkerJob& job) {
-  const auto subject = subjectOf(job);
+  const auto subject = verifiableOf(job);
   if (!subject) return sayError(subject.error());
   const auto& model = subject->model;
   if (const auto* name = unknownName(model, job.names))

@@ -1,9 +1,9 @@
 #include "syntax/change.h"
 
+#include "syntax/characters.h"
+
 namespace proskill::syntax {
 namespace {
-
-bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// Goes from word to word; a parenthesis and any other sign is a word as well.
 class Words {

@@ -1,6 +1,7 @@
 #include "syntax/format.h"
 
 #include "syntax/change.h"
+#include "syntax/characters.h"
 #include "syntax/format_layout.h"
 #include "syntax/indent.h"
 
@@ -50,12 +51,8 @@ TextEdit smallestEdit(std::string_view before, std::string_view after, Offset at
           std::string(after.substr(head, after.size() - tail - head))};
 }
 
-bool isSpace(std::string_view text) {
+bool isBlank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
-
-bool isWordCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 /// Whether two tokens would be others without space between them.
@@ -88,7 +85,7 @@ std::string tokensOf(const Document& document) {
       end = comment++->end;
       auto words = text.substr(at, end - at);
       tokens.append(words.substr(0, words.find_last_not_of(" \t\r") + 1)) += '\n';
-    } else if (isSpace(text.substr(at, 1))) {
+    } else if (isBlank(text.substr(at, 1))) {
       apart = true;
       at = end;
       continue;
@@ -111,7 +108,7 @@ std::vector<TextEdit> editsOf(std::string_view text, const std::vector<Gap>& gap
   for (const Gap& gap : gaps) {
     auto before = text.substr(gap.old.begin, gap.old.length());
     auto after = written(gap, lineEnd);
-    if (before != after && isSpace(before))
+    if (before != after && isBlank(before))
       edits.push_back(smallestEdit(before, after, gap.old.begin));
   }
   return edits;

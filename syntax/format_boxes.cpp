@@ -1,5 +1,7 @@
 #include "syntax/format_boxes.h"
 
+#include "syntax/characters.h"
+
 #include <algorithm>
 
 namespace proskill::syntax {
@@ -40,11 +42,6 @@ bool isDefinition(NodeKind kind) {
 }
 
 /// In characters; bytes that continue one do not count.
-std::uint32_t widthOf(std::string_view word) {
-  return static_cast<std::uint32_t>(
-      std::ranges::count_if(word, [](char byte) { return (byte & 0xc0) != 0x80; }));
-}
-
 class BoxBuilder {
 public:
   BoxBuilder(std::string_view text, Offset shift) : text(text), shift(shift) {}

@@ -1,5 +1,6 @@
 #include "syntax/format_layout.h"
 
+#include "syntax/characters.h"
 #include "syntax/format.h"
 
 #include <algorithm>
@@ -18,11 +19,6 @@ bool isClause(NodeKind kind) {
 }
 
 bool hasCondition(NodeKind kind) { return kind != NodeKind::Do && kind != NodeKind::ElseClause; }
-
-std::uint32_t widthOf(std::string_view words) {
-  return static_cast<std::uint32_t>(
-      std::ranges::count_if(words, [](char byte) { return (byte & 0xc0) != 0x80; }));
-}
 
 std::uint32_t columnIn(std::string_view text, Offset at) {
   auto before = text.substr(0, at);

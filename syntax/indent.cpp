@@ -1,13 +1,13 @@
 #include "syntax/indent.h"
 
+#include "syntax/characters.h"
+
 #include <algorithm>
 #include <array>
 
 namespace proskill::syntax {
 
 namespace {
-
-bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 template <std::size_t n>
 bool isOneOf(std::string_view word, const std::array<std::string_view, n>& words) {
@@ -113,8 +113,7 @@ private:
   [[nodiscard]] std::uint32_t columnOf(Offset at) const {
     auto lineEnd = text.substr(0, at).rfind('\n');
     auto line = text.substr(lineEnd + 1, at - lineEnd - 1); // npos + 1 is 0
-    return static_cast<std::uint32_t>(
-        std::ranges::count_if(line, [](char byte) { return (byte & 0xc0) != 0x80; }));
+    return widthOf(line);
   }
 
   std::string_view text;

@@ -1,5 +1,7 @@
 #include "syntax/scan.h"
 
+#include "syntax/characters.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -13,12 +15,6 @@ constexpr std::array<std::string_view, 16> kFields = {
     ":input",         ":start",     ":invariant", ":action", ":interrupt",   ":precondition",
     ":time_interval", ":resources", ":monitor",   ":body",
 };
-
-bool isWordCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 std::string_view wordAt(std::string_view text, std::size_t at) {
   std::size_t end = at;

@@ -17,6 +17,8 @@ struct Range {
   [[nodiscard]] bool empty() const { return begin == end; }
   [[nodiscard]] Offset length() const { return end - begin; }
   [[nodiscard]] bool contains(Offset at) const { return begin <= at && at < end; }
+  /// Whether there is nothing between the two.
+  [[nodiscard]] bool touches(Range other) const { return begin <= other.end && other.begin <= end; }
   friend bool operator==(const Range&, const Range&) = default;
 };
 

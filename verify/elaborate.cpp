@@ -54,7 +54,7 @@ void rootsAssigned(const Statement& statement, std::set<std::string>& roots) {
   for (const auto& child : statement.children) rootsAssigned(child, roots);
 }
 
-constexpr std::size_t kDeepest = 50;
+constexpr std::size_t kMostNested = 50;
 
 class Elaborator {
 public:
@@ -127,7 +127,7 @@ private:
   /// Its variables and ports, then what it is composed of.
   Branch addComponent(const fiacre::Component& component, const ModelPath& path, Scope& scope,
                       PortNames ports) {
-    if (path.size() > kDeepest) unsupported("components contain each other too deeply");
+    if (path.size() > kMostNested) unsupported("components contain each other too deeply");
     const std::string prefix =
         path.empty() ? "" : component.name + "_" + std::to_string(++counts[component.name]) + ".";
     for (const auto& variable : component.variables)

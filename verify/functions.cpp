@@ -14,7 +14,7 @@ using fiacre::Type;
 
 namespace {
 
-constexpr int kDeepest = 50;
+constexpr int kDeepestCall = 50;
 constexpr int kMostTurns = 64;
 constexpr int kMostKnownTurns = 100'000;
 constexpr std::int64_t kMostValues = 4096;
@@ -46,7 +46,7 @@ Value Expressions::call(const Expr& expr, const Scope& scope) {
     unsupported("`" + expr.name + "` is no function of the model");
   if (function->parameters.size() != expr.operands.size())
     unsupported("`" + expr.name + "` is called with the wrong number of arguments");
-  if (++depth > kDeepest) unsupported("`" + expr.name + "` calls itself too deeply");
+  if (++depth > kDeepestCall) unsupported("`" + expr.name + "` calls itself too deeply");
   Scope inner;
   std::vector<NodeId> arguments;
   for (std::size_t i = 0; i < expr.operands.size(); ++i) {

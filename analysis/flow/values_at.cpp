@@ -10,8 +10,6 @@ bool contains(syntax::Range outer, syntax::Range inner) {
   return outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-bool touches(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
-
 /// Calls `visit(point, node)` for each step of each process that the solver has looked at.
 template <class Visit> void forEachPoint(const Flow& flow, FileId file, Visit&& visit) {
   for (ProcessId id = 0; id < flow.system.size(); ++id) {
@@ -58,7 +56,7 @@ std::vector<Point> pointsTouching(const Flow& flow, Location range) {
   std::vector<Point> found;
   forEachPoint(flow, range.file, [&](const Point& point, const Node& node) {
     bool isIn = false;
-    forEachText(node, [&](syntax::Range text) { isIn |= touches(text, range.range); });
+    forEachText(node, [&](syntax::Range text) { isIn |= text.touches(range.range); });
     if (isIn) found.push_back(point);
   });
   return found;

@@ -74,8 +74,7 @@ void addLaidOut(const ActionContext& context, Actions& actions, std::string titl
   syntax::Range touched{changed.range.begin,
                         changed.range.begin + static_cast<syntax::Offset>(changed.text.size())};
   for (const auto& form : document.forms()) {
-    bool touches = form.range.begin <= touched.end && touched.begin <= form.range.end;
-    if (!touches) continue;
+    if (!form.range.touches(touched)) continue;
     touched = {std::min(touched.begin, form.range.begin), std::max(touched.end, form.range.end)};
   }
   auto after = syntax::applyEdits(document.text(), syntax::formatRange(document, touched));

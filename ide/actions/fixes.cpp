@@ -13,12 +13,10 @@ namespace {
 
 using syntax::Diagnostic;
 
-bool touch(syntax::Range a, syntax::Range b) { return a.begin <= b.end && b.begin <= a.end; }
-
 std::vector<Finding> findingsAt(const ActionContext& context) {
   auto findings = diagnostics(context.snapshot, context.path);
   std::erase_if(findings, [&](const Finding& finding) {
-    return !touch(finding.diagnostic->location.range, context.selection);
+    return !finding.diagnostic->location.range.touches(context.selection);
   });
   return findings;
 }
@@ -38,7 +36,7 @@ std::vector<FileEdit> merged(const std::vector<const Diagnostic*>& found) {
   for (const auto* diagnostic : found) {
     auto edit = editOf(diagnostic->fixes.front());
     bool clashes = std::ranges::any_of(edits, [&](const FileEdit& other) {
-      return other.file == edit.file && touch(other.edit.range, edit.edit.range);
+      return other.file == edit.file && other.edit.range.touches(edit.edit.range);
     });
     if (!clashes) edits.push_back(std::move(edit));
   }
