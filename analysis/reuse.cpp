@@ -1,4 +1,6 @@
 #include "analysis/reuse.h"
+
+#include "syntax/characters.h"
 #include "syntax/codes.h"
 
 #include <algorithm>
@@ -144,18 +146,13 @@ void addThoseTyped(const Program& program, Names& names) {
   }
 }
 
-bool isOfWord(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-';
-}
-
 /// Calls `visit` with each place of the word.
 template <class Visit>
 void forEachPlace(std::string_view text, std::string_view word, Visit visit) {
   for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
     const auto end = at + word.size();
-    const bool begins = at == 0 || !isOfWord(text[at - 1]);
-    if (begins && (end == text.size() || !isOfWord(text[end])))
+    const bool begins = at == 0 || !syntax::isWordCharacter(text[at - 1]);
+    if (begins && (end == text.size() || !syntax::isWordCharacter(text[end])))
       visit(static_cast<syntax::Offset>(at));
   }
 }

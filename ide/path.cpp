@@ -129,7 +129,8 @@ private:
   Offset cursor;
   Offset at;
   bool lineHasToken;
-  std::optional<Offset> lastLineEnd; ///< of the line of a string or a comment; a line may have thousands
+  std::optional<Offset>
+      lastLineEnd; ///< of the line of a string or a comment; a line may have thousands
   bool found = false;
   Path path;
 };
