@@ -182,7 +182,7 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
   if (!isDamaged(*head)) {
     Suggestion suggestion(builder.textOf(*head));
     for (const auto word : kDefinitionWords) suggestion.offer(word);
-    suggest(builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head)),
+    suggest(builder.report(Code::UnknownDefinition, head->range, builder.textOf(*head)),
             suggestion.best());
   }
   if (!isWord(*head)) return {};
