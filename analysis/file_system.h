@@ -22,6 +22,11 @@ public:
   /// One spelling for each file, so that two includes of it are seen to be the same.
   [[nodiscard]] virtual std::filesystem::path
   canonical(const std::filesystem::path& path) const = 0;
+  /// The name by which a file is shown: whoever holds it by another one, as an editor does, gives
+  /// that.
+  [[nodiscard]] virtual std::filesystem::path nameOf(const std::filesystem::path& path) const {
+    return path;
+  }
   /// The file parsed; whoever holds it parsed already, as an editor does, gives that.
   [[nodiscard]] virtual std::expected<syntax::Document, std::string>
   document(const std::filesystem::path& path) const {

@@ -1,5 +1,6 @@
 #include "analysis/findings.h"
 #include "syntax/codes.h"
+#include "syntax/quote.h"
 #include "syntax/suggest.h"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 
 namespace proskill::analysis {
 
-Finding& Finding::related(syntax::Location at, std::string message) {
-  diagnostic.related.push_back({at, std::move(message)});
+Finding& Finding::related(syntax::Location at, std::string_view message) {
+  diagnostic.related.push_back({at, syntax::withShortQuotes(message)});
   return *this;
 }
 
@@ -17,8 +18,8 @@ Finding& Finding::suggest(std::string_view word) {
   return *this;
 }
 
-Finding& Finding::fix(std::string title, syntax::Location at, std::string text) {
-  diagnostic.fixes.push_back({std::move(title), at, std::move(text)});
+Finding& Finding::fix(std::string_view title, syntax::Location at, std::string text) {
+  diagnostic.fixes.push_back({syntax::withShortQuotes(title), at, std::move(text)});
   return *this;
 }
 

@@ -16,11 +16,11 @@ class Finding {
 public:
   explicit Finding(syntax::Diagnostic& diagnostic) : diagnostic(diagnostic) {}
 
-  Finding& related(syntax::Location at, std::string message);
+  Finding& related(syntax::Location at, std::string_view message);
   /// "did you mean …?", where the word is not empty.
   Finding& suggest(std::string_view word);
   /// The edit that mends it.
-  Finding& fix(std::string title, syntax::Location at, std::string text);
+  Finding& fix(std::string_view title, syntax::Location at, std::string text);
   Finding& severity(syntax::Severity value);
 
 private:

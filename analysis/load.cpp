@@ -20,7 +20,7 @@ public:
     const auto id = static_cast<FileId>(program.files.size());
     loaded.insert(canonical);
     open.push_back({canonical, path, {}});
-    program.files.push_back({path, document});
+    program.files.push_back({files.nameOf(path), document, canonical.native()});
     for (syntax::Diagnostic diagnostic : document.diagnostics())
       program.diagnostics.push_back(inFile(std::move(diagnostic), id));
     for (const syntax::Form& form : document.forms()) define(form, id);
@@ -31,7 +31,7 @@ private:
   /// A file that is being read, and its include that is being followed.
   struct OpenFile {
     fs::path canonical;
-    fs::path path;
+    fs::path path; ///< by which it was reached: what it includes is looked for beside it
     Location include;
   };
 

@@ -4,6 +4,7 @@
 #include "syntax/document.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -14,8 +15,9 @@ using syntax::FileId;
 using syntax::Location;
 
 struct File {
-  std::filesystem::path path; ///< as a user would write it
+  std::filesystem::path path; ///< as a user would write it, or an editor names it
   syntax::Document document;
+  std::string canonical{}; ///< what tells it from other files; empty where nobody asks
 };
 
 /// A definition: the node and the file that it stands in. Valid as long as the program.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace proskill::ide {
 
@@ -273,9 +274,11 @@ void Completer::resources() {
 void Completer::files() {
   const auto& self = view.program().files[view.file].path;
   const auto folder = self.parent_path();
-  const auto included = includesOf(self, view.document());
+  std::set<std::string> included{self.native()};
+  for (const auto& target : includesOf(self, view.document()))
+    included.insert(snapshot.nameOf(target).native());
   for (const auto& file : snapshot.files()) {
-    if (file == self || std::ranges::find(included, file) != included.end()) continue;
+    if (included.contains(file.native())) continue;
     const auto relative = file.lexically_relative(folder);
     if (relative.empty()) continue;
     Completion& item = add(relative.generic_string(), CompletionKind::File);

@@ -255,6 +255,8 @@ std::optional<Place> withoutHead(Items items, Slot outer) {
 
 Place within(const OpenList& list, Slot outer) {
   if (auto place = withoutHead(list.items, outer)) return *place;
+  // Where a keyword is expected a list stands for nothing.
+  if (outer == Slot::Field) return just(Slot::Nothing);
   if (list.items.empty()) return {.slot = outer, .isHead = true};
   return behind(list.items, outer);
 }

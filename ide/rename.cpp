@@ -26,10 +26,11 @@ std::string placeText(const analysis::Program& program, analysis::Location at) {
   return fmt::format("{}:{}", file.path.filename().string(), line);
 }
 
-/// The texts of a program with the new name in them, and the disk for what is not of it.
+/// The texts of a program with the new name in them, by whatever names it includes them.
 class Renamed : public analysis::FileSystem {
 public:
-  Renamed(const analysis::Program& program, const RenamePlan& plan) {
+  Renamed(const Snapshot& snapshot, const analysis::Program& program, const RenamePlan& plan)
+      : snapshot(snapshot) {
     for (const auto& file : program.files) {
       auto text = file.document.text();
       if (auto found = plan.places.find(file.path); found != plan.places.end())
@@ -40,15 +41,19 @@ public:
   }
 
   [[nodiscard]] std::expected<std::string, std::string> read(const fs::path& path) const override {
-    auto found = texts.find(path);
+    auto found = texts.find(nameOf(path));
     if (found == texts.end()) return std::unexpected("not a file of the program");
     return found->second;
   }
   [[nodiscard]] fs::path canonical(const fs::path& path) const override {
-    return path.lexically_normal();
+    return snapshot.canonical(path);
+  }
+  [[nodiscard]] fs::path nameOf(const fs::path& path) const override {
+    return snapshot.nameOf(path);
   }
 
 private:
+  const Snapshot& snapshot;
   std::map<fs::path, std::string> texts;
 };
 
@@ -73,8 +78,9 @@ std::size_t errorsOf(const analysis::Analysis& analysis) {
 }
 
 /// What would be wrong with the program after the renaming; empty where nothing is.
-std::string captured(const AnalysedProgram& before, const RenamePlan& plan) {
-  const Renamed files(before.program, plan);
+std::string captured(const Snapshot& snapshot, const AnalysedProgram& before,
+                     const RenamePlan& plan) {
+  const Renamed files(snapshot, before.program, plan);
   const auto program =
       analysis::load(files, before.program.files.front().path, before.program.extent);
   const auto analysis = analysis::analyse(program);
@@ -190,7 +196,8 @@ std::expected<RenamePlan, std::string> rename(const Snapshot& snapshot, const Vi
     if (auto why = takenBy(each, newName); !why.empty()) return std::unexpected(why);
   auto plan = planOf(places, symbol.name.size(), newName);
   for (const auto& each : programs)
-    if (auto why = captured(*each.view.owner, plan); !why.empty()) return std::unexpected(why);
+    if (auto why = captured(snapshot, *each.view.owner, plan); !why.empty())
+      return std::unexpected(why);
   return plan;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 namespace proskill::ide {
 
@@ -13,27 +12,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The disk, with what the editor holds in front of it.
+/// The disk, with what the editor holds in front of it, by whatever name it is asked for.
 class Overlay : public analysis::FileSystem {
 public:
-  Overlay(const analysis::FileSystem& disk, const OpenTexts& open) : disk(disk), open(open) {}
+  Overlay(const analysis::FileSystem& disk, const Snapshot& snapshot)
+      : disk(disk), snapshot(snapshot) {}
 
   [[nodiscard]] std::expected<std::string, std::string> read(const fs::path& path) const override {
-    auto found = open.find(path);
-    return found == open.end() ? disk.read(path) : found->second.document.text();
+    const auto* text = find(path);
+    return text ? text->document.text() : disk.read(path);
   }
   [[nodiscard]] fs::path canonical(const fs::path& path) const override {
     return disk.canonical(path);
   }
+  [[nodiscard]] fs::path nameOf(const fs::path& path) const override {
+    return snapshot.nameOf(path);
+  }
   [[nodiscard]] std::expected<syntax::Document, std::string>
   document(const fs::path& path) const override {
-    auto found = open.find(path);
-    return found == open.end() ? disk.document(path) : found->second.document;
+    const auto* text = find(path);
+    return text ? text->document : disk.document(path);
   }
 
 private:
+  [[nodiscard]] const OpenText* find(const fs::path& path) const {
+    const auto found = snapshot.open().find(nameOf(path));
+    return found == snapshot.open().end() ? nullptr : &found->second;
+  }
+
   const analysis::FileSystem& disk;
-  const OpenTexts& open;
+  const Snapshot& snapshot;
 };
 
 std::optional<analysis::FileId> fileIn(const analysis::Program& program, const fs::path& path) {
@@ -57,10 +65,26 @@ bool isOpen(const AnalysedProgram& analysed, const OpenTexts& texts) {
                              [&](const analysis::File& file) { return texts.contains(file.path); });
 }
 
+/// Adds the names that are open in one of them only.
+void addOpened(std::vector<std::string_view>& names, const OpenTexts& these,
+               const OpenTexts& others) {
+  for (const auto& [name, text] : these)
+    if (!others.contains(name)) names.push_back(name.native());
+}
+
+bool hasOneOf(const AnalysedProgram& analysed, const std::vector<std::string_view>& names) {
+  return std::ranges::any_of(analysed.program.files, [&](const analysis::File& file) {
+    auto isIt = [&](auto name) { return name == file.path.native() || name == file.canonical; };
+    return std::ranges::any_of(names, isIt);
+  });
+}
+
 /// Of a model in Fiacre, which defines nothing, the text alone.
 analysis::Program loaded(const Overlay& files, const fs::path& root) {
   if (!isFiacre(root)) return analysis::load(files, root);
-  return readFiacre(root, files.read(root).value_or(std::string())).program;
+  auto program = readFiacre(root, files.read(root).value_or(std::string())).program;
+  program.files.front().canonical = files.canonical(root).native();
+  return program;
 }
 
 } // namespace
@@ -131,25 +155,66 @@ const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
   return knownFindings;
 }
 
+std::shared_ptr<const IncludeGraph> graphOf(const analysis::FileSystem& disk,
+                                            const OpenTexts& open) {
+  std::vector<IncludeGraph::File> files;
+  for (const auto& [path, text] : open)
+    files.push_back(std::make_shared<const KnownFile>(
+        knownFile(disk, path, disk.canonical(path).native(), text.document)));
+  return std::make_shared<const IncludeGraph>(std::move(files));
+}
+
 Snapshot::Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open,
-                   Includes includes, SettingsOf settings)
+                   std::shared_ptr<const IncludeGraph> graph, SettingsOf settings)
     : disk(std::move(disk)),
       texts(std::move(open)),
-      includes(std::move(includes)),
+      graph(std::move(graph)),
       settings(std::move(settings)) {}
 
-std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open, Includes nowIncludes) const {
-  auto next = std::make_shared<Snapshot>(disk, std::move(open), std::move(nowIncludes), settings);
-  std::lock_guard lock(mutex);
-  for (const auto& [root, entry] : entries) {
+std::shared_ptr<const Snapshot> Snapshot::with(OpenTexts open,
+                                               std::shared_ptr<const IncludeGraph> nowGraph) const {
+  auto next = std::make_shared<Snapshot>(disk, std::move(open), std::move(nowGraph), settings);
+  auto changed =
+      graph == next->graph ? std::vector<std::string_view>() : graph->differenceTo(*next->graph);
+  addOpened(changed, texts, next->texts);
+  addOpened(changed, next->texts, texts);
+  next->takeOpenPrograms(*this, changed);
+  next->takeClosedPrograms(*this, changed);
+  return next;
+}
+
+void Snapshot::takeOpenPrograms(const Snapshot& before,
+                                const std::vector<std::string_view>& changed) {
+  std::lock_guard lock(before.mutex);
+  for (const auto& [root, entry] : before.entries) {
     const auto& last = entry->program ? entry->program : entry->earlier;
     if (!last) continue;
-    if (entry->program && isCurrent(*last, texts, next->texts))
-      next->entries[root] = entry;
-    else if (isOpen(*last, next->texts))
-      next->entries.try_emplace(root, std::make_shared<Entry>()).first->second->earlier = last;
+    if (entry->program && isCurrent(*last, before.texts, texts) && !hasOneOf(*last, changed))
+      entries[root] = entry;
+    else if (isOpen(*last, texts))
+      entries.try_emplace(root, std::make_shared<Entry>()).first->second->earlier = last;
   }
-  return next;
+}
+
+/// Those of which a file was opened are known no more: what the disk has when it is closed may
+/// differ.
+void Snapshot::takeClosedPrograms(const Snapshot& before,
+                                  const std::vector<std::string_view>& changed) {
+  if (changed.empty()) {
+    closed = before.closed;
+    return;
+  }
+  std::lock_guard lock(before.closed->mutex);
+  for (const auto& [root, entry] : before.closed->entries)
+    if (!hasOneOf(*entry->program, changed)) closed->entries.emplace(root, entry);
+}
+
+/// A name that is open is that text's, also where another text was opened before by another name of
+/// its file.
+fs::path Snapshot::nameOf(const fs::path& path) const {
+  if (texts.contains(path)) return path;
+  const auto* file = graph->find(disk->canonical(path).native());
+  return file ? file->name : path;
 }
 
 std::vector<std::shared_ptr<const AnalysedProgram>> Snapshot::takeReplaced() const {
@@ -157,95 +222,63 @@ std::vector<std::shared_ptr<const AnalysedProgram>> Snapshot::takeReplaced() con
   return std::exchange(replaced, {});
 }
 
-std::vector<fs::path> Snapshot::roots() const {
-  std::set<fs::path> included;
-  for (const auto& [includer, targets] : includes) included.insert(targets.begin(), targets.end());
-  std::vector<fs::path> result;
-  std::set<fs::path> reached;
-  auto begin = [&](const fs::path& root) {
-    result.push_back(root);
-    std::vector<fs::path> pending{root};
-    while (!pending.empty()) {
-      auto current = std::move(pending.back());
-      pending.pop_back();
-      if (!reached.insert(current).second) continue;
-      if (auto found = includes.find(current); found != includes.end())
-        pending.insert(pending.end(), found->second.begin(), found->second.end());
-    }
-  };
-  for (const auto& file : files())
-    if (!included.contains(file)) begin(file);
-  for (const auto& file : files()) // those that include each other in a circle
-    if (!reached.contains(file)) begin(file);
-  return result;
+std::optional<View> Snapshot::viewIn(const fs::path& root, const fs::path& file) const {
+  auto analysed = program(root);
+  const auto id = fileIn(analysed->program, file);
+  return id ? std::optional(View{std::move(analysed), *id}) : std::nullopt;
 }
 
 std::vector<View> Snapshot::views(const fs::path& file) const {
   std::vector<View> result;
-  for (const auto& root : rootsOf(file)) {
-    auto analysed = program(root);
-    if (auto id = fileIn(analysed->program, file)) result.push_back({analysed, *id});
-  }
+  for (const auto& root : graph->rootsOf(file))
+    if (auto found = viewIn(root, file)) result.push_back(std::move(*found));
   // Who seems to include it does not, through links or too deep: it stands for itself.
   if (result.empty()) result.push_back({program(file), 0});
   return result;
 }
 
-View Snapshot::view(const fs::path& file) const { return views(file).front(); }
+/// The other programs that it belongs to, which may be hundreds, are not looked at.
+View Snapshot::view(const fs::path& file) const {
+  for (const auto& root : graph->rootsOf(file))
+    if (auto found = viewIn(root, file)) return std::move(*found);
+  return {program(file), 0};
+}
 
 std::shared_ptr<const AnalysedProgram> Snapshot::program(const fs::path& root) const {
-  std::shared_ptr<Entry> entry;
-  std::shared_ptr<const AnalysedProgram> earlier;
-  {
-    std::lock_guard lock(mutex);
-    auto& slot = entries[root];
-    if (!slot) slot = std::make_shared<Entry>();
-    entry = slot;
-    earlier = entry->earlier;
-  }
-  std::call_once(entry->once, [&] {
-    auto whole = std::make_shared<const AnalysedProgram>(
-        loaded(Overlay(*disk, texts), root), settings ? settings(root) : analysis::flow::Settings{},
-        earlier.get());
-    std::lock_guard lock(mutex);
-    entry->program = std::move(whole);
-    entry->earlier.reset();
-    if (earlier) replaced.push_back(std::move(earlier));
-  });
+  const auto entry = entryOf(root.native());
+  std::call_once(entry->once, [&] { analyse(entry, root); });
   return entry->program;
 }
 
-/// Goes from includer to includer. Files that include each other in a circle have no root but
-/// themselves.
-std::vector<fs::path> Snapshot::rootsOf(const fs::path& file) const {
-  std::vector<fs::path> roots;
-  std::set<fs::path> seen{file};
-  std::vector<fs::path> pending{file};
-  while (!pending.empty()) {
-    auto current = pending.back();
-    pending.pop_back();
-    bool included = false;
-    for (const auto& [includer, targets] : includes) {
-      // As text: all are normal, and a comparison part by part takes a hundred times as long.
-      if (std::ranges::find(targets, current.native(), &fs::path::native) == targets.end())
-        continue;
-      included = true;
-      if (seen.insert(includer).second) pending.push_back(includer);
-    }
-    if (!included) roots.push_back(current);
+std::shared_ptr<Snapshot::Entry> Snapshot::entryOf(const std::string& root) const {
+  std::lock_guard lock(mutex);
+  if (const auto found = entries.find(root); found != entries.end()) return found->second;
+  {
+    std::lock_guard lockClosed(closed->mutex);
+    const auto found = closed->entries.find(root);
+    if (found != closed->entries.end()) return found->second;
   }
-  if (roots.empty()) roots.push_back(file);
-  std::ranges::sort(roots);
-  return roots;
+  return entries.emplace(root, std::make_shared<Entry>()).first->second;
 }
 
-std::vector<fs::path> includesOf(const fs::path& file, const syntax::Document& document) {
-  std::vector<fs::path> result;
-  if (isFiacre(file)) return result;
-  for (const auto& form : document.forms())
-    if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
-      result.push_back((file.parent_path() / include->path.text).lexically_normal());
-  return result;
+/// Only then it is known which files the program has.
+void Snapshot::analyse(const std::shared_ptr<Entry>& entry, const fs::path& root) const {
+  std::shared_ptr<const AnalysedProgram> earlier;
+  {
+    std::lock_guard lock(mutex);
+    earlier = entry->earlier;
+  }
+  auto whole = std::make_shared<const AnalysedProgram>(
+      loaded(Overlay(*disk, *this), root), settings ? settings(root) : analysis::flow::Settings{},
+      earlier.get());
+  std::lock_guard lock(mutex);
+  entry->program = std::move(whole);
+  entry->earlier.reset();
+  if (earlier) replaced.push_back(std::move(earlier));
+  if (isOpen(*entry->program, texts)) return;
+  entries.erase(root.native());
+  std::lock_guard lockClosed(closed->mutex);
+  closed->entries.try_emplace(root.native(), entry);
 }
 
 } // namespace proskill::ide

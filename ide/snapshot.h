@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/flow/inspect.h"
+#include "ide/include_graph.h"
 #include "ide/known_flow.h"
 
 #include <atomic>
@@ -9,8 +10,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <ranges>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 /// The texts of an editor at one moment, and what analysis says of them.
@@ -90,33 +93,44 @@ struct View {
   [[nodiscard]] const std::string& text() const { return document().text(); }
 };
 
-/// Which files include which, by their paths: every file that is open or in the workspace, with an
-/// empty list where it includes nothing.
-using Includes = std::map<std::filesystem::path, std::vector<std::filesystem::path>>;
+/// Of open texts alone.
+[[nodiscard]] std::shared_ptr<const IncludeGraph> graphOf(const analysis::FileSystem& disk,
+                                                          const OpenTexts& open);
 
 /// Never changes; programs are analysed when they are first asked for, once, by whoever asks first.
 /// Any thread may use it.
 class Snapshot {
 public:
   /// Where nobody says how findings are weighed, it is as their table says.
-  Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open, Includes includes,
-           SettingsOf settings = nullptr);
+  Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open,
+           std::shared_ptr<const IncludeGraph> graph, SettingsOf settings = nullptr);
 
   /// The same moment after an edit: programs that the edit does not touch are kept, and of the
   /// others what still holds of them.
-  [[nodiscard]] std::shared_ptr<const Snapshot> with(OpenTexts open, Includes includes) const;
+  [[nodiscard]] std::shared_ptr<const Snapshot>
+  with(OpenTexts open, std::shared_ptr<const IncludeGraph> graph) const;
   /// Programs before the edits, which were needed until those after them were analysed. To destroy
   /// them takes a while: nobody should wait for it. Each is given once.
   [[nodiscard]] std::vector<std::shared_ptr<const AnalysedProgram>> takeReplaced() const;
 
   [[nodiscard]] const OpenTexts& open() const { return texts; }
-  /// Every file that is open or in the workspace, in their order.
-  [[nodiscard]] auto files() const { return includes | std::views::keys; }
-  [[nodiscard]] bool knows(const std::filesystem::path& file) const {
-    return includes.contains(file);
+  /// Every file that is open or in the workspace. A file has one name in all that a snapshot gives,
+  /// whatever links lead to it: the one that the editor opened it by, else that in the workspace.
+  [[nodiscard]] auto files() const {
+    return graph->files() |
+           std::views::transform([](const auto& file) -> const auto& { return file->name; });
   }
-  /// Those of them that are the root of a program.
-  [[nodiscard]] std::vector<std::filesystem::path> roots() const;
+  /// The same files, with what each includes.
+  [[nodiscard]] const std::vector<IncludeGraph::File>& knownFiles() const { return graph->files(); }
+  [[nodiscard]] bool knows(const std::filesystem::path& file) const { return graph->named(file); }
+  /// The name of the file at a path.
+  [[nodiscard]] std::filesystem::path nameOf(const std::filesystem::path& path) const;
+  /// What tells the file at a path from others, open or not.
+  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const {
+    return disk->canonical(path);
+  }
+  /// Those of the files that are the root of a program.
+  [[nodiscard]] std::vector<std::filesystem::path> roots() const { return graph->roots(); }
   /// The file in each program that it belongs to, one a root; a file that nothing includes is its
   /// own root.
   [[nodiscard]] std::vector<View> views(const std::filesystem::path& file) const;
@@ -124,27 +138,38 @@ public:
   [[nodiscard]] View view(const std::filesystem::path& file) const;
 
 private:
-  std::shared_ptr<const AnalysedProgram> program(const std::filesystem::path& root) const;
-  std::vector<std::filesystem::path> rootsOf(const std::filesystem::path& file) const;
-
   /// Analysed at most once, whoever comes first.
   struct Entry {
     std::once_flag once;
     std::shared_ptr<const AnalysedProgram> program;
     std::shared_ptr<const AnalysedProgram> earlier; ///< until it is analysed; may be null
   };
+  using Entries = std::unordered_map<std::string, std::shared_ptr<Entry>>;
+  /// Programs none of whose files is open: an edit, which touches none of them, does not look at
+  /// them. In a large workspace there are many.
+  struct ClosedPrograms {
+    std::mutex mutex;
+    Entries entries;
+  };
+
+  std::optional<View> viewIn(const std::filesystem::path& root,
+                             const std::filesystem::path& file) const;
+  std::shared_ptr<const AnalysedProgram> program(const std::filesystem::path& root) const;
+  std::shared_ptr<Entry> entryOf(const std::string& root) const;
+  void analyse(const std::shared_ptr<Entry>& entry, const std::filesystem::path& root) const;
+  /// \param changed files of which something else is known or open now, by any of their names
+  void takeOpenPrograms(const Snapshot& before, const std::vector<std::string_view>& changed);
+  void takeClosedPrograms(const Snapshot& before, const std::vector<std::string_view>& changed);
 
   std::shared_ptr<const analysis::FileSystem> disk;
   OpenTexts texts;
-  Includes includes;
+  std::shared_ptr<const IncludeGraph> graph;
   SettingsOf settings;
   mutable std::mutex mutex;
-  mutable std::map<std::filesystem::path, std::shared_ptr<Entry>> entries;
+  mutable Entries entries; ///< by the names of their roots
+  /// Of all snapshots with the same files, open or not.
+  std::shared_ptr<ClosedPrograms> closed = std::make_shared<ClosedPrograms>();
   mutable std::vector<std::shared_ptr<const AnalysedProgram>> replaced;
 };
-
-/// What a document includes, resolved against its own path.
-[[nodiscard]] std::vector<std::filesystem::path> includesOf(const std::filesystem::path& file,
-                                                            const syntax::Document& document);
 
 } // namespace proskill::ide

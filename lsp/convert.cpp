@@ -74,6 +74,11 @@ std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) 
   return pathOf(document["uri"].get<std::string>());
 }
 
+std::expected<std::filesystem::path, RpcError> documentFile(const Request& request) {
+  auto path = documentPath(request.params);
+  return path ? request.snapshot.nameOf(*path) : path;
+}
+
 Json listAnswer(const Request& request, std::string_view list) {
   return request.progress->wantsParts() ? Json::parse(list) : written(list);
 }

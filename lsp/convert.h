@@ -43,6 +43,9 @@ private:
 [[nodiscard]] std::expected<std::filesystem::path, RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
 
+/// The file that a request is about, by its name in the snapshot; open or not.
+[[nodiscard]] std::expected<std::filesystem::path, RpcError> documentFile(const Request& request);
+
 /// An answer that is a list and was written as text. Where the client wants parts of it, it is
 /// taken apart.
 [[nodiscard]] Json listAnswer(const Request& request, std::string_view list);

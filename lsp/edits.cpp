@@ -13,33 +13,37 @@ Json textEdits(const Converter& convert, analysis::FileId file,
 namespace {
 
 void addFile(Json& result, const std::filesystem::path& path,
-             const std::vector<syntax::Range>& ranges, const std::string& text,
-             const Request& request) {
+             const std::vector<syntax::TextEdit>& edits, const Request& request) {
   const auto view = request.snapshot.view(path);
   const Converter convert(view, request);
-  Json edits = Json::array();
-  for (auto range : ranges)
-    edits.push_back({{"range", convert.range(view.file, range)}, {"newText", text}});
   const auto uri = convert.uri(view.file);
+  auto written = textEdits(convert, view.file, edits);
   if (!request.client.documentChanges) {
-    result["changes"][uri] = std::move(edits);
+    result["changes"][uri] = std::move(written);
     return;
   }
   const auto open = request.snapshot.open().find(path);
   const Json version =
       open == request.snapshot.open().end() ? Json(nullptr) : Json(open->second.version);
   result["documentChanges"].push_back(
-      {{"textDocument", {{"uri", uri}, {"version", version}}}, {"edits", std::move(edits)}});
+      {{"textDocument", {{"uri", uri}, {"version", version}}}, {"edits", std::move(written)}});
 }
 
 } // namespace
 
-Json workspaceEdit(const std::map<std::filesystem::path, std::vector<syntax::Range>>& places,
-                   const std::string& text, const Request& request) {
+Json workspaceEdit(const FileEdits& edits, const Request& request) {
   Json result = request.client.documentChanges ? Json{{"documentChanges", Json::array()}}
                                                : Json{{"changes", Json::object()}};
-  for (const auto& [path, ranges] : places) addFile(result, path, ranges, text, request);
+  for (const auto& [path, ofFile] : edits) addFile(result, path, ofFile, request);
   return result;
+}
+
+Json workspaceEdit(const std::map<std::filesystem::path, std::vector<syntax::Range>>& places,
+                   const std::string& text, const Request& request) {
+  FileEdits edits;
+  for (const auto& [path, ranges] : places)
+    for (auto range : ranges) edits[path].push_back({range, text});
+  return workspaceEdit(edits, request);
 }
 
 } // namespace proskill::lsp

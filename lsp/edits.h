@@ -15,7 +15,12 @@ namespace proskill::lsp {
 [[nodiscard]] Json textEdits(const Converter& convert, analysis::FileId file,
                              std::span<const syntax::TextEdit> edits);
 
-/// A `WorkspaceEdit` that writes one text at places of files, in either of the protocol's two ways.
+using FileEdits = std::map<std::filesystem::path, std::vector<syntax::TextEdit>>;
+
+/// A `WorkspaceEdit` of files, in either of the protocol's two ways.
+[[nodiscard]] Json workspaceEdit(const FileEdits& edits, const Request& request);
+
+/// The same where one text is written at places of files.
 [[nodiscard]] Json
 workspaceEdit(const std::map<std::filesystem::path, std::vector<syntax::Range>>& places,
               const std::string& text, const Request& request);

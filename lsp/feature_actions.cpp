@@ -75,7 +75,7 @@ Answer codeAction(const Request& request) {
   if (!view) return std::unexpected(view.error());
   auto selection = rangeIn(*view, request.params, request.client.encoding);
   if (!selection) return std::unexpected(selection.error());
-  auto path = *documentPath(request.params);
+  auto path = *documentFile(request);
   Json result = Json::array();
   for (const auto& action : ide::actions(request.snapshot, path, *selection)) {
     if (!isAskedFor(nameOf(action.kind), request.params)) continue;

@@ -110,7 +110,7 @@ std::expected<std::string, RpcError> contentOf(const viz::Graph& graph, const Js
 }
 
 Answer automaton(const Request& request) {
-  auto path = documentPath(request.params);
+  auto path = documentFile(request);
   if (!path) return std::unexpected(path.error());
   const auto view = request.snapshot.view(*path);
   std::optional<syntax::Offset> caret;

@@ -73,7 +73,7 @@ Json itemsOf(const Request& request, const std::filesystem::path& path) {
 }
 
 Answer documentDiagnostics(const Request& request) {
-  auto path = documentPath(request.params);
+  auto path = documentFile(request);
   if (!path) return std::unexpected(path.error());
   return report(itemsOf(request, *path), memberAt(request.params, {"previousResultId"}));
 }

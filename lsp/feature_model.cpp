@@ -58,7 +58,7 @@ std::optional<codegen::Edition> editionIn(const Json& params) {
 }
 
 Answer model(const Request& request) {
-  auto path = documentPath(request.params);
+  auto path = documentFile(request);
   if (!path) return std::unexpected(path.error());
   const auto edition = editionIn(request.params);
   if (!edition)
@@ -144,7 +144,7 @@ Json programJson(const ide::View& view, const Request& request) {
 Answer tests(const Request& request) {
   std::vector<std::filesystem::path> files;
   if (request.params.is_object() && request.params.contains("textDocument")) {
-    auto path = documentPath(request.params);
+    auto path = documentFile(request);
     if (!path) return std::unexpected(path.error());
     files.push_back(*path);
   } else {

@@ -1,3 +1,4 @@
+#include "ide/moved_files.h"
 #include "ide/rename.h"
 #include "lsp/convert.h"
 #include "lsp/edits.h"
@@ -39,9 +40,33 @@ Answer linkedEditing(const Request& request) {
   return Json{{"ranges", std::move(ranges)}, {"wordPattern", "[A-Za-z_][A-Za-z0-9_]*"}};
 }
 
+/// What programs include goes on being found where an editor gives files other names.
+Answer willRenameFiles(const Request& request) {
+  const auto& files = memberAt(request.params, {"files"});
+  std::vector<ide::Move> moves;
+  for (const auto& file : files.is_array() ? files : Json::array()) {
+    const auto from = textIn(file, "oldUri");
+    const auto to = textIn(file, "newUri");
+    if (!from || !to) return std::unexpected(from ? to.error() : from.error());
+    moves.push_back({request.snapshot.nameOf(pathOf(*from)), pathOf(*to)});
+  }
+  const auto edits = ide::includesAfter(request.snapshot, moves);
+  return edits.empty() ? Json() : workspaceEdit(edits, request);
+}
+
+/// Programs, models, and folders of them.
+Json renamedFiles() {
+  return {
+      {"filters",
+       {{{"scheme", "file"}, {"pattern", {{"glob", "**/*.{proskill,fcr}"}, {"matches", "file"}}}},
+        {{"scheme", "file"}, {"pattern", {{"glob", "**"}, {"matches", "folder"}}}}}}};
+}
+
 } // namespace
 
 void addRename(Registry& registry) {
+  registry.capabilities["workspace"]["fileOperations"]["willRename"] = renamedFiles();
+  registry.add("workspace/willRenameFiles", willRenameFiles);
   registry.capabilities["renameProvider"] = {{"prepareProvider", true}};
   registry.capabilities["linkedEditingRangeProvider"] = true;
   registry.add("textDocument/prepareRename", prepareRename);

@@ -40,10 +40,14 @@ Answer documentLink(const Request& request) {
   if (!view) return std::unexpected(view.error());
   const Converter convert(*view, request);
   Json result = Json::array();
-  for (const auto& link : ide::links(view->program().files[view->file].path, view->document()))
-    result.push_back({{"range", convert.range(view->file, link.range)},
-                      {"target", toUri(link.target)},
-                      {"tooltip", "Open " + link.target.filename().string()}});
+  for (const auto& link : ide::links(view->program().files[view->file].path, view->document())) {
+    const auto target = request.snapshot.nameOf(link.target);
+    const auto open = request.snapshot.open().find(target);
+    result.push_back(
+        {{"range", convert.range(view->file, link.range)},
+         {"target", open == request.snapshot.open().end() ? toUri(target) : open->second.uri},
+         {"tooltip", "Open " + link.target.filename().string()}});
+  }
   return result;
 }
 

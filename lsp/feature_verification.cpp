@@ -16,7 +16,7 @@ RpcError failed(std::string message) { return {ErrorCode::RequestFailed, std::mo
 
 /// The first program of a file, open or not.
 std::expected<ide::View, RpcError> programOf(const Request& request) {
-  auto path = documentPath(request.params);
+  auto path = documentFile(request);
   if (!path) return std::unexpected(path.error());
   return request.snapshot.view(*path);
 }

@@ -1,14 +1,32 @@
 #include "lsp/file_cache.h"
 
+#include <sys/stat.h>
+
 namespace proskill::lsp {
 
 std::optional<FileStamp> stampOnDisk(const std::filesystem::path& path) {
-  std::error_code error;
-  auto modified = std::filesystem::last_write_time(path, error);
-  if (error) return std::nullopt;
-  auto size = std::filesystem::file_size(path, error);
-  if (error) return std::nullopt;
-  return FileStamp{modified, size};
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0) return std::nullopt;
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  return FileStamp{found.st_dev, found.st_ino,
+                   found.st_mtim.tv_sec * kSecond + found.st_mtim.tv_nsec,
+                   static_cast<std::uintmax_t>(found.st_size)};
+}
+
+std::filesystem::path FileCache::canonical(const std::filesystem::path& path) const {
+  const auto stamp = stampOf(path);
+  if (!stamp) return disk->canonical(path);
+  {
+    const std::lock_guard lock(mutex);
+    const auto found = followed.find(path.native());
+    if (found != followed.end() && found->second.device == stamp->device &&
+        found->second.inode == stamp->inode)
+      return found->second.canonical;
+  }
+  auto canonical = disk->canonical(path);
+  const std::lock_guard lock(mutex);
+  followed.insert_or_assign(path.native(), Followed{stamp->device, stamp->inode, canonical});
+  return canonical;
 }
 
 std::expected<syntax::Document, std::string>
@@ -17,15 +35,15 @@ FileCache::document(const std::filesystem::path& path) const {
   auto stamp = stampOf(path);
   if (stamp) {
     const std::lock_guard lock(mutex);
-    auto found = entries.find(path);
+    auto found = entries.find(path.native());
     if (found != entries.end() && found->second.stamp == *stamp) return found->second.document;
   }
   auto document = disk->document(path);
   const std::lock_guard lock(mutex);
   if (stamp && document)
-    entries.insert_or_assign(path, Entry{*stamp, *document});
+    entries.insert_or_assign(path.native(), Entry{*stamp, *document});
   else
-    entries.erase(path);
+    entries.erase(path.native());
   return document;
 }
 

@@ -28,7 +28,7 @@ std::optional<ide::SymbolKey> symbolKey(const Json& json) {
 std::optional<ide::View> viewOfData(const Request& request, const Json& data) {
   const auto& uri = memberAt(data, {"uri"});
   if (!uri.is_string()) return std::nullopt;
-  const auto path = pathOf(uri.get_ref<const std::string&>());
+  const auto path = request.snapshot.nameOf(pathOf(uri.get_ref<const std::string&>()));
   if (!request.snapshot.knows(path)) return std::nullopt;
   return request.snapshot.view(path);
 }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include <sys/resource.h>
@@ -24,25 +25,31 @@ enum ExitCode { kDone = 0, kNoJob = 2, kAlone = 3 };
 
 constexpr rlim_t kMegabyte = rlim_t{1} << 20;
 
-/// The texts of a job, and no others.
+/// The texts of a job, and no others, by whatever names they include each other.
 class JobFiles : public analysis::FileSystem {
 public:
-  explicit JobFiles(const std::vector<WorkerText>& all) : texts(all) {}
+  explicit JobFiles(const std::vector<WorkerText>& all) {
+    for (const auto& text : all) texts.emplace(canonical(text.path), &text);
+  }
 
   [[nodiscard]] std::expected<std::string, std::string>
   read(const std::filesystem::path& path) const override {
-    auto found = std::ranges::find(texts, path, &WorkerText::path);
+    const auto found = texts.find(canonical(path));
     if (found == texts.end()) return std::unexpected("it is not a file of the program");
-    return found->text;
+    return found->second->text;
   }
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override {
     std::error_code error;
     auto found = std::filesystem::weakly_canonical(path, error);
     return error ? path.lexically_normal() : found;
   }
+  [[nodiscard]] std::filesystem::path nameOf(const std::filesystem::path& path) const override {
+    const auto found = texts.find(canonical(path));
+    return found == texts.end() ? path : found->second->path;
+  }
 
 private:
-  const std::vector<WorkerText>& texts;
+  std::map<std::filesystem::path, const WorkerText*> texts; ///< by their canonical names
 };
 
 /// Reads bytes as they come, up to what is asked for.

@@ -30,6 +30,22 @@ std::int64_t versionOf(const Json& document) {
   return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
 }
 
+/// It is not itself where its folder is, wherever that may be.
+bool isLink(const analysis::FileSystem& disk, const ide::KnownFile& file) {
+  return disk.canonical(file.name.parent_path()) / file.name.filename() != file.canonical;
+}
+
+/// Its includes may lead elsewhere where one of these paths was changed: to a link, or from one.
+ide::IncludeGraph::File followedAnew(const analysis::FileSystem& disk,
+                                     const ide::IncludeGraph::File& file,
+                                     const std::set<std::string>& changed) {
+  auto isChanged = [&](const auto& include) { return changed.contains(include.path); };
+  if (std::ranges::none_of(file->includes, isChanged)) return file;
+  auto again = *file;
+  for (auto& include : again.includes) include.canonical = disk.canonical(include.path).native();
+  return std::make_shared<const ide::KnownFile>(std::move(again));
+}
+
 } // namespace
 
 Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files) : disk(std::move(files)) {
@@ -49,7 +65,9 @@ Workspace::Outcome Workspace::open(const Json& params) {
   texts.insert_or_assign(*path,
                          ide::OpenText{document["uri"].get<std::string>(), versionOf(document),
                                        syntax::Document::parse(document["text"])});
-  refresh(*path);
+  identities.try_emplace(*path, identityOf(*path));
+  noteText(*path);
+  refresh();
   return *path;
 }
 
@@ -66,12 +84,11 @@ Workspace::Outcome Workspace::change(const Json& params) {
   if (next) {
     found->second.document = std::move(*next);
     if (version != 0) found->second.version = version;
-    refresh(*path);
+    noteText(*path);
+    refresh();
     return *path;
   }
-  texts.erase(found);
-  noteFile(*path);
-  refresh(*path);
+  drop(*path);
   return std::unexpected("an edit of `" + path->filename().generic_string() +
                          "` does not fit its text; please close the file and open it again");
 }
@@ -79,9 +96,8 @@ Workspace::Outcome Workspace::change(const Json& params) {
 Workspace::Outcome Workspace::close(const Json& params) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
-  if (texts.erase(*path) == 0) return std::unexpected("a document was closed that is not open");
-  noteFile(*path);
-  refresh(*path);
+  if (!texts.contains(*path)) return std::unexpected("a document was closed that is not open");
+  drop(*path);
   return *path;
 }
 
@@ -96,17 +112,25 @@ FolderContents Workspace::read(const std::vector<fs::path>& folders, const OnFil
   for (const auto& folder : folders) files.merge(programFiles(folder));
   FolderContents result;
   for (const auto& file : files) {
-    if (auto document = disk->document(file)) result.files[file] = ide::includesOf(file, *document);
+    if (auto document = disk->document(file))
+      result.files.push_back(
+          ide::knownFile(*disk, file, disk->canonical(file).native(), *document));
     onFile(result.files.size(), files.size());
   }
   return result;
 }
 
+/// Of several names in the folders a file goes by its own, or else by the first.
 void Workspace::add(FolderContents contents) {
-  for (auto& [path, targets] : contents.files) {
-    known.insert(path);
-    if (!texts.contains(path)) includes[path] = std::move(targets);
+  for (const auto& file : contents.files) {
+    auto& name = names[file.canonical];
+    if (name.empty() || (name != file.name && !isLink(*disk, file))) name = file.name;
   }
+  auto files = graph->files();
+  for (auto& file : contents.files)
+    if (!isHeld(file.canonical) && names[file.canonical] == file.name)
+      files.push_back(std::make_shared<const ide::KnownFile>(std::move(file)));
+  graph = std::make_shared<const ide::IncludeGraph>(std::move(files));
   startAfresh();
 }
 
@@ -118,10 +142,12 @@ void Workspace::forget(const std::vector<fs::path>& folders, const std::vector<f
     auto holds = [&](const fs::path& folder) { return isIn(file, folder); };
     return std::ranges::any_of(folders, holds) && std::ranges::none_of(staying, holds);
   };
-  std::erase_if(known, isForgotten);
-  std::erase_if(includes, [&](const auto& entry) {
-    return !texts.contains(entry.first) && isForgotten(entry.first);
+  std::erase_if(names, [&](const auto& entry) { return isForgotten(entry.second); });
+  auto files = graph->files();
+  std::erase_if(files, [&](const auto& file) {
+    return !texts.contains(file->name) && isForgotten(file->name);
   });
+  graph = std::make_shared<const ide::IncludeGraph>(std::move(files));
   startAfresh();
 }
 
@@ -135,23 +161,74 @@ std::map<fs::path, SettingsMistake> Workspace::mistakes() const {
 }
 
 void Workspace::readFiles(const std::vector<fs::path>& paths) {
+  std::set<std::string> changed;
   for (const auto& path : paths)
-    if (path.filename() != kSettingsFile) noteFile(path);
+    if (path.filename() != kSettingsFile)
+      changed.insert({path.native(), disk->canonical(path).native()});
+  for (const auto& file : graph->files())
+    if (changed.contains(file->name.native())) changed.insert(file->canonical);
+  std::vector<ide::IncludeGraph::File> files;
+  for (const auto& file : graph->files())
+    if (!changed.contains(file->canonical) || isHeld(file->canonical))
+      files.push_back(followedAnew(*disk, file, changed));
+  for (const auto& path : changed)
+    if (auto file = onDisk(path); file && !isHeld(file->canonical))
+      files.push_back(std::make_shared<const ide::KnownFile>(std::move(*file)));
+  graph = std::make_shared<const ide::IncludeGraph>(std::move(files));
   startAfresh();
 }
 
-/// What the disk says of a file.
-void Workspace::noteFile(const fs::path& path) {
-  auto document = disk->document(path);
-  if (document)
-    known.insert(path);
-  else
-    known.erase(path);
-  if (texts.contains(path)) return;
-  if (document)
-    noteIncludes(path, *document);
-  else
-    includes.erase(path);
+/// What the disk has at a path, by the name that it went by, if that still leads there.
+std::optional<ide::KnownFile> Workspace::onDisk(const fs::path& path) {
+  const auto canonical = disk->canonical(path).native();
+  const auto document = disk->document(path);
+  if (!document) {
+    names.erase(canonical);
+    return std::nullopt;
+  }
+  auto& name = names.try_emplace(canonical, path).first->second;
+  if (name != path && disk->canonical(name).native() != canonical) name = path;
+  return ide::knownFile(*disk, name, canonical, *document);
+}
+
+bool Workspace::isHeld(std::string_view canonical) const {
+  return std::ranges::any_of(identities | std::views::values,
+                             [&](const auto& identity) { return identity == canonical; });
+}
+
+std::string Workspace::identityOf(const fs::path& path) const {
+  auto canonical = disk->canonical(path).native();
+  return isHeld(canonical) ? path.native() : canonical;
+}
+
+/// Most edits change no include: then nothing is looked up on the disk.
+void Workspace::noteText(const fs::path& path) {
+  const auto& document = texts.at(path).document;
+  const auto& identity = identities.at(path);
+  const auto* known = graph->find(identity);
+  if (known && known->name == path && ide::includesAsBefore(*known, document)) return;
+  graph = graph->with(ide::knownFile(*disk, path, identity, document));
+}
+
+/// What is no longer open is what the disk says of it, unless it is open by another name.
+void Workspace::drop(const fs::path& path) {
+  texts.erase(path);
+  const auto identity = identities.extract(path).mapped();
+  graph = graph->without(identity);
+  if (const auto other = otherTextOf(identity)) {
+    graph = graph->without(std::exchange(identities.at(*other), identity));
+    noteText(*other);
+  } else if (auto file = onDisk(path); file && !isHeld(file->canonical)) {
+    graph = graph->with(std::move(*file));
+  }
+  refresh();
+}
+
+/// A text that is open by another name of the same file.
+std::optional<fs::path> Workspace::otherTextOf(std::string_view canonical) const {
+  for (const auto& [path, identity] : identities)
+    if (disk->canonical(path).native() == canonical) return path;
+  return std::nullopt;
 }
 
 /// Whatever was analysed with a file's old text, or by other settings, is out of date: nothing is
@@ -162,18 +239,10 @@ void Workspace::startAfresh() {
     found.style |= style;
     return found;
   };
-  current = std::make_shared<ide::Snapshot>(disk, texts, includes, settings);
+  current = std::make_shared<ide::Snapshot>(disk, texts, graph, settings);
 }
 
-void Workspace::refresh(const fs::path& edited) {
-  if (auto text = texts.find(edited); text != texts.end())
-    noteIncludes(edited, text->second.document);
-  current = current->with(texts, includes);
-}
-
-void Workspace::noteIncludes(const fs::path& path, const syntax::Document& document) {
-  includes[path] = ide::includesOf(path, document);
-}
+void Workspace::refresh() { current = current->with(texts, graph); }
 
 std::set<fs::path> programFiles(const fs::path& folder) {
   std::set<fs::path> result;

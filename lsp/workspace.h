@@ -9,12 +9,13 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 
 namespace proskill::lsp {
 
 /// The program files of some folders, each with what it includes.
 struct FolderContents {
-  ide::Includes files;
+  std::vector<ide::KnownFile> files;
 };
 
 /// The texts that the client has open and the files of its folders: what the main thread changes,
@@ -54,20 +55,28 @@ public:
   void readFiles(const std::vector<std::filesystem::path>& paths);
 
   [[nodiscard]] std::shared_ptr<const ide::Snapshot> snapshot() const { return current; }
-  [[nodiscard]] const std::set<std::filesystem::path>& files() const { return known; }
 
 private:
-  void noteFile(const std::filesystem::path& path);
-  void refresh(const std::filesystem::path& edited);
+  using Path = std::filesystem::path;
+
+  [[nodiscard]] bool isHeld(std::string_view canonical) const;
+  [[nodiscard]] std::string identityOf(const Path& path) const;
+  [[nodiscard]] std::optional<ide::KnownFile> onDisk(const Path& path);
+  void noteText(const Path& path);
+  void drop(const Path& path);
+  [[nodiscard]] std::optional<Path> otherTextOf(std::string_view canonical) const;
+  void refresh();
   void startAfresh();
-  void noteIncludes(const std::filesystem::path& path, const syntax::Document& document);
 
   std::shared_ptr<const analysis::FileSystem> disk;
   Encoding encoding = Encoding::Utf16;
   bool style = false;
   ide::OpenTexts texts;
-  ide::Includes includes;
-  std::set<std::filesystem::path> known; ///< every file of the folders
+  /// Which file each text is, by its canonical name. A text that was opened when its file was open
+  /// by another name is none but itself, until that one is closed.
+  std::map<Path, std::string> identities;
+  std::unordered_map<std::string, Path> names; ///< of files on disk, by their canonical names
+  std::shared_ptr<const ide::IncludeGraph> graph = std::make_shared<const ide::IncludeGraph>();
   std::shared_ptr<const ide::Snapshot> current;
 };
 

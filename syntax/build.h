@@ -2,6 +2,7 @@
 
 #include "syntax/ast.h"
 #include "syntax/diagnostic.h"
+#include "syntax/quote.h"
 #include "syntax/tree.h"
 
 /// From the concrete tree of a stretch of text to its typed tree, and what is wrong with its shape.
@@ -18,8 +19,8 @@ struct Builder {
     return text.substr(range.begin, range.length());
   }
   [[nodiscard]] std::string_view textOf(const Node& node) const { return textOf(node.range); }
-  /// The text as a message quotes it: the first line, and not all of a long one.
-  [[nodiscard]] std::string quoted(const Node& node) const;
+  /// For what is put together with other words; as an argument of `report` a text needs nothing.
+  [[nodiscard]] std::string quoted(const Node& node) const { return shortened(textOf(node)); }
   [[nodiscard]] Name nameOf(const Node& node) const { return {textOf(node), node.range}; }
 
   template <class... Arguments>

@@ -180,7 +180,7 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
     return {};
   }
   if (!isDamaged(*head))
-    suggest(builder.report(Code::UnknownDefinition, head->range, builder.quoted(*head)),
+    suggest(builder.report(Code::UnknownDefinition, head->range, builder.textOf(*head)),
             nearest(builder.textOf(*head), kDefinitionWords));
   if (!isWord(*head)) return {};
   const Node* name = parts.take();

@@ -112,7 +112,7 @@ void reportNoPattern(Builder& builder, const Node& node) {
   if (!head)
     builder.report(Code::EmptyForm, node.range);
   else if (!isDamaged(*head))
-    builder.report(Code::UnknownPattern, head->range, builder.quoted(*head));
+    builder.report(Code::UnknownPattern, head->range, builder.textOf(*head));
 }
 
 } // namespace

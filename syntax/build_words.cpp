@@ -16,15 +16,6 @@ bool isWord(const Node& node) {
   return node.kind == NodeKind::Symbol || node.kind == NodeKind::MalformedName;
 }
 
-std::string Builder::quoted(const Node& node) const {
-  constexpr std::size_t kLongest = 40;
-  auto whole = textOf(node);
-  std::size_t end = std::min({whole.size(), whole.find_first_of("\r\n"), kLongest});
-  while (end > 0 && end < whole.size() && (whole[end] & 0xc0) == 0x80) --end; // within a character
-  auto shown = whole.substr(0, end);
-  return shown.size() == whole.size() ? std::string(shown) : fmt::format("{}...", shown);
-}
-
 void Builder::reportSurplus(Parts& parts, std::string_view what) {
   const Node* first = parts.take();
   if (!first) return;
@@ -81,7 +72,7 @@ std::vector<Name> namesOf(Builder& builder, const Node& list) {
     if (isWord(*part))
       names.push_back(builder.nameOf(*part));
     else if (!isDamaged(*part))
-      builder.report(Code::MalformedName, part->range, builder.quoted(*part));
+      builder.report(Code::MalformedName, part->range, builder.textOf(*part));
   }
   return names;
 }

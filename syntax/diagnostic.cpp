@@ -1,5 +1,6 @@
 #include "syntax/diagnostic.h"
 #include "syntax/codes.h"
+#include "syntax/quote.h"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +30,22 @@ const CodeInfo* findCode(std::string_view id) {
   auto found = std::ranges::find_if(
       kCodes, [&](const CodeInfo& entry) { return std::ranges::equal(entry.id, id, sameLetter); });
   return found == kCodes.end() ? nullptr : &*found;
+}
+
+/// What stands between backquotes is a word as it was written, which may have any letters; else an
+/// argument is prose, which may quote some.
+std::string filledIn(std::string_view message, std::span<const std::string> arguments) {
+  std::string result;
+  bool isQuoted = false;
+  for (const auto& argument : arguments) {
+    const auto place = message.find("{}");
+    if (place == std::string_view::npos) break; // who reports may know more than a message says
+    const auto before = message.substr(0, place);
+    isQuoted ^= std::ranges::count(before, '`') % 2 == 1;
+    result.append(before).append(isQuoted ? shortened(argument) : withShortQuotes(argument));
+    message.remove_prefix(place + 2);
+  }
+  return result.append(message);
 }
 
 } // namespace proskill::syntax

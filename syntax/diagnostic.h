@@ -2,6 +2,7 @@
 
 #include "syntax/source.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -61,14 +62,18 @@ struct Diagnostic {
   std::vector<Fix> fixes;
 };
 
+/// A message with `{}` for each argument, filled in. Words of a text that are too long to be read
+/// are shortened.
+[[nodiscard]] std::string filledIn(std::string_view message,
+                                   std::span<const std::string> arguments);
+
 /// The diagnostic with the severity of its code and its message filled in with `arguments`.
 template <class... Arguments>
 [[nodiscard]] Diagnostic makeDiagnostic(Code code, Location location,
                                         const Arguments&... arguments) {
   const CodeInfo& entry = info(code);
-  return {code,     entry.severity,
-          location, fmt::vformat(entry.message, fmt::make_format_args(arguments...)),
-          {},       {}};
+  const std::array<std::string, sizeof...(arguments)> words{fmt::to_string(arguments)...};
+  return {code, entry.severity, location, filledIn(entry.message, words), {}, {}};
 }
 
 } // namespace proskill::syntax

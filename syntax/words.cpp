@@ -50,7 +50,8 @@ void checkName(Builder& builder, const Node& name) {
     if (c == '-') c = '_';
   bool ascii = std::ranges::all_of(mended, [](char c) { return static_cast<signed char>(c) > 0; });
   if (ascii && (mended[0] < '0' || mended[0] > '9'))
-    diagnostic.fixes.push_back({fmt::format("write `{}`", mended), {0, name.range}, mended});
+    diagnostic.fixes.push_back(
+        {fmt::format("write `{}`", shortened(mended)), {0, name.range}, mended});
 }
 
 } // namespace

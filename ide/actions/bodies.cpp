@@ -1,4 +1,5 @@
 #include "ide/actions/statements.h"
+#include "syntax/codes.h"
 
 #include <fmt/format.h>
 
@@ -72,13 +73,19 @@ bool isOnlyCalled(const ActionContext& context, std::string_view name) {
 
 } // namespace
 
-/// Behind a call of a skill that can fail, what happens when it has.
+/// Behind a call of a skill that can fail, what happens when it has. Where a finding says that this
+/// is missing, its fix is the one way to mend it.
 void addFailureBranch(const ActionContext& context, Actions& actions) {
   auto selected = selectedStatements(context);
   const auto* call = onlyStatement(selected);
   if (!call || call->kind != StatementKind::Call) return;
   const auto* skill = skillOf(context, call->head.text);
   if (!skill || (skill->failures.empty() && skill->invariants.empty())) return;
+  const bool isTold = std::ranges::any_of(actions, [&](const Action& action) {
+    return action.mends && action.mends->code == syntax::Code::ResultIgnored &&
+           action.mends->location.range == call->head.range;
+  });
+  if (isTold) return;
   auto next = context.textOf({call->range.end, selected.form->range.end});
   auto first = next.find_first_not_of(" \t\r\n");
   bool looksAlready = next.substr(std::min(first, next.size())).starts_with("(if") &&
@@ -86,7 +93,7 @@ void addFailureBranch(const ActionContext& context, Actions& actions) {
   if (looksAlready) return;
   const auto& own = selected.skill->failures;
   auto reaction = own.empty() || own.front().tag.text.empty()
-                      ? fmt::format("(printf \"{} failed\")", call->head.text)
+                      ? fmt::format("(printf \"{} has failed\")", call->head.text)
                       : fmt::format("(failure {})", own.front().tag.text);
   addLaidOut(context, actions, fmt::format("Add what happens when `{}` fails", call->head.text),
              ActionKind::RefactorRewrite,

@@ -79,8 +79,12 @@ TEST_CASE("a finding that is no error can be ignored") {
 }
 
 TEST_CASE("the missing branch for a failure") {
-  CHECK(after(body("(f^)"), "when `f` fails") ==
-        body("(f)\n     (if (/= f.status success)\n        (printf \"f failed\"))"));
+  const auto branched =
+      body("(f)\n     (if (/= f.status success)\n        (printf \"f has failed\"))");
+  CHECK(after(body("(f)^"), "when `f` fails") == branched);
+  // Where it is told that nobody looks, there is one way to mend it, not two.
+  CHECK(after(body("(f^)"), "when `f` fails") == "refused");
+  CHECK(after(body("(f^)"), "look at its status") != "refused");
   CHECK(after(body("(f^) (if (= f.status failure) (success done))"), "when `f` fails") ==
         "refused");
   CHECK(after(body("(m^)"), "fails") == "refused");

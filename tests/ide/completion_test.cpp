@@ -121,8 +121,16 @@ TEST_CASE("the fields that are not there yet") {
   CHECK(labelsIn("(defskill f :interrupt (^") == Labels{":effects"});
   CHECK(labelsIn("(defskill f :failure (bad (:postcondition true ^") == Labels{":effects"});
   CHECK(labelsIn("(defskill f :body ((^ (battery Low) ^") == Labels{":effects"});
+  CHECK(labelsIn("(defskill f :body ((^ [1,2] ^") == Labels{":effects"});
   CHECK(labelsIn("(defproperty p (present (running takeoff) ^") ==
         Labels{":after", ":before", ":within", ":for", ":lasting"});
+}
+
+TEST_CASE("nothing is offered in a list where only a keyword fits") {
+  CHECK(labelsIn("(defskill f :body ((^ [1,2] (^)))").empty());
+  CHECK(labelsIn("(defskill f (^").empty());
+  CHECK(labelsIn("(defsv f (^)").empty());
+  CHECK(labelsIn("(defskill f :success (done (:postcondition (battery Low) (^").empty());
 }
 
 TEST_CASE("a basic skill has no body, a composite one no action") {

@@ -12,12 +12,10 @@ const std::filesystem::path kFolder = "/w";
 
 MarkedProgram::MarkedProgram(const std::map<std::string, std::string>& files) {
   ide::OpenTexts texts;
-  ide::Includes includes;
   std::string asked = files.begin()->first;
   for (const auto& [name, marked] : files) {
     const auto& source = sources.emplace(name, MarkedSource(marked)).first->second;
     auto document = syntax::Document::parse(source.text);
-    includes[kFolder / name] = ide::includesOf(kFolder / name, document);
     texts[kFolder / name] = {"file:///w/" + name, 1, std::move(document)};
     if (!source.points.empty()) asked = name;
   }
@@ -26,8 +24,9 @@ MarkedProgram::MarkedProgram(const std::map<std::string, std::string>& files) {
     cursor = source.points.front();
   else if (!source.ranges.empty())
     cursor = source.ranges.front().begin;
-  current = std::make_shared<ide::Snapshot>(std::make_shared<MemoryFiles>(), std::move(texts),
-                                            std::move(includes));
+  auto disk = std::make_shared<MemoryFiles>();
+  auto graph = ide::graphOf(*disk, texts);
+  current = std::make_shared<ide::Snapshot>(std::move(disk), std::move(texts), std::move(graph));
   seen = current->view(kFolder / asked);
 }
 

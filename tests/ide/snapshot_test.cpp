@@ -1,7 +1,8 @@
 #include "ide/diagnostics.h"
 #include "ide/hover.h"
 #include "ide/inlay_hints.h"
-#include "tests/support/memory_files.h"
+#include "ide/rename.h"
+#include "tests/support/linked_files.h"
 #include "tests/support/random_edits.h"
 #include "tests/syntax/programs.h"
 
@@ -29,8 +30,10 @@ ide::OpenTexts textsOf(const syntax::Document& document) {
 }
 
 Snapshot snapshotOf(const syntax::Document& document) {
-  return std::make_shared<ide::Snapshot>(std::make_shared<test::MemoryFiles>(), textsOf(document),
-                                         ide::Includes{{kPath, {}}});
+  auto texts = textsOf(document);
+  auto graph = ide::graphOf(test::MemoryFiles(), texts);
+  return std::make_shared<ide::Snapshot>(std::make_shared<test::MemoryFiles>(), std::move(texts),
+                                         std::move(graph));
 }
 
 /// After `put` was put in front of `place`.
@@ -41,7 +44,9 @@ syntax::Document edited(const syntax::Document& document, std::string_view place
 }
 
 Snapshot after(const Snapshot& snapshot, const syntax::Document& document) {
-  return snapshot->with(textsOf(document), {{kPath, {}}});
+  auto texts = textsOf(document);
+  auto graph = ide::graphOf(test::MemoryFiles(), texts);
+  return snapshot->with(std::move(texts), std::move(graph));
 }
 
 /// The same flow, not another one of the same program.
@@ -99,7 +104,7 @@ TEST_CASE("after an edit the findings are those of a fresh snapshot") {
            {"(on) (if", "; proskill-ignore: PS0612\n"}}) {
     INFO(place << " after " << put);
     const auto now = edited(before, place, put);
-    CHECK(said(first->with(textsOf(now), {{kPath, {}}})) == said(snapshotOf(now)));
+    CHECK(said(after(first, now)) == said(snapshotOf(now)));
   }
 }
 
@@ -203,11 +208,75 @@ TEST_CASE("the program before an edit is given to be forgotten, once") {
   const auto before = syntax::Document::parse(kText);
   const auto first = snapshotOf(before);
   REQUIRE(said(first) != "");
-  const auto next = first->with(textsOf(edited(before, "(defsv", "; a lamp\n")), {{kPath, {}}});
+  const auto next = after(first, edited(before, "(defsv", "; a lamp\n"));
   CHECK(next->takeReplaced().empty());
   REQUIRE(said(next) != "");
   const auto replaced = next->takeReplaced();
   REQUIRE(replaced.size() == 1);
   CHECK(replaced.front() == first->view(kPath).owner);
   CHECK(next->takeReplaced().empty());
+}
+
+TEST_CASE(
+    "programs that an edit does not touch are kept, and so are those of which nothing is open") {
+  const auto disk = std::make_shared<test::MemoryFiles>(
+      std::map<std::string, std::string>{{"/w/closed.proskill", "(defskill c :action (c))"}});
+  const auto open = syntax::Document::parse(kText);
+  auto texts = textsOf(open);
+  const auto graph =
+      ide::graphOf(*disk, texts)->with({"/w/closed.proskill", "/w/closed.proskill", {}});
+  const auto first = std::make_shared<const ide::Snapshot>(disk, texts, graph);
+  const auto closed = first->view("/w/closed.proskill").owner;
+  const auto next = first->with(textsOf(edited(open, "(defsv", "; ")), graph);
+  CHECK(next->view("/w/closed.proskill").owner == closed);
+  CHECK(next->view(kPath).owner != first->view(kPath).owner);
+  texts["/w/closed.proskill"] = {"file:///w/closed.proskill", 1, syntax::Document::parse("; new")};
+  const auto opened = next->with(texts, graph);
+  CHECK(opened->view("/w/closed.proskill").text() == "; new");
+  texts.erase("/w/closed.proskill"); // what the disk has now is not known before it is read
+  CHECK(opened->with(texts, graph)->view("/w/closed.proskill").owner != closed);
+}
+
+TEST_CASE("a text that was opened by a link is the file that programs include") {
+  const auto disk = std::make_shared<test::LinkedFiles>(
+      std::map<std::string, std::string>{
+          {"/w/lamp.proskill", "(defsv wrong :states (A B) :init A)"}},
+      test::LinkedFiles::Links{{"/far/lamp.proskill", "/w/lamp.proskill"},
+                               {"/w/also.proskill", "/w/lamp.proskill"}});
+  ide::OpenTexts texts;
+  texts["/far/lamp.proskill"] = {
+      "file:///far/lamp.proskill", 1,
+      syntax::Document::parse("(defsv lamp :states (On Off) :init Off :transitions :all)")};
+  texts[kPath] = {
+      "file:///w/main.proskill", 1,
+      syntax::Document::parse("(include \"lamp.proskill\") (include \"also.proskill\")\n"
+                              "(defevent dusk :effects (lamp On))")};
+  const ide::Snapshot snapshot(disk, texts, ide::graphOf(*disk, texts));
+  CHECK(snapshot.roots() == std::vector<std::filesystem::path>{kPath});
+  CHECK(ide::diagnostics(snapshot, "/far/lamp.proskill").empty());
+  const auto lamp = snapshot.view("/far/lamp.proskill");
+  CHECK(lamp.program().files.size() == 2);
+  CHECK(snapshot.nameOf("/w/also.proskill") == "/far/lamp.proskill");
+  const auto plan = ide::rename(snapshot, lamp, 8, "light");
+  REQUIRE(plan);
+  CHECK(plan->places.at("/far/lamp.proskill").size() == 1);
+  CHECK(plan->places.at(kPath).size() == 1);
+}
+
+TEST_CASE("a feature looks at one program of a file that many include, not at all of them") {
+  std::map<std::string, std::string> files{{"/w/base.proskill", "(defskill base :action (b))"}};
+  ide::OpenTexts texts;
+  for (const auto* name : {"/w/a.proskill", "/w/b.proskill"})
+    texts[name] = {std::string("file://") + name, 1,
+                   syntax::Document::parse("(include \"base.proskill\")")};
+  const auto disk = std::make_shared<test::MemoryFiles>(std::move(files));
+  std::vector<std::filesystem::path> analysed;
+  const ide::Snapshot snapshot(disk, texts, ide::graphOf(*disk, texts), [&](const auto& root) {
+    analysed.push_back(root);
+    return analysis::flow::Settings{};
+  });
+  CHECK(snapshot.view("/w/base.proskill").text() == "(defskill base :action (b))");
+  CHECK(analysed == std::vector<std::filesystem::path>{"/w/a.proskill"});
+  CHECK(snapshot.views("/w/base.proskill").size() == 2);
+  CHECK(analysed.size() == 2);
 }

@@ -22,8 +22,9 @@ std::string programOf(int skills) {
 std::shared_ptr<const ide::Snapshot> snapshotOf(const std::string& text) {
   ide::OpenTexts texts;
   texts["/w/main.proskill"] = {"file:///w/main.proskill", 1, syntax::Document::parse(text)};
-  return std::make_shared<ide::Snapshot>(std::make_shared<test::MemoryFiles>(), std::move(texts),
-                                         ide::Includes{{"/w/main.proskill", {}}});
+  auto disk = std::make_shared<test::MemoryFiles>();
+  auto graph = ide::graphOf(*disk, texts);
+  return std::make_shared<ide::Snapshot>(std::move(disk), std::move(texts), std::move(graph));
 }
 
 std::size_t found(const ide::Snapshot& snapshot) {

@@ -1,11 +1,13 @@
 #include "ide/fuzzy.h"
 #include "ide/symbols.h"
 #include "tests/ide/marked_program.h"
+#include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>
 
 using namespace proskill;
 using test::MarkedProgram;
+using test::MemoryFiles;
 
 namespace {
 
@@ -82,6 +84,29 @@ TEST_CASE("the workspace's symbols by what was typed of them, the best first") {
 TEST_CASE("a search that is cancelled ends") {
   const MarkedProgram program("(defresource gripper)");
   CHECK(ide::workspaceSymbols(program.snapshot(), "g", [] { return true; }).empty());
+}
+
+TEST_CASE("symbols of hundreds of closed files, as many as a list can show, each once") {
+  constexpr int kPrograms = 300;
+  std::map<std::string, std::string> files{{"/w/base.proskill", "(defskill shared :action (s))"}};
+  for (int i = 0; i < kPrograms; ++i)
+    files[fmt::format("/w/p{}.proskill", i)] =
+        fmt::format("(include \"base.proskill\")\n(defskill skill_{0} :action (s))\n", i);
+  std::vector<ide::IncludeGraph::File> known;
+  const auto disk = std::make_shared<MemoryFiles>(files);
+  for (const auto& [name, text] : files)
+    known.push_back(std::make_shared<const ide::KnownFile>(
+        ide::knownFile(*disk, name, name, syntax::Document::parse(text))));
+  const ide::Snapshot snapshot(disk, {}, std::make_shared<const ide::IncludeGraph>(known));
+  auto found = [&](std::string_view query) {
+    Names names;
+    for (const auto& it : ide::workspaceSymbols(snapshot, query, [] { return false; }))
+      names.emplace_back(it.owner->analysis.index.symbols()[it.symbol].name);
+    return names;
+  };
+  CHECK(found("shared") == Names{"shared"});
+  CHECK(found("skill_299") == Names{"skill_299"});
+  CHECK(found("skill").size() == 256);
 }
 
 TEST_CASE("letters that begin a part of a name, or follow each other, count more") {

@@ -83,12 +83,12 @@ Desk::Desk(const std::map<std::string, std::string>& files, lsp::Encoding encodi
   for (const auto& [name, text] : files) {
     auto document = syntax::Document::parse(text);
     const auto path = std::filesystem::path("/w") / name;
-    includes[path] = ide::includesOf(path, document);
     documents.emplace(uriOf(name), document);
     texts[path] = {uriOf(name), 1, std::move(document)};
   }
-  snapshot =
-      std::make_shared<ide::Snapshot>(std::make_shared<MemoryFiles>(), std::move(texts), includes);
+  auto disk = std::make_shared<MemoryFiles>();
+  auto graph = ide::graphOf(*disk, texts);
+  snapshot = std::make_shared<ide::Snapshot>(std::move(disk), std::move(texts), std::move(graph));
 }
 
 std::vector<std::string> Desk::methodsOfPlaces() const {
@@ -186,8 +186,8 @@ void Desk::edit(const std::string& file, const syntax::TextEdit& edit) {
   const auto path = std::filesystem::path("/w") / file;
   auto texts = snapshot->open();
   texts[path].document = document;
-  includes[path] = ide::includesOf(path, document);
-  snapshot = snapshot->with(std::move(texts), includes);
+  auto graph = ide::graphOf(MemoryFiles(), texts);
+  snapshot = snapshot->with(std::move(texts), std::move(graph));
 }
 
 std::vector<std::pair<std::string, Json>>

@@ -52,7 +52,6 @@ private:
   lsp::Registry registry = lsp::allFeatures();
   lsp::ClientFeatures client;
   std::map<std::string, syntax::Document> documents; ///< by their URIs
-  ide::Includes includes;
   std::shared_ptr<const ide::Snapshot> snapshot;
 };
 

@@ -18,10 +18,9 @@ const std::string kText = "; Goes.\n(defskill go :input ($x int) :action (go $x)
 
 Json ask(const ClientFeatures& client, const std::string& method, Json params) {
   ide::OpenTexts texts;
-  ide::Includes includes{{"/w/main.proskill", {}}};
   texts["/w/main.proskill"] = {kUri, 1, syntax::Document::parse(kText)};
-  const ide::Snapshot snapshot(std::make_shared<test::MemoryFiles>(), std::move(texts),
-                               std::move(includes));
+  const auto disk = std::make_shared<test::MemoryFiles>();
+  const ide::Snapshot snapshot(disk, texts, ide::graphOf(*disk, texts));
   params["textDocument"] = {{"uri", kUri}};
   const lsp::Registry registry = lsp::allFeatures();
   const lsp::Request request{

@@ -184,6 +184,24 @@ TEST_CASE("a definition is found in an included file, on disk or open") {
   CHECK(references == Json::array({{{"uri", kMain}, {"range", rangeOf(1, 22, 26)}}}));
 }
 
+TEST_CASE("files that get other names are still included") {
+  Session session;
+  session.initialize();
+  session.open(kMain, "(include \"lamp.proskill\")\n");
+  session.open(kLamp, kLampText);
+  auto rename = [&](const std::string& from, const std::string& to) {
+    return session.result("workspace/willRenameFiles",
+                          {{"files", Json::array({{{"oldUri", from}, {"newUri", to}}})}});
+  };
+  const auto edits =
+      Json::array({{{"range", rangeOf(0, 10, 23)}, {"newText", "lib/lamp.proskill"}}});
+  const auto changes = rename(kLamp, "file:///w/lib/lamp.proskill")["documentChanges"];
+  REQUIRE(changes.size() == 1);
+  CHECK(changes[0]["textDocument"] == Json{{"uri", kMain}, {"version", 1}});
+  CHECK(changes[0]["edits"] == edits);
+  CHECK(rename(kMain, "file:///w/mission.proskill").is_null());
+}
+
 TEST_CASE("columns are counted as negotiated") {
   const std::string text = "(defsv lamp :states (On Off) :init Off) (defskill s :action (s \"é😀\") "
                            ":start (lamp On))\n";

@@ -19,8 +19,13 @@ public:
     ++reads;
     return "(defsv lamp :states (On Off) :init Off)";
   }
-  std::filesystem::path canonical(const std::filesystem::path& path) const override { return path; }
+  std::filesystem::path canonical(const std::filesystem::path&) const override {
+    ++follows;
+    return end;
+  }
+  std::filesystem::path end = "/b";
   mutable int reads = 0;
+  mutable int follows = 0;
 };
 
 } // namespace
@@ -113,4 +118,20 @@ TEST_CASE("a file is parsed again only where it has changed") {
   (void)cache.document("/a");
   (void)cache.document("/a");
   CHECK(disk->reads == 4);
+}
+
+TEST_CASE("a link is followed again only where it leads to another file") {
+  auto disk = std::make_shared<CountingFiles>();
+  std::optional<lsp::FileStamp> stamp = lsp::FileStamp{};
+  const lsp::FileCache cache(disk, [&](const auto&) { return stamp; });
+  CHECK(cache.canonical("/a") == "/b");
+  ++stamp->modified;
+  disk->end = "/c";
+  CHECK(cache.canonical("/a") == "/b");
+  CHECK(disk->follows == 1);
+  ++stamp->inode;
+  CHECK(cache.canonical("/a") == "/c");
+  stamp.reset(); // there is no file
+  CHECK(cache.canonical("/a") == "/c");
+  CHECK(disk->follows == 3);
 }

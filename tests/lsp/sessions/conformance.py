@@ -131,10 +131,13 @@ REQUESTS = {
     'typeDefinitionProvider': at_places('textDocument/typeDefinition'),
     'typeHierarchyProvider': hierarchy('textDocument/prepareTypeHierarchy', 'typeHierarchy/supertypes',
                                        'typeHierarchy/subtypes'),
+    'workspace':
+        lambda client, text: client.request('workspace/willRenameFiles', {
+            'files': [{'oldUri': (ROOT / 'examples' / 'drone' / 'drone.proskill').as_uri(), 'newUri': 'file:///elsewhere'}]}),
     'workspaceSymbolProvider':
         lambda client, text: [client.request('workspace/symbol', {'query': query}) for query in ('', 'take')],
 }
-NO_REQUESTS = {'positionEncoding', 'textDocumentSync', 'workspace', 'experimental'}
+NO_REQUESTS = {'positionEncoding', 'textDocumentSync', 'experimental'}
 
 
 def session(program):

@@ -120,6 +120,87 @@ def an_include_of_what_is_no_file_is_an_error_and_nobody_waits_for_it():
         assert client.end() == 0
 
 
+def no_file_that_never_ends_or_cannot_be_read_stops_anybody():
+    with tempfile.TemporaryDirectory() as folder:
+        folder = os.path.realpath(folder)
+        names = ['endless', 'pipe', 'nowhere', 'circle', 'folder']
+        os.symlink('/dev/zero', f'{folder}/endless.proskill')
+        os.mkfifo(f'{folder}/pipe.proskill')
+        os.symlink('nothing', f'{folder}/nowhere.proskill')
+        os.symlink('circle.proskill', f'{folder}/circle.proskill')
+        os.mkdir(f'{folder}/folder.proskill')
+        client = server()
+        client.initialize(workspaceFolders=[{'uri': f'file://{folder}', 'name': 'w'}])
+        main = f'file://{folder}/main.proskill'
+        client.open(main, ''.join(f'(include "{name}.proskill")\n' for name in names))
+        assert codes(client.diagnostics(main, 1)) == ['PS0006'] * len(names)
+        for name in names:  # each may be opened as well
+            uri = f'file://{folder}/{name}.proskill'
+            client.open(uri, BAD)
+            assert 'PS0203' in codes(client.diagnostics(uri, 1))
+            client.close(uri)
+        assert client.result('workspace/symbol', {'query': 'lamp'}) == []
+        assert client.end() == 0
+
+
+def one_file_is_one_whatever_links_lead_to_it():
+    with tempfile.TemporaryDirectory() as top:
+        top = os.path.realpath(top)
+        lamp = '(defsv lamp :states (On Off) :init Off :transitions :all)\n'
+        main = '(include "lamp.proskill")\n(include "also.proskill")\n(defskill on :start (lamp On) :action (on) :success (lit (:postcondition (lamp On))))\n'
+        for name, text in [('w/lamp.proskill', lamp), ('w/main.proskill', main)]:
+            os.makedirs(os.path.dirname(f'{top}/{name}'), exist_ok=True)
+            with open(f'{top}/{name}', 'w') as file:
+                file.write(text)
+        os.mkdir(f'{top}/elsewhere')
+        os.symlink('lamp.proskill', f'{top}/w/also.proskill')
+        os.symlink('../w/lamp.proskill', f'{top}/elsewhere/lamp.proskill')
+        os.symlink('w', f'{top}/linked')
+        real, also, linked = f'file://{top}/w', f'file://{top}/w/also.proskill', f'file://{top}/elsewhere/lamp.proskill'
+
+        def definition(client, uri):
+            return client.result('textDocument/definition', at(uri, 2, 22))[0]['uri']
+
+        def wait_for_main(has_errors):
+            client.note('textDocument/publishDiagnostics',
+                        lambda params: params['uri'] == f'{real}/main.proskill' and ('PS0202' in codes(params['diagnostics'])) == has_errors)
+
+        client = started()
+        client.open(f'{real}/main.proskill', main)
+        wait_for_main(has_errors=False)
+        assert definition(client, f'{real}/main.proskill') == f'{real}/lamp.proskill'
+        client.open(linked, lamp)  # as the client spells it, and part of the program all the same
+        assert client.diagnostics(linked, 1) == []
+        assert definition(client, f'{real}/main.proskill') == linked
+        links = client.result('textDocument/documentLink', {'textDocument': {'uri': f'{real}/main.proskill'}})
+        assert [each['target'] for each in links] == [linked] * 2
+        edits = client.result('textDocument/rename', {**at(linked, 0, 8), 'newName': 'light'})['documentChanges']
+        assert {edit['textDocument']['uri']: len(edit['edits']) for edit in edits} == {linked: 1, f'{real}/main.proskill': 2}
+        client.change(linked, 2, position(0, 7), position(0, 11), 'light')
+        wait_for_main(has_errors=True)
+        # The same file opened by one more name is a text of its own, and takes over when the first is closed.
+        client.open(also, lamp)
+        assert client.result('textDocument/definition', at(linked, 0, 8))[0]['uri'] == linked
+        wait_for_main(has_errors=True)
+        client.close(linked)
+        wait_for_main(has_errors=False)
+        assert definition(client, f'{real}/main.proskill') == also
+        client.close(also)  # and is still called so, for the client knows it
+        assert definition(client, f'{real}/main.proskill') == also
+        assert client.end() == 0
+
+        client = server()  # a folder that is a link is shown as one, and each file of it once
+        client.initialize(workspaceFolders=[{'uri': f'file://{top}/linked', 'name': 'w'}])
+        found = []
+        while not found:  # the folder is read in the background
+            found = client.result('workspace/symbol', {'query': 'lamp'})
+        assert [each['location']['uri'] for each in found] == [f'file://{top}/linked/lamp.proskill'], found
+        items = client.result('workspace/diagnostic', {'previousResultIds': []})['items']
+        assert {item['uri']: codes(item['items']) for item in items} == {
+            f'file://{top}/linked/main.proskill': [], f'file://{top}/linked/lamp.proskill': []}
+        assert client.end() == 0
+
+
 def half_a_message_and_its_rest_are_one():
     client = started()
     whole = framed('{"jsonrpc":"2.0","id":"half","method":"proskill/status"}')

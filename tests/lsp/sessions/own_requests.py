@@ -1,0 +1,87 @@
+"""Whether what ProSkill's own requests answer is what docs/lsp.md says, member by member. Usage: own_requests.py PROSKILL"""
+
+import pathlib
+import sys
+
+from client import CAPABILITIES, Client, position
+from manual_types import Types
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+DRONE = ROOT / 'examples' / 'drone' / 'drone.proskill'
+# A lasso, a violated property, a call with a branch, an event: what the drone's program has none of.
+SMALL = '''(defsv lamp :states (On Off) :init Off :transitions :all)
+(defsv door :states (Open Shut) :init Shut :transitions :all)
+(defevent dusk :effects (lamp On))
+(defskill blink :start (lamp Off) :time_interval [1,2] :action (blink) :success lit (:effects (lamp On)) :failure broken)
+(defskill mission :success well
+  :body ((while true (// ((blink)) ((^ 1)) ))))
+(defproperty never_open (always (not (door Open))))
+(defproperty shut (always (lamp Off)))
+(defproperty at_last (ltl (<> (door Open))))
+'''
+
+
+# Nobody sees the end of its states: there is progress to be told until the time is over.
+ENDLESS = ''.join(f'(defskill s{i} :time_interval [1,{i}] :action (a) :success ok :failure bad)\n' for i in range(5, 14))
+
+
+def about(uri, **more):
+    return {'textDocument': {'uri': uri}, **more}
+
+
+def pictures(client, types, uri):
+    calls = client.result('proskill/automaton', about(uri, format='json', kind='calls'))
+    for each in calls['pictures']:
+        for form in ['svg', 'dot', 'json']:
+            asked = about(uri, kind=each['kind'], name=each['name'], format=form, forbidden=True)
+            types.check(client.result('proskill/automaton', asked), 'Automaton')
+    for line in range(8):
+        types.check(client.result('proskill/automaton', about(uri, position=position(line, 10))), 'Automaton')
+
+
+def models(client, types, uri):
+    for edition in ['compact', 'expanded', 'runtime']:
+        types.check(client.result('proskill/model', about(uri, edition=edition)), 'Model')
+
+
+def traces(client, types, uri, verdicts):
+    for verdict in verdicts:
+        if verdict['steps'] is not None:
+            types.check(client.result('proskill/trace', about(uri, name=verdict['name'])), 'Trace')
+
+
+def verdicts(client, types, uri):
+    result = client.result('proskill/verify', about(uri))
+    types.check(result, 'VerifyResult')
+    traces(client, types, uri, result['verdicts'])
+    types.check(client.result('proskill/verify', about(uri, limits={'classes': 3})), 'VerifyResult')
+
+
+def main():
+    types = Types((ROOT / 'docs' / 'lsp.md').read_text())
+    client = Client([sys.argv[1], 'lsp', '--debounce', '0'])
+    client.initialize(CAPABILITIES, initializationOptions={'verify': {'live': False}})
+    for uri, text in [(DRONE.as_uri(), DRONE.read_text()), ('untitled:small', SMALL)]:
+        client.open(uri, text)
+        pictures(client, types, uri)
+        models(client, types, uri)
+        verdicts(client, types, uri)
+        types.check(client.result('proskill/tests', about(uri)), 'Tests')
+    client.open('untitled:endless', ENDLESS)
+    types.check(client.result('proskill/verify', about('untitled:endless', limits={'seconds': 1})), 'VerifyResult')
+    client.open('untitled:broken', '(defskill a :body ((b)))')
+    types.check(client.result('proskill/automaton', about('untitled:broken', kind='calls')), 'Automaton')
+    types.check(client.result('proskill/tests', {}), 'Tests')
+    types.check(client.result('proskill/explain', {'code': 'PS0301'}), 'Explanation')
+    types.check(client.result('proskill/status', None), 'Status')
+    for note, _ in client.notes:
+        if note['method'] == 'proskill/verdicts':
+            types.check(note['params'], 'Verdicts')
+    for name in ['Automaton', 'Model', 'Tests', 'VerifyResult', 'Trace', 'Verdicts', 'Explanation', 'Status']:
+        unseen = types.unseen(name)
+        assert not unseen, f'no answer had {unseen}'
+    assert client.end() == 0
+
+
+if __name__ == '__main__':
+    main()
