@@ -1,6 +1,7 @@
 """A client of language servers over pipes, for the scripted sessions, the random ones and the benchmark."""
 
 import atexit
+import functools
 import json
 import os
 import queue
@@ -42,6 +43,19 @@ def framed(body):
     return b'Content-Length: %d\r\n\r\n' % len(data) + data
 
 
+class Note:
+    """A notification. It is parsed when somebody looks at it: a long one would keep the reader from the answer behind it."""
+
+    BEGIN = b'{"jsonrpc":"2.0","method":'  # both servers that are driven here sort their keys, so that requests begin with "id"
+
+    def __init__(self, body):
+        self.body = body
+
+    @functools.cached_property
+    def message(self):
+        return json.loads(self.body)
+
+
 class Client:
     """One server. Messages come in by a thread of their own; requests of the server are answered there."""
 
@@ -56,7 +70,7 @@ class Client:
         self.recording = recording
         self.last = 0
         self.answers = {}     # id: (message, when it came)
-        self.notes = []       # (message, when it came)
+        self.notes = []       # (Note, when it came)
         self.record = []      # ('in' | 'out', message)
         self.lock = threading.Condition()
         self.ended = False
@@ -87,21 +101,28 @@ class Client:
                     break
                 body = source.read(length)
                 when = time.perf_counter()
-                self.take(json.loads(body), when)
+                self.take(body, when)
         except (OSError, ValueError):
             pass
         with self.lock:
             self.ended = True
             self.lock.notify_all()
 
-    def take(self, message, when):
+    def take(self, body, when):
+        if body.startswith(Note.BEGIN):
+            note = Note(body)
+            with self.lock:
+                if self.recording:
+                    self.record.append(('in', note.message))
+                self.notes.append((note, when))
+                self.lock.notify_all()
+            return
+        message = json.loads(body)
         with self.lock:
             if self.recording:
                 self.record.append(('in', message))
-            if 'method' in message and 'id' in message:
+            if 'method' in message:
                 self.serve(message)
-            elif 'method' in message:
-                self.notes.append((message, when))
             else:
                 self.answers[message['id']] = (message, when)
             self.lock.notify_all()
@@ -166,13 +187,13 @@ class Client:
     def timed_note(self, method, accepts=lambda params: True):
         def find():
             found = next((i for i, (note, _) in enumerate(self.notes)
-                          if note['method'] == method and accepts(note['params'])), None)
+                          if note.message['method'] == method and accepts(note.message['params'])), None)
             if found is None:
                 return None
             taken, when = self.notes[found]
-            about = lambda note: (note['method'], note['params'].get('uri'))
+            about = lambda note: (note.message['method'], note.message['params'].get('uri'))
             self.notes[:found + 1] = [entry for entry in self.notes[:found] if about(entry[0]) != about(taken)]
-            return taken['params'], when
+            return taken.message['params'], when
         return self.wait(find)
 
     # A session ----------------------------------------------------------------------------------

@@ -75,8 +75,8 @@ def main():
     types.check(client.result('proskill/explain', {'code': 'PS0301'}), 'Explanation')
     types.check(client.result('proskill/status', None), 'Status')
     for note, _ in client.notes:
-        if note['method'] == 'proskill/verdicts':
-            types.check(note['params'], 'Verdicts')
+        if note.message['method'] == 'proskill/verdicts':
+            types.check(note.message['params'], 'Verdicts')
     for name in ['Automaton', 'Model', 'Tests', 'VerifyResult', 'Trace', 'Verdicts', 'Explanation', 'Status']:
         unseen = types.unseen(name)
         assert not unseen, f'no answer had {unseen}'

@@ -337,7 +337,7 @@ def closed_files_of_all_folders_are_checked():
         assert after['a/main.proskill']['items'] == [] and after['b/bad.proskill']['kind'] == 'unchanged'
         asked = client.ask('workspace/diagnostic', {'previousResultIds': [], 'partialResultToken': 'parts', 'workDoneToken': 'work'})
         assert client.answer(asked)['result']['items'] == []
-        tokens = [note['params']['token'] for note, _ in client.notes if note['method'] == '$/progress']
+        tokens = [note.message['params']['token'] for note, _ in client.notes if note.message['method'] == '$/progress']
         assert tokens.count('parts') == 1 and tokens.count('work') >= 2, tokens
         assert client.end() == 0
 
