@@ -16,7 +16,7 @@ using syntax::Statement;
 
 namespace {
 
-const Input* find(const std::vector<Input>& inputs, std::string_view name) {
+const Input* find(const syntax::List<Input>& inputs, std::string_view name) {
   auto found =
       std::ranges::find(inputs, name, [](const Input& it) { return withoutDollar(it.name).text; });
   return found == inputs.end() ? nullptr : &*found;

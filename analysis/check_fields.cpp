@@ -27,7 +27,7 @@ constexpr std::string_view kSkill[] = {
 /// The fields of one definition: which are there, which are there twice, which are missing.
 class Fields {
 public:
-  Fields(Context& context, Location name, std::string what, const std::vector<FieldUse>& uses,
+  Fields(Context& context, Location name, std::string what, const syntax::List<FieldUse>& uses,
          Keywords known, bool damaged)
       : context(context), name(name), what(std::move(what)), uses(uses) {
     auto isKnown = [&](const FieldUse& use) {
@@ -78,7 +78,7 @@ private:
   Context& context;
   Location name;
   std::string what;
-  const std::vector<FieldUse>& uses;
+  const syntax::List<FieldUse>& uses;
   bool complete = true;
 };
 

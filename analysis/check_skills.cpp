@@ -7,7 +7,7 @@ namespace proskill::analysis {
 
 namespace {
 
-void checkOutcomes(Expressions& expressions, const std::vector<syntax::Outcome>& outcomes) {
+void checkOutcomes(Expressions& expressions, const syntax::List<syntax::Outcome>& outcomes) {
   for (const syntax::Outcome& outcome : outcomes) {
     expressions.effects(outcome.effects);
     if (outcome.postcondition) expressions.condition(*outcome.postcondition);

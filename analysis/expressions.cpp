@@ -171,7 +171,7 @@ Type Expressions::access(const Expr& expr) {
   return {};
 }
 
-void Expressions::naturals(const std::vector<Expr>& operands) {
+void Expressions::naturals(const syntax::List<Expr>& operands) {
   for (const Expr& each : operands) natural(each);
 }
 

@@ -29,7 +29,7 @@ private:
   Type access(const syntax::Expr& expr);
   Type variable(const syntax::Name& name, Role role);
   void natural(const syntax::Expr& expr);
-  void naturals(const std::vector<syntax::Expr>& operands);
+  void naturals(const syntax::List<syntax::Expr>& operands);
   void equality(const syntax::Expr& expr);
   void test(const syntax::Expr& expr);
   void valueOf(const syntax::Name& name, const syntax::Expr& value, Role role);

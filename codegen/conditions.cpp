@@ -98,7 +98,7 @@ fiacre::Expr equality(Context& context, const syntax::Expr& a, const syntax::Exp
   return Linear::compare(Op::Equal, Linear(context, a), Linear(context, b));
 }
 
-std::vector<fiacre::Expr> conditions(Context& context, const std::vector<syntax::Expr>& exprs) {
+std::vector<fiacre::Expr> conditions(Context& context, const syntax::List<syntax::Expr>& exprs) {
   std::vector<fiacre::Expr> result;
   for (const auto& expr : exprs) result.push_back(condition(context, expr));
   return result;

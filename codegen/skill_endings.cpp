@@ -25,7 +25,7 @@ Ending untaggedSuccess(const SkillPlan& skill) {
   return result;
 }
 
-const syntax::Outcome* findOutcome(const std::vector<syntax::Outcome>& outcomes,
+const syntax::Outcome* findOutcome(const syntax::List<syntax::Outcome>& outcomes,
                                    std::string_view tag) {
   const auto found =
       std::ranges::find_if(outcomes, [&](const auto& outcome) { return outcome.tag.text == tag; });

@@ -14,7 +14,7 @@ using analysis::SymbolId;
 using analysis::SymbolKind;
 
 /// `${1|A,B|}`, or nothing where there is no choice.
-std::string choice(unsigned number, const std::vector<syntax::Name>& values) {
+std::string choice(unsigned number, const syntax::List<syntax::Name>& values) {
   std::string all;
   for (const auto& value : values)
     if (value) all += fmt::format("{}{}", all.empty() ? "" : ",", value.text);

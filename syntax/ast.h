@@ -1,5 +1,6 @@
 #pragma once
 
+#include "syntax/arena.h"
 #include "syntax/rational.h"
 #include "syntax/source.h"
 
@@ -74,7 +75,7 @@ struct Expr {
   Name member; ///< Access: `status`, `res`, …; Ended: the status
   Rational number;
   bool decimal = false; ///< Number: written with a point
-  std::vector<Expr> operands;
+  List<Expr> operands;
 };
 
 /// `(variable value)`.
@@ -85,7 +86,7 @@ struct Effect {
 };
 
 struct Effects {
-  std::vector<Effect> items;
+  List<Effect> items;
   Range range;
 };
 
@@ -106,26 +107,26 @@ enum class Transitions : std::uint8_t { Unstated, All, Listed };
 
 struct StateVariable {
   Name name;
-  std::vector<FieldUse> fields;
-  std::vector<Name> states;
+  List<FieldUse> fields;
+  List<Name> states;
   Expr init;
   std::optional<Expr> min;
   std::optional<Expr> max;
   Transitions transitionsKind = Transitions::Unstated;
-  std::vector<Transition> transitions;
+  List<Transition> transitions;
 
   [[nodiscard]] bool isNatural() const { return min || max; }
 };
 
 struct Event {
   Name name;
-  std::vector<FieldUse> fields;
+  List<FieldUse> fields;
   Effects effects;
 };
 
 struct Resource {
   Name name;
-  std::vector<FieldUse> fields;
+  List<FieldUse> fields;
   std::optional<Expr> capacity; ///< 1 where absent
 };
 
@@ -158,7 +159,7 @@ struct Outcome {
 
 struct Action {
   Name command;
-  std::vector<Expr> arguments;
+  List<Expr> arguments;
   Range range;
 };
 
@@ -170,7 +171,7 @@ struct Interrupt {
 struct Statement;
 
 struct Block {
-  std::vector<Statement> statements;
+  List<Statement> statements;
   Range range;
 };
 
@@ -215,27 +216,27 @@ struct Statement {
   Name head; ///< the word that makes it this statement; of a call, the skill
   Name name;
   Name format; ///< of a printf, without its quotes
-  std::vector<Argument> arguments;
+  List<Argument> arguments;
   Expr condition;
   Interval duration;
   Effects effects;
-  std::vector<Arm> arms;
-  std::vector<Block> branches;
+  List<Arm> arms;
+  List<Block> branches;
 };
 
 struct Skill {
   Name name;
-  std::vector<FieldUse> fields;
-  std::vector<Input> inputs;
-  std::vector<Precondition> preconditions;
+  List<FieldUse> fields;
+  List<Input> inputs;
+  List<Precondition> preconditions;
   Effects start;
-  std::vector<Invariant> invariants;
+  List<Invariant> invariants;
   std::optional<Interval> timeInterval;
   std::optional<Action> action;
   std::optional<Interrupt> interrupt;
-  std::vector<Outcome> successes;
-  std::vector<Outcome> failures;
-  std::vector<Name> resources;
+  List<Outcome> successes;
+  List<Outcome> failures;
+  List<Name> resources;
   bool monitor = false;
   std::optional<Block> body;
 
@@ -261,8 +262,8 @@ struct Property {
   PropertyKind kind = PropertyKind::Missing;
   Range bodyRange;
   Name head;
-  std::vector<Expr> operands; ///< P, then Q
-  std::vector<FieldUse> fields;
+  List<Expr> operands; ///< P, then Q
+  List<FieldUse> fields;
   std::optional<Expr> after;
   std::optional<Expr> before;
   std::optional<Interval> within;
@@ -272,7 +273,7 @@ struct Property {
 
 struct Environment {
   Name name;
-  std::vector<FieldUse> fields;
+  List<FieldUse> fields;
   Block body;
 };
 

@@ -63,7 +63,7 @@ void reportUnknownField(Builder& builder, const Field& field, std::string_view o
 /// The name that comes next; where there is none, an empty one after `head`, reported.
 Name takeName(Builder& builder, Parts& parts, const Name& head);
 /// The names of a list in parentheses; what is no name is reported.
-std::vector<Name> namesOf(Builder& builder, const Node& list);
+List<Name> namesOf(Builder& builder, const Node& list);
 
 /// Words that stand for themselves: numbers, strings, intervals.
 Rational numberOf(const Builder& builder, const Node& number);

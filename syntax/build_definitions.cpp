@@ -24,8 +24,8 @@ Keywords fieldsOf(NodeKind definition) {
 struct Definition {
   Name keyword;
   Name name;
-  std::vector<FieldUse> uses; ///< all of them
-  std::vector<Field> fields;  ///< the known ones; of one that is there twice, the first
+  List<FieldUse> uses;       ///< all of them
+  std::vector<Field> fields; ///< the known ones; of one that is there twice, the first
 };
 
 void addField(Builder& builder, const Node& node, NodeKind owner, Definition& definition) {
@@ -79,7 +79,7 @@ void readPairs(Builder& builder, const Node& list, StateVariable& variable) {
   bool reported = false;
   Parts parts(list);
   while (const Node* part = parts.take()) {
-    auto names = part->kind == NodeKind::Transition ? namesOf(builder, *part) : std::vector<Name>{};
+    auto names = part->kind == NodeKind::Transition ? namesOf(builder, *part) : List<Name>{};
     if (names.size() == 2) {
       variable.transitions.push_back({names[0], names[1], part->range});
     } else if (!reported && !isDamaged(*part)) {

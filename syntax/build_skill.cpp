@@ -6,8 +6,8 @@
 namespace proskill::syntax {
 namespace {
 
-std::vector<Input> inputsOf(Builder& builder, const Node& list) {
-  std::vector<Input> inputs;
+List<Input> inputsOf(Builder& builder, const Node& list) {
+  List<Input> inputs;
   bool reported = false;
   Parts parts(list);
   while (const Node* part = parts.take()) {
@@ -34,8 +34,8 @@ std::vector<Input> inputsOf(Builder& builder, const Node& list) {
   return inputs;
 }
 
-std::vector<Precondition> preconditionsOf(Builder& builder, const Node& list) {
-  std::vector<Precondition> preconditions;
+List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
+  List<Precondition> preconditions;
   Parts parts(list);
   while (const Node* part = parts.take()) {
     if (isDamaged(*part)) continue;
@@ -89,7 +89,7 @@ Keywords fieldsOfClause(std::string_view owner) {
 }
 
 /// Whether the field was there before; that is reported, and the first one counts.
-bool isRepeated(Builder& builder, const Field& field, std::vector<Name>& seen) {
+bool isRepeated(Builder& builder, const Field& field, List<Name>& seen) {
   const Name& keyword = field.use.keyword;
   auto first = std::ranges::find(seen, keyword.text, &Name::text);
   if (first == seen.end()) {
@@ -114,7 +114,7 @@ bool readClause(Builder& builder, const Node& clause, std::string_view owner, Ef
   bool empty = !parts.peek();
   if (empty) builder.report(Code::EmptyForm, clause.range);
   bool loose = reportLoose(builder, parts, owner);
-  std::vector<Name> seen;
+  List<Name> seen;
   while (const Node* part = parts.take()) {
     Field field = fieldOf(builder, *part);
     if (isRepeated(builder, field, seen)) continue;
@@ -149,8 +149,8 @@ Invariant invariantOf(Builder& builder, const Node& node) {
   return invariant;
 }
 
-std::vector<Invariant> invariantsOf(Builder& builder, const Node& list) {
-  std::vector<Invariant> invariants;
+List<Invariant> invariantsOf(Builder& builder, const Node& list) {
+  List<Invariant> invariants;
   Parts parts(list);
   while (const Node* part = parts.take()) {
     if (part->kind == NodeKind::Invariant)
@@ -189,8 +189,8 @@ void reportNoOutcome(Builder& builder, const Node& node) {
                    fmt::format("`{}` is none", builder.quoted(node)));
 }
 
-std::vector<Outcome> outcomesOf(Builder& builder, Field& field) {
-  std::vector<Outcome> outcomes;
+List<Outcome> outcomesOf(Builder& builder, Field& field) {
+  List<Outcome> outcomes;
   auto read = [&](const Node& node) {
     if (node.kind == NodeKind::Outcome)
       outcomes.push_back(outcomeOf(builder, node));

@@ -65,8 +65,8 @@ Name takeName(Builder& builder, Parts& parts, const Name& head) {
   return {{}, {head.range.end, head.range.end}};
 }
 
-std::vector<Name> namesOf(Builder& builder, const Node& list) {
-  std::vector<Name> names;
+List<Name> namesOf(Builder& builder, const Node& list) {
+  List<Name> names;
   Parts parts(list);
   while (const Node* part = parts.take()) {
     if (isWord(*part))

@@ -51,6 +51,7 @@ void append(Iterator from, std::size_t count, Offset by, std::vector<Item>& to) 
 } // namespace
 
 struct Document::State {
+  std::pmr::monotonic_buffer_resource arena; ///< of the forms
   std::string text;
   LineIndex lines;
   std::vector<Piece> pieces;
@@ -147,6 +148,7 @@ Document Document::parse(std::string text) {
   auto state = std::make_shared<State>(tooLong ? std::string() : std::move(text));
   if (tooLong)
     state->diagnostics.push_back(makeDiagnostic(Code::TextTooLong, {}, kLongestRead >> 20));
+  const ArenaScope inArena(state->arena);
   state->read(cut(state->text));
   state->attachComments();
   document.state = std::move(state);
@@ -159,6 +161,7 @@ Document Document::edit(Range range, std::string_view text) const {
   edited.replace(range.begin, range.length(), text);
   if (edited.size() > kLongestText) return parse(std::move(edited));
   auto next = std::make_shared<State>(std::move(edited));
+  const ArenaScope inArena(next->arena);
   next->reserveAs(*state);
   auto ranges = cut(next->text);
   const auto& pieces = state->pieces;

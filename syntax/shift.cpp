@@ -54,7 +54,7 @@ struct Shift {
     range.begin += by;
     range.end += by;
   }
-  template <class T> void operator()(std::vector<T>& items) const {
+  template <class T> void operator()(List<T>& items) const {
     for (T& item : items) (*this)(item);
   }
   template <class T> void operator()(std::optional<T>& item) const {

@@ -176,7 +176,7 @@ private:
   }
 
   Exits drawEnd(const Statement& s, const Exits& in, NodeRole role,
-                const std::vector<syntax::Outcome>* outcomes) {
+                const syntax::List<syntax::Outcome>* outcomes) {
     std::vector<std::string> details;
     if (outcomes) {
       const auto same = [&](const syntax::Outcome& o) { return o.tag.text == s.name.text; };

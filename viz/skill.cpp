@@ -30,7 +30,7 @@ Exits drawStart(Builder& builder, const SkillDefinition& skill, const Exits& in)
   return builder.then(in, builder.node(NodeRole::Step, "start", range, lines));
 }
 
-void drawOutcomes(Builder& builder, NodeRole role, const std::vector<syntax::Outcome>& outcomes,
+void drawOutcomes(Builder& builder, NodeRole role, const syntax::List<syntax::Outcome>& outcomes,
                   std::size_t run, std::size_t end) {
   for (const auto& outcome : outcomes) {
     const auto node = drawOutcome(builder, role, outcome);

@@ -115,7 +115,7 @@ private:
   /// An outcome that some statement names is that statement's matter.
   void checkOutcomes(const Definition<syntax::Skill>& skill) {
     if (!skill->isComposite()) return;
-    auto check = [&](const std::vector<syntax::Outcome>& outcomes, StatementKind kind) {
+    auto check = [&](const syntax::List<syntax::Outcome>& outcomes, StatementKind kind) {
       for (const syntax::Outcome& outcome : outcomes)
         if (outcome.tag && !isNamed(*skill->body, kind, outcome.tag.text))
           report.findings.report(Code::OutcomeNeverReturned, skill.at(outcome.tag.range),

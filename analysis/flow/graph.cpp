@@ -10,7 +10,7 @@ namespace {
 
 using namespace syntax;
 
-const Outcome* findOutcome(const std::vector<Outcome>& outcomes, std::string_view tag) {
+const Outcome* findOutcome(const syntax::List<Outcome>& outcomes, std::string_view tag) {
   auto found = std::ranges::find(outcomes, tag, [](const Outcome& o) { return o.tag.text; });
   return found == outcomes.end() ? nullptr : &*found;
 }
@@ -57,7 +57,7 @@ private:
   void leaveFrom(NodeId fork, const Block& block);
   void resolveJumps();
   void addStops(NodeId node, const std::vector<NodeId>& exits);
-  void addExits(const std::vector<Outcome>& outcomes, bool success, NodeId run);
+  void addExits(const syntax::List<Outcome>& outcomes, bool success, NodeId run);
 
   SkillGraph& all;
   const Skill* skill; ///< null for an environment
@@ -267,7 +267,7 @@ void Builder::addStops(NodeId node, const std::vector<NodeId>& exits) {
   }
 }
 
-void Builder::addExits(const std::vector<Outcome>& outcomes, bool success, NodeId run) {
+void Builder::addExits(const syntax::List<Outcome>& outcomes, bool success, NodeId run) {
   for (const Outcome& each : outcomes) {
     Loose out = edge(run);
     connect({out}, outcome(&each, success, each.range, nullptr));

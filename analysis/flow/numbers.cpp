@@ -26,7 +26,7 @@ public:
         if (arm.condition) expr(*arm.condition);
     });
   }
-  void outcomes(const std::vector<syntax::Outcome>& outcomes) {
+  void outcomes(const syntax::List<syntax::Outcome>& outcomes) {
     for (const auto& outcome : outcomes) {
       effects(outcome.effects);
       if (outcome.postcondition) expr(*outcome.postcondition);

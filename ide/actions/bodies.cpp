@@ -38,15 +38,15 @@ bool isNameLetter(char c) {
 
 /// The inputs of a skill that a text mentions, in their order; nothing where it mentions others,
 /// or has a `$` that begins no name.
-std::optional<std::vector<syntax::Input>> inputsIn(std::string_view text,
-                                                   const syntax::Skill& skill) {
+std::optional<syntax::List<syntax::Input>> inputsIn(std::string_view text,
+                                                    const syntax::Skill& skill) {
   std::set<std::string_view> mentioned;
   for (auto at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1)) {
     auto end = at + 1;
     while (end < text.size() && isNameLetter(text[end])) ++end;
     mentioned.insert(text.substr(at, end - at));
   }
-  std::vector<syntax::Input> inputs;
+  syntax::List<syntax::Input> inputs;
   for (const auto& input : skill.inputs)
     if (mentioned.erase(input.name.text) > 0) inputs.push_back(input);
   return mentioned.empty() ? std::optional(std::move(inputs)) : std::nullopt;

@@ -20,9 +20,9 @@ std::size_t rankOf(const syntax::FieldUse& field) {
   return static_cast<std::size_t>(std::ranges::find(kOrder, field.keyword.text) - kOrder.begin());
 }
 
-const std::vector<syntax::FieldUse>* fieldsOf(const syntax::Form& form) {
+const syntax::List<syntax::FieldUse>* fieldsOf(const syntax::Form& form) {
   return std::visit(
-      [](const auto& node) -> const std::vector<syntax::FieldUse>* {
+      [](const auto& node) -> const syntax::List<syntax::FieldUse>* {
         if constexpr (requires { node.fields; } &&
                       !std::is_same_v<std::decay_t<decltype(node)>, syntax::Property>)
           return &node.fields;
@@ -38,7 +38,7 @@ struct Chunk {
 };
 
 std::vector<Chunk> chunksOf(const ActionContext& context,
-                            const std::vector<syntax::FieldUse>& fields) {
+                            const syntax::List<syntax::FieldUse>& fields) {
   const auto& comments = context.view.document().comments();
   std::vector<Chunk> chunks;
   for (const auto& field : fields) {
@@ -56,7 +56,7 @@ std::vector<Chunk> chunksOf(const ActionContext& context,
 }
 
 /// All moves between different values.
-std::string allPairs(const std::vector<syntax::Name>& states) {
+std::string allPairs(const syntax::List<syntax::Name>& states) {
   std::string list;
   for (const auto& from : states) {
     for (const auto& to : states)

@@ -62,7 +62,7 @@ private:
     if (skill.body) block(*skill.body, 0);
   }
 
-  void fields(const std::vector<FieldUse>& uses) {
+  void fields(const syntax::List<FieldUse>& uses) {
     for (const auto& use : uses) ++seen[std::string(use.keyword.text)];
   }
   void effects(const Effects& all) {

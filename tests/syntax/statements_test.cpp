@@ -14,7 +14,7 @@ struct Body {
 
   explicit Body(const std::string& statements)
       : document(syntax::Document::parse("(defskill s :body (" + statements + "))")) {}
-  [[nodiscard]] const std::vector<Statement>& statements() const {
+  [[nodiscard]] const syntax::List<Statement>& statements() const {
     return std::get<syntax::Skill>(document.forms().at(0).node).body->statements;
   }
   const Statement* operator->() const { return &statements().at(0); }
