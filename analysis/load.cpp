@@ -122,10 +122,10 @@ private:
 
 Program load(const FileSystem& files, const fs::path& root, Extent extent) {
   auto document = files.document(root);
-  Program program = load(files, root, document.value_or(syntax::Document::parse("")), extent);
-  if (!document)
-    program.diagnostics.push_back(syntax::makeDiagnostic(syntax::Code::UnreadableFile, {},
-                                                         root.generic_string(), document.error()));
+  if (document) return load(files, root, std::move(*document), extent);
+  Program program = load(files, root, syntax::Document::parse(""), extent);
+  program.diagnostics.push_back(syntax::makeDiagnostic(syntax::Code::UnreadableFile, {},
+                                                       root.generic_string(), document.error()));
   return program;
 }
 

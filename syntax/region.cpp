@@ -112,7 +112,8 @@ std::vector<Region> readRegions(const std::vector<std::string_view>& texts) {
     for (std::size_t i = next++; i < texts.size(); i = next++)
       regions[i] = readRegion(parser, texts[i]);
   };
-  std::size_t cores = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+  static const std::size_t cores =
+      std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
   std::vector<std::jthread> helpers(std::min(cores - 1, bytes / kWorthAThread));
   for (std::jthread& helper : helpers) helper = std::jthread(work);
   work();
