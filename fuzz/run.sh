@@ -4,7 +4,7 @@
 # addresses differ. Says nothing but the last line where all is well.
 set -uo pipefail
 cd "$(dirname "$0")/.."
-name=$1 seconds=$2 seed=${3:-0} work=build/fuzz/$1
+name=$1 seconds=$2 seed=${3:-0} work=build/fuzz/corpus/$1
 case $name in
 proskill) seeds=(examples/drone examples/arm examples/lift examples/rover) ;;
 fiacre) seeds=(examples/fiacre) ;;

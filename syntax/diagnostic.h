@@ -72,7 +72,8 @@ template <class... Arguments>
 [[nodiscard]] Diagnostic makeDiagnostic(Code code, Location location,
                                         const Arguments&... arguments) {
   const CodeInfo& entry = info(code);
-  const std::array<std::string, sizeof...(arguments)> words{fmt::to_string(arguments)...};
+  // Not `fmt::to_string`, which copies from nowhere where a text is empty.
+  const std::array<std::string, sizeof...(arguments)> words{fmt::format("{}", arguments)...};
   return {code, entry.severity, location, filledIn(entry.message, words), {}, {}};
 }
 
