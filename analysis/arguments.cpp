@@ -25,7 +25,7 @@ const Input* find(const syntax::List<Input>& inputs, std::string_view name) {
 } // namespace
 
 const syntax::Skill& Arguments::skill(SymbolId symbol) const {
-  return *context.program.skills.all[context.symbols[symbol].definition].node;
+  return context.program.skills.all[context.symbols[symbol].definition].node();
 }
 
 Type Arguments::type(const Expr& argument, Type wanted) {

@@ -20,15 +20,18 @@ constexpr Check kChecks[] = {
     {checkStart, false}};
 
 Analysis analyse(const Program& program, const Earlier* earlier) {
-  SymbolTable symbols(program);
+  SymbolTable symbols =
+      earlier ? SymbolTable(program, earlier->program, earlier->analysis.index.symbols())
+              : SymbolTable(program);
   auto reuse = earlier ? Reuse::find(*earlier, program, symbols) : std::nullopt;
+  const CallGraph calls(program);
   Findings all(program.diagnostics);
   std::vector<Occurrence> occurrences;
   std::vector<Found> ofDefinitions;
   for (const Check& check : kChecks) {
     stopIfAsked();
     Findings findings;
-    Context context{program, symbols, findings, occurrences};
+    Context context{program, symbols, calls, findings, occurrences};
     if (check.ofDefinitions && reuse) {
       findings.add(reuse->found()[ofDefinitions.size()]);
       context.scope = reuse->scope();

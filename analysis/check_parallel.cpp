@@ -1,13 +1,11 @@
 #include "analysis/checks.h"
 
 #include "analysis/call_graph.h"
-#include "analysis/walk.h"
 #include "syntax/codes.h"
 
 namespace proskill::analysis {
 
 using syntax::Statement;
-using syntax::StatementKind;
 
 namespace {
 
@@ -17,13 +15,14 @@ using Call = CallGraph::Call;
 /// through what they call. Two skills that start with the program are not compared.
 class Parallel {
 public:
-  explicit Parallel(Context& context) : context(context), graph(context.program) {}
+  Parallel(Context& context, FileId file, const syntax::Form& form)
+      : context(context), file(file), form(form) {}
 
-  void check(const Statement& parallel, FileId file) {
+  void check(const Statement& parallel) {
     Running running;
     for (const syntax::Block& branch : parallel.branches) {
-      const std::vector<Call> calls = graph.in(branch);
-      for (const Call& call : calls) compare(call, running, file);
+      const std::vector<Call> calls = context.calls.in(branch);
+      for (const Call& call : calls) compare(call, running);
       for (const Call& call : calls) addReachable(call, running);
     }
   }
@@ -32,15 +31,15 @@ private:
   /// Of each skill the call that may run it.
   using Running = std::unordered_map<std::size_t, const Statement*>;
 
-  void compare(const Call& call, const Running& running, FileId file) {
+  void compare(const Call& call, const Running& running) {
     Running wanted;
     for (std::size_t skill : addReachable(call, wanted)) {
       auto other = running.find(skill);
       if (other == running.end()) continue;
       context.findings
-          .report(syntax::Code::MayBeRunning, {file, call.statement->head.range},
+          .report(syntax::Code::MayBeRunning, placeOf(*call.statement),
                   context.program.skills.all[skill].name())
-          .related({file, other->second->head.range}, "may run it at the same time");
+          .related(placeOf(*other->second), "may run it at the same time");
       return;
     }
   }
@@ -53,23 +52,29 @@ private:
     };
     add(call.callee);
     for (std::size_t i = 0; i < found.size(); ++i)
-      for (const Call& next : graph.from(found[i])) add(next.callee);
+      for (const Call& next : context.calls.from(found[i])) add(next.callee);
     return found;
   }
 
+  [[nodiscard]] Location placeOf(const Statement& call) const {
+    return {file, call.head.range.moved(form.offset())};
+  }
+
   Context& context;
-  CallGraph graph;
+  FileId file;
+  const syntax::Form& form;
 };
 
 } // namespace
 
 void checkParallel(Context& context) {
-  Parallel parallel(context);
-  context.eachBody([&](const Body& body) {
-    forEachStatement(body.block, [&](const Statement& statement) {
-      if (statement.kind == StatementKind::Parallel) parallel.check(statement, body.file);
-    });
-  });
+  const auto check = [&](const auto& definition) {
+    Parallel parallel(context, definition.file, *definition.form);
+    for (const Statement* each : definition.form->bodyIndexAsRead().parallels)
+      parallel.check(*each);
+  };
+  context.each(context.program.skills, check);
+  context.each(context.program.environments, check);
 }
 
 } // namespace proskill::analysis

@@ -52,7 +52,7 @@ std::vector<Step> shortestCycle(const CallGraph& graph, const Components& compon
 void reportCycle(Context& context, const std::vector<Step>& cycle) {
   const auto& skills = context.program.skills.all;
   auto placeOf = [&](const Step& step) {
-    return skills[step.caller].at(step.call->statement->head.range);
+    return skills[step.caller].atAsRead(step.call->statement->head.range);
   };
   const Step& last = cycle.back();
   auto finding = context.findings.report(syntax::Code::RecursiveSkill, placeOf(last),
@@ -66,7 +66,7 @@ void reportCycle(Context& context, const std::vector<Step>& cycle) {
 
 /// One report for each set of skills that call each other: the shortest cycle through its first.
 void checkRecursion(Context& context) {
-  const CallGraph graph(context.program);
+  const CallGraph& graph = context.calls;
   const Components components = componentsOf(graph);
   std::vector<bool> reported(graph.size(), false);
   for (std::size_t skill = 0; skill < graph.size(); ++skill) {

@@ -16,9 +16,10 @@ void checkInputs(Context& context, const Definition<syntax::Skill>& skill) {
 /// What starts with the program has no caller that could pass it anything.
 void checkStart(Context& context) {
   for (const auto& skill : context.program.skills.all)
-    if (skill->monitor) checkInputs(context, skill);
+    if (skill.nodeAsRead().monitor) checkInputs(context, skill);
   if (context.program.extent == Extent::Fragment) return;
-  if (const auto* main = mainSkill(context.program).skill) checkInputs(context, *main);
+  if (const auto* main = mainSkill(context.program, context.calls).skill)
+    checkInputs(context, *main);
 }
 
 } // namespace proskill::analysis

@@ -19,7 +19,6 @@ Index::Index(SymbolTable symbols, std::vector<Occurrence> occurrences)
   for (SymbolId id = 0; id < all.size(); ++id)
     if (!all[id].name.empty()) places.push_back({id, all[id].at, Role::Definition});
   std::ranges::stable_sort(places, {}, placeOf);
-  group();
 }
 
 Index::Index(SymbolTable symbols, std::vector<Occurrence> kept, std::vector<Occurrence> noted,
@@ -33,17 +32,22 @@ Index::Index(SymbolTable symbols, std::vector<Occurrence> kept, std::vector<Occu
   const auto middle = static_cast<std::ptrdiff_t>(places.size());
   places.insert(places.end(), noted.begin(), noted.end());
   std::ranges::inplace_merge(places, places.begin() + middle, {}, placeOf);
-  group();
 }
 
-void Index::group() {
-  const auto& all = table.all();
-  groupStart.assign(all.size() + 1, 0);
-  for (const Occurrence& it : places) ++groupStart[it.symbol + 1];
-  for (std::size_t i = 1; i < groupStart.size(); ++i) groupStart[i] += groupStart[i - 1];
+void Index::makeGroups() const {
+  auto& [made, bySymbol, starts] = *groups;
+  starts.assign(table.all().size() + 1, 0);
+  for (const Occurrence& it : places) ++starts[it.symbol + 1];
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
   bySymbol.resize(places.size());
-  auto next = groupStart;
+  auto next = starts;
   for (std::uint32_t i = 0; i < places.size(); ++i) bySymbol[next[places[i].symbol]++] = i;
+}
+
+std::span<const std::uint32_t> Index::group(SymbolId symbol) const {
+  std::call_once(groups->made, [this] { makeGroups(); });
+  const auto begin = groups->starts[symbol], end = groups->starts[symbol + 1];
+  return std::span(groups->bySymbol).subspan(begin, end - begin);
 }
 
 const Occurrence* Index::at(FileId file, syntax::Offset offset) const {
@@ -59,8 +63,7 @@ const Occurrence* Index::at(FileId file, syntax::Offset offset) const {
 
 std::vector<Occurrence> Index::occurrencesOf(SymbolId symbol) const {
   std::vector<Occurrence> found;
-  for (std::uint32_t i = groupStart[symbol]; i < groupStart[symbol + 1]; ++i)
-    found.push_back(places[bySymbol[i]]);
+  for (const std::uint32_t place : group(symbol)) found.push_back(places[place]);
   return found;
 }
 

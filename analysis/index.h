@@ -5,6 +5,8 @@
 #include "analysis/symbols.h"
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -46,17 +48,22 @@ public:
   /// The places that name a symbol, its definition among them, by file and place.
   [[nodiscard]] std::vector<Occurrence> occurrencesOf(SymbolId symbol) const;
   /// How many these are.
-  [[nodiscard]] std::size_t countOf(SymbolId symbol) const {
-    return groupStart[symbol + 1] - groupStart[symbol];
-  }
+  [[nodiscard]] std::size_t countOf(SymbolId symbol) const { return group(symbol).size(); }
 
 private:
-  void group();
+  /// Made when somebody first asks: after most edits nobody does.
+  struct Groups {
+    std::once_flag made;
+    std::vector<std::uint32_t> bySymbol; ///< indices into `places`, grouped by symbol
+    std::vector<std::uint32_t> starts;   ///< of each symbol in `bySymbol`, and the end
+  };
+
+  [[nodiscard]] std::span<const std::uint32_t> group(SymbolId symbol) const;
+  void makeGroups() const;
 
   SymbolTable table;
   std::vector<Occurrence> places;
-  std::vector<std::uint32_t> bySymbol;   ///< indices into `places`, grouped by symbol
-  std::vector<std::uint32_t> groupStart; ///< of each symbol in `bySymbol`, and the end
+  std::unique_ptr<Groups> groups = std::make_unique<Groups>();
 };
 
 /// A program's names and all that is wrong with it.

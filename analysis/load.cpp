@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace proskill::analysis {
 
@@ -43,36 +44,17 @@ private:
   }
 
   void define(const syntax::Form& form, FileId id) {
-    std::visit([&](const auto& node) { define(node, form, id); }, form.node);
+    if (const auto* include = form.as<syntax::Include>(); include && include->path)
+      follow(include->path, id);
+    std::apply([&](auto&... tables) { (enter(tables, form, id), ...); },
+               std::tie(program.stateVariables, program.events, program.skills, program.resources,
+                        program.properties, program.environments));
   }
 
-  void define(const syntax::UnknownForm&, const syntax::Form&, FileId) {}
-  void define(const syntax::Include& include, const syntax::Form&, FileId id) {
-    if (include.path) follow(include.path, id);
-  }
-  void define(const syntax::StateVariable& node, const syntax::Form& form, FileId id) {
-    enter(program.stateVariables, node, form, id);
-  }
-  void define(const syntax::Event& node, const syntax::Form& form, FileId id) {
-    enter(program.events, node, form, id);
-  }
-  void define(const syntax::Skill& node, const syntax::Form& form, FileId id) {
-    enter(program.skills, node, form, id);
-  }
-  void define(const syntax::Resource& node, const syntax::Form& form, FileId id) {
-    enter(program.resources, node, form, id);
-  }
-  void define(const syntax::Property& node, const syntax::Form& form, FileId id) {
-    enter(program.properties, node, form, id);
-  }
-  void define(const syntax::Environment& node, const syntax::Form& form, FileId id) {
-    enter(program.environments, node, form, id);
-  }
-
-  template <class Node>
-  static void enter(Table<Node>& table, const Node& node, const syntax::Form& form, FileId id) {
-    if (node.name) table.byName.try_emplace(node.name.text, table.all.size());
-    table.all.push_back({&node, &form, id});
+  template <class Node> static void enter(Table<Node>& table, const syntax::Form& form, FileId id) {
+    if (!form.is<Node>()) return;
+    if (form.name) table.byName.try_emplace(form.name.text, table.all.size());
+    table.all.push_back({&form, id});
   }
 
   void follow(const syntax::Name& written, FileId from) {

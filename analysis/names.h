@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/call_graph.h"
 #include "analysis/findings.h"
 #include "analysis/index.h"
 #include "analysis/scope.h"
@@ -14,6 +15,7 @@ namespace proskill::analysis {
 struct Context {
   const Program& program;
   const SymbolTable& symbols;
+  const CallGraph& calls;
   Findings& findings;
   std::vector<Occurrence>& occurrences;
   Scope scope{};

@@ -20,14 +20,19 @@ struct File {
   std::string canonical{}; ///< what tells it from other files; empty where nobody asks
 };
 
-/// A definition: the node and the file that it stands in. Valid as long as the program.
+/// A definition: the form, and the file that it stands in. Valid as long as the program.
 template <class Node> struct Definition {
-  const Node* node = nullptr;
   const syntax::Form* form = nullptr;
   FileId file = 0;
 
-  [[nodiscard]] std::string_view name() const { return node->name.text; }
-  const Node* operator->() const { return node; }
+  [[nodiscard]] std::string_view name() const { return form->name.text; }
+  [[nodiscard]] const Node& node() const { return *form->as<Node>(); }
+  const Node* operator->() const { return form->as<Node>(); }
+  /// For who asks all definitions after each edit, see syntax::Form.
+  [[nodiscard]] const Node& nodeAsRead() const { return *form->asRead<Node>(); }
+  [[nodiscard]] Location atAsRead(syntax::Range range) const {
+    return at(range.moved(form->offset()));
+  }
   [[nodiscard]] Location at(syntax::Range range) const { return {file, range}; }
 };
 
@@ -83,5 +88,8 @@ struct MainSkill {
   std::vector<const Definition<syntax::Skill>*> candidates;
 };
 [[nodiscard]] MainSkill mainSkill(const Program& program);
+class CallGraph;
+/// The same for who has the program's calls.
+[[nodiscard]] MainSkill mainSkill(const Program& program, const CallGraph& calls);
 
 } // namespace proskill::analysis

@@ -72,7 +72,7 @@ bool isBefore(Location it, Location other) {
 std::vector<const Form*> definitionsIn(const syntax::Document& document, Range range) {
   std::vector<const Form*> result;
   for (const Form& form : document.formsIn(range))
-    if (!std::holds_alternative<syntax::UnknownForm>(form.node)) result.push_back(&form);
+    if (!form.is<syntax::UnknownForm>()) result.push_back(&form);
   return result;
 }
 
@@ -99,21 +99,11 @@ bool looksSame(const syntax::Skill& a, const syntax::Skill& b) {
 
 /// Whether nobody else sees a difference, the names aside.
 bool looksSame(const Form* a, const Form* b) {
-  if (a->node.index() != b->node.index()) return false;
-  if (const auto* skill = std::get_if<syntax::Skill>(&a->node))
-    return looksSame(*skill, std::get<syntax::Skill>(b->node));
-  if (const auto* variable = std::get_if<syntax::StateVariable>(&a->node))
-    return looksSame(*variable, std::get<syntax::StateVariable>(b->node));
-  return !std::holds_alternative<syntax::Include>(a->node);
-}
-
-std::string_view nameOf(const Form& form) {
-  return std::visit(
-      [](const auto& node) -> std::string_view {
-        if constexpr (requires { node.name.text; }) return node.name.text;
-        return {};
-      },
-      form.node);
+  if (!a->isAs(*b)) return false;
+  if (const auto* skill = a->as<syntax::Skill>()) return looksSame(*skill, *b->as<syntax::Skill>());
+  if (const auto* variable = a->as<syntax::StateVariable>())
+    return looksSame(*variable, *b->as<syntax::StateVariable>());
+  return !a->is<syntax::Include>();
 }
 
 using Names = std::set<std::string_view>;
@@ -123,15 +113,13 @@ using Names = std::set<std::string_view>;
 /// \return there is none
 bool addThoseSeen(const std::vector<const Form*>& before, const std::vector<const Form*>& now,
                   Names& names) {
-  const auto isInclude = [](const Form* form) {
-    return std::holds_alternative<syntax::Include>(form->node);
-  };
+  const auto isInclude = [](const Form* form) { return form->is<syntax::Include>(); };
   if (std::ranges::any_of(before, isInclude) || std::ranges::any_of(now, isInclude)) return false;
   for (const Form* form : now) {
     const auto same = std::ranges::find_if(before, [&](const Form* it) {
-      return it->node.index() == form->node.index() && nameOf(*it) == nameOf(*form);
+      return it->isAs(*form) && it->name.text == form->name.text;
     });
-    if (same != before.end() && !looksSame(*same, form)) names.insert(nameOf(*form));
+    if (same != before.end() && !looksSame(*same, form)) names.insert(form->name.text);
   }
   return true;
 }
@@ -142,7 +130,7 @@ void addThoseTyped(const Program& program, Names& names) {
   for (auto before = names.size() + 1; before != names.size();) {
     before = names.size();
     for (const auto& skill : program.skills.all)
-      if (std::ranges::any_of(skill->inputs, isOne)) names.insert(skill.name());
+      if (std::ranges::any_of(skill.nodeAsRead().inputs, isOne)) names.insert(skill.name());
   }
 }
 

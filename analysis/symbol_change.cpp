@@ -6,7 +6,7 @@ namespace proskill::analysis {
 
 namespace {
 
-using Ids = std::span<const SymbolId>;
+using Ids = SymbolTable::Ids;
 
 class Matching {
 public:
@@ -33,7 +33,6 @@ private:
   }
 
   void matchParts(SymbolId old, SymbolId fresh) {
-
     const Ids oldParts = before.parts(old);
     const Ids freshParts = now.parts(fresh);
     const auto [front, back] = commonEnds(oldParts, freshParts);
@@ -46,7 +45,7 @@ private:
   /// Notes which of the two lists begin and end alike.
   syntax::CommonEnds commonEnds(Ids old, Ids fresh) {
     const auto ends = syntax::commonEnds(old, fresh, [this](SymbolId a, SymbolId b) {
-      return before[a].kind == now[b].kind && before[a].name == now[b].name;
+      return before[a].kind == now[b].kind && isSame(before[a].name, now[b].name);
     });
     for (std::size_t i = 0; i < ends.front; ++i) change.now[old[i]] = fresh[i];
     for (std::size_t i = 1; i <= ends.back; ++i)
@@ -54,8 +53,14 @@ private:
     return ends;
   }
 
+  /// Most are the very same.
+  static bool isSame(std::string_view a, std::string_view b) {
+    return a.size() == b.size() && (a.data() == b.data() || a == b);
+  }
+
   static Ids middle(Ids all, std::size_t front, std::size_t back) {
-    return all.subspan(front, all.size() - front - back);
+    const SymbolId first = *all.begin();
+    return {first + static_cast<SymbolId>(front), first + static_cast<SymbolId>(all.size() - back)};
   }
 
   void name(const SymbolTable& table, SymbolId id) {

@@ -3,9 +3,12 @@
 #include "analysis/program.h"
 
 #include <cstdint>
+#include <optional>
+#include <ranges>
 #include <span>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace proskill::analysis {
@@ -58,52 +61,74 @@ struct Duplicate {
 /// the value `Valid`, a skill and an event the name `land`. The first definition of a name has it.
 class SymbolTable {
 public:
+  /// Those that follow each other.
+  using Ids = std::ranges::iota_view<SymbolId, SymbolId>;
+
   explicit SymbolTable(const Program& program);
+  /// The same after an edit, sooner where definitions are as they were.
+  /// \param symbolsBefore  of `before`
+  SymbolTable(const Program& program, const Program& before, const SymbolTable& symbolsBefore);
 
   [[nodiscard]] const std::vector<Symbol>& all() const { return symbols; }
   [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols[id]; }
   [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name,
                               SymbolId owner = kNoSymbol) const;
   /// All of a kind and an owner, in the order of the program, second ones of a name included.
-  [[nodiscard]] std::span<const SymbolId> members(SymbolKind kind, SymbolId owner) const;
+  [[nodiscard]] Ids members(SymbolKind kind, SymbolId owner) const;
   /// All whose owner it is, kind by kind.
-  [[nodiscard]] std::span<const SymbolId> parts(SymbolId owner) const;
+  [[nodiscard]] Ids parts(SymbolId owner) const {
+    return owner < ofDefinitions.size() ? ofDefinitions[owner] : Ids();
+  }
   /// What may follow `skill.res`: an outcome's tag, or that of an invariant that failed.
   [[nodiscard]] SymbolId findResult(std::string_view tag, SymbolId skill) const;
   /// All labels of a name, whatever the skill that they stand in.
   [[nodiscard]] std::span<const SymbolId> labels(std::string_view name) const;
   /// The symbol of a definition at the top level, second ones of a name included.
   [[nodiscard]] SymbolId topLevel(SymbolKind kind, std::size_t definition) const {
-    return definitions[static_cast<std::size_t>(kind)][definition];
+    return ofKinds[static_cast<std::size_t>(kind)][static_cast<SymbolId>(definition)];
   }
   [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return twice; }
 
 private:
-  /// The symbols of an owner follow each other, kind by kind.
-  struct Parts {
-    SymbolId begin = 0;
-    SymbolId end = 0;
+  /// What has parts, by its form.
+  struct Owner {
+    SymbolId id;
+    const syntax::Form& form;
   };
 
-  SymbolId define(Symbol symbol);
+  void define(Symbol symbol) { symbols.push_back(symbol); }
+  [[nodiscard]] SymbolId next() const { return static_cast<SymbolId>(symbols.size()); }
   void sortParts(SymbolId owner);
-  void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent,
-                    SymbolId owner);
+  void noteDuplicates(SymbolId owner);
+  /// Those that another table has of the same form.
+  void copyParts(const SymbolTable& table, SymbolId ownerThere, Owner owner, syntax::Offset by);
+  /// \param name, extent  as they were read
+  void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent, Owner owner);
+  struct Before {
+    const Program& program;
+    const SymbolTable& symbols;
+  };
+  SymbolTable(const Program& program, const std::optional<Before>& before);
   template <class Node> void defineAll(SymbolKind kind, const Table<Node>& table);
-  template <class Node> void defineAllParts(SymbolKind kind, const Table<Node>& table);
-  void defineParts(const Definition<syntax::StateVariable>& variable, SymbolId owner);
-  void defineParts(const Definition<syntax::Skill>& skill, SymbolId owner);
-  void defineParts(const Definition<syntax::Environment>& environment, SymbolId owner);
-  void defineLabels(const syntax::Block& block, SymbolId owner);
+  template <class Node>
+  void defineAllParts(SymbolKind kind, Table<Node> Program::*table, const Program& program,
+                      const std::optional<Before>& before);
+  void defineParts(const syntax::StateVariable& variable, Owner owner);
+  void defineParts(const syntax::Skill& skill, Owner owner);
+  void defineParts(const syntax::Environment&, Owner owner);
+  void defineLabels(Owner owner);
+  [[nodiscard]] std::pair<SymbolKind, std::string_view> keyOf(SymbolId id) const {
+    return {symbols[id].kind, symbols[id].name};
+  }
+  [[nodiscard]] std::span<const SymbolId> partsByName(SymbolId owner) const;
 
   static constexpr std::size_t kTopLevelKinds = 6;
 
-  std::vector<Symbol> symbols;
-  std::vector<SymbolId> ids; ///< of all symbols, in their order
-  std::vector<SymbolId> definitions[kTopLevelKinds];
-  std::vector<Parts> ofDefinitions; ///< of each at the top level
+  std::vector<Symbol> symbols; ///< the top level, kind by kind, then the parts of each of it
+  Ids ofKinds[kTopLevelKinds];
+  std::vector<Ids> ofDefinitions; ///< the parts of each at the top level, kind by kind
   std::unordered_map<std::string_view, SymbolId> names[kTopLevelKinds]; ///< the first of each
-  std::vector<SymbolId> byName; ///< the parts of each owner, where `ids` has them, by kind and name
+  std::vector<SymbolId> byName; ///< the parts of each owner, at their own ids, by kind and name
   std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
   std::vector<Duplicate> twice;
 };

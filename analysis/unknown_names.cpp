@@ -59,7 +59,7 @@ public:
     }
     for (const File& file : program.files)
       for (const syntax::Form& form : file.document.forms())
-        if (const auto* unread = std::get_if<syntax::UnknownForm>(&form.node))
+        if (const auto* unread = form.as<syntax::UnknownForm>())
           unreadNames.insert(unread->name.text);
   }
 

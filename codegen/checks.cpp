@@ -166,7 +166,7 @@ private:
     check.kind = "property";
     check.words = context.origins.excerpt(property.file, property->bodyRange);
     check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
-    put(std::move(check), patternOf(context, observer, *property.node));
+    put(std::move(check), patternOf(context, observer, property.node()));
   }
 
   // --- Questions

@@ -125,7 +125,7 @@ private:
     for (const auto& variable : context.program.stateVariables.all)
       all.push_back({context.names.variable(variable.name()),
                      namedType(context.names.type(variable.name())),
-                     initialValue(context, *variable.node), ""});
+                     initialValue(context, variable.node()), ""});
     for (const auto& variable : context.program.stateVariables.all)
       if (context.alarmed.contains(variable.name()))
         all.push_back({context.names.error(variable.name()), boolType(), boolean(false),

@@ -36,7 +36,7 @@ struct Context {
   [[nodiscard]] bool isExpanded() const { return options.edition != Edition::Offline; }
 
   [[nodiscard]] const syntax::StateVariable& stateVariable(std::string_view name) const {
-    return *program.stateVariables.find(name)->node;
+    return program.stateVariables.find(name)->node();
   }
   /// For the comment above what a definition has become.
   template <class Node>
@@ -44,7 +44,7 @@ struct Context {
     return origins.definition(definition.file, *definition.form, definition.name());
   }
   [[nodiscard]] std::int64_t capacity(std::string_view resource) const {
-    const auto& capacity = program.resources.find(resource)->node->capacity;
+    const auto& capacity = program.resources.find(resource)->node().capacity;
     return capacity ? capacity->number.numerator : 1;
   }
   /// `skill[takeoff].status`, of a skill or a branch.

@@ -23,7 +23,7 @@ struct SkillPlan {
   bool branchEnds = false;            ///< a branch of it has a `(success …)` or `(failure …)`
   bool resultIsRead = false;          ///< something reads `.res`
 
-  [[nodiscard]] const syntax::Skill& skill() const { return *definition->node; }
+  [[nodiscard]] const syntax::Skill& skill() const { return definition->node(); }
   [[nodiscard]] std::string_view name() const { return skill().name.text; }
   [[nodiscard]] syntax::FileId file() const { return definition->file; }
   [[nodiscard]] bool calledBySkills() const { return !callers.empty(); }

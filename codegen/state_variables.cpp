@@ -59,7 +59,7 @@ private:
   }
 
   Statement move(const syntax::Name& from, const syntax::Name& value) {
-    const bool allowed = isAllowed(*variable.node, from.text, value.text);
+    const bool allowed = isAllowed(variable.node(), from.text, value.text);
     const auto words = context.origins.of(actor, variable->name.range,
                                           fmt::format("{} from `{}` to `{}`",
                                                       allowed ? "moves" : "makes a forbidden move",
@@ -99,7 +99,7 @@ fiacre::TypeDeclaration stateVariableType(Context& context, const Variable& vari
   fiacre::TypeDeclaration declaration;
   declaration.name = context.names.type(variable.name());
   if (variable->isNatural()) {
-    const auto [low, high] = domainOf(*variable.node);
+    const auto [low, high] = domainOf(variable.node());
     declaration.type = rangeType(low, high);
     return declaration;
   }

@@ -45,7 +45,7 @@ template <class Visit> void forEachExpression(const syntax::Skill& skill, Visit&
 /// Calls `visit` on every condition and value of a program, and on every part of them.
 template <class Visit> void forEachExpression(const analysis::Program& program, Visit&& visit) {
   for (const auto& event : program.events.all) forEachExpression(event->effects, visit);
-  for (const auto& skill : program.skills.all) forEachExpression(*skill.node, visit);
+  for (const auto& skill : program.skills.all) forEachExpression(skill.node(), visit);
   for (const auto& environment : program.environments.all)
     forEachExpression(environment->body, visit);
   for (const auto& property : program.properties.all) {

@@ -34,7 +34,7 @@ std::vector<fiacre::Watched> watchedVariables(Context& context) {
   std::vector<fiacre::Watched> all;
   for (const auto& variable : context.program.stateVariables.all)
     all.push_back({context.names.variable(variable.name()), std::string(variable.name()),
-                   valuesOf(context, *variable.node)});
+                   valuesOf(context, variable.node())});
   for (const auto& skill : context.plan.skills) {
     const auto add = [&](std::string_view field, std::string_view member, Words words) {
       all.push_back({fiacre::printLvalue(context.cellField(skill.name(), field)),

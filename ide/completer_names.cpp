@@ -295,11 +295,11 @@ SymbolId Completer::owner() const {
 }
 
 const syntax::Skill& Completer::skill(SymbolId symbol) const {
-  return *view.program().skills.all[symbols[symbol].definition].node;
+  return view.program().skills.all[symbols[symbol].definition].node();
 }
 
 const syntax::StateVariable& Completer::variable(SymbolId symbol) const {
-  return *view.program().stateVariables.all[symbols[symbol].definition].node;
+  return view.program().stateVariables.all[symbols[symbol].definition].node();
 }
 
 } // namespace proskill::ide

@@ -27,11 +27,11 @@ std::string_view textOf(const View& view, analysis::FileId file, syntax::Range r
 }
 
 const syntax::StateVariable& variableOf(const View& view, const Symbol& symbol) {
-  return *view.program().stateVariables.all[symbol.definition].node;
+  return view.program().stateVariables.all[symbol.definition].node();
 }
 
 const syntax::Skill& skillOf(const View& view, const Symbol& symbol) {
-  return *view.program().skills.all[symbol.definition].node;
+  return view.program().skills.all[symbol.definition].node();
 }
 
 std::string listed(const auto& parts, auto&& text) {

@@ -34,7 +34,7 @@ std::vector<fs::path> includesOf(const fs::path& file, const syntax::Document& d
   std::vector<fs::path> result;
   if (isFiacre(file)) return result;
   for (const auto& form : document.forms())
-    if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
+    if (const auto* include = form.as<syntax::Include>(); include && include->path)
       result.push_back((file.parent_path() / include->path.text).lexically_normal());
   return result;
 }

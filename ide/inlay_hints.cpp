@@ -38,7 +38,7 @@ public:
   std::vector<InlayHint> gather() && {
     for (const auto& form : view.document().forms()) {
       if (!form.range.touches(range)) continue;
-      if (const auto* skill = std::get_if<syntax::Skill>(&form.node)) ofSkill(*skill);
+      if (const auto* skill = form.as<syntax::Skill>()) ofSkill(*skill);
     }
     if (flow) values();
     std::ranges::stable_sort(hints, {}, &InlayHint::at);
@@ -77,7 +77,7 @@ private:
   void duration(const syntax::Skill& skill) {
     const auto& skills = view.program().skills;
     const auto* definition = skills.find(skill.name.text);
-    if (!definition || definition->node != &skill) return;
+    if (!definition || &definition->node() != &skill) return;
     const auto id =
         flow->system().ofSkill(static_cast<std::size_t>(definition - skills.all.data()));
     if (!flow->solver().started(id)) return;

@@ -6,7 +6,7 @@ std::vector<DocumentLink> links(const std::filesystem::path& file,
                                 const syntax::Document& document) {
   std::vector<DocumentLink> result;
   for (const auto& form : document.forms())
-    if (const auto* include = std::get_if<syntax::Include>(&form.node); include && include->path)
+    if (const auto* include = form.as<syntax::Include>(); include && include->path)
       result.push_back(
           {include->path.range, (file.parent_path() / include->path.text).lexically_normal()});
   return result;

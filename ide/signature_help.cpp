@@ -24,7 +24,7 @@ void append(Signature& signature, std::string_view part, std::string_view docume
 
 const syntax::Skill* findSkill(const View& view, std::string_view name) {
   const auto* found = view.program().skills.find(name);
-  return found ? found->node : nullptr;
+  return found ? &found->node() : nullptr;
 }
 
 bool isGiven(const OpenList& list, std::string_view name) {

@@ -21,36 +21,15 @@ std::vector<SymbolKind> ownersOf(SymbolKind kind) {
   return {SymbolKind::Skill};
 }
 
-struct NamedForm {
-  SymbolKind kind;
-  std::string_view name;
-};
-
-std::optional<NamedForm> nameOf(const syntax::Form& form) {
-  using Named = std::optional<NamedForm>;
-  struct Visitor {
-    Named operator()(const syntax::UnknownForm&) const { return std::nullopt; }
-    Named operator()(const syntax::Include&) const { return std::nullopt; }
-    Named operator()(const syntax::StateVariable& node) const {
-      return NamedForm{SymbolKind::StateVariable, node.name.text};
-    }
-    Named operator()(const syntax::Event& node) const {
-      return NamedForm{SymbolKind::Event, node.name.text};
-    }
-    Named operator()(const syntax::Skill& node) const {
-      return NamedForm{SymbolKind::Skill, node.name.text};
-    }
-    Named operator()(const syntax::Resource& node) const {
-      return NamedForm{SymbolKind::Resource, node.name.text};
-    }
-    Named operator()(const syntax::Property& node) const {
-      return NamedForm{SymbolKind::Property, node.name.text};
-    }
-    Named operator()(const syntax::Environment& node) const {
-      return NamedForm{SymbolKind::Environment, node.name.text};
-    }
-  };
-  return std::visit(Visitor(), form.node);
+/// Of what the form defines; nothing where it defines nothing.
+std::optional<SymbolKind> kindOf(const syntax::Form& form) {
+  if (form.is<syntax::StateVariable>()) return SymbolKind::StateVariable;
+  if (form.is<syntax::Event>()) return SymbolKind::Event;
+  if (form.is<syntax::Skill>()) return SymbolKind::Skill;
+  if (form.is<syntax::Resource>()) return SymbolKind::Resource;
+  if (form.is<syntax::Property>()) return SymbolKind::Property;
+  if (form.is<syntax::Environment>()) return SymbolKind::Environment;
+  return std::nullopt;
 }
 
 } // namespace
@@ -74,15 +53,15 @@ SymbolId findSymbol(const analysis::SymbolTable& symbols, const SymbolKey& key) 
 }
 
 SymbolId symbolOf(const View& view, analysis::FileId file, const syntax::Form& form) {
-  auto named = nameOf(form);
-  if (!named) return kNoSymbol;
+  const auto kind = kindOf(form);
+  if (!kind) return kNoSymbol;
   const auto& symbols = view.index().symbols();
   auto isIt = [&](SymbolId id) {
     return symbols[id].at.file == file && symbols[id].extent == form.range;
   };
-  const auto first = symbols.find(named->kind, named->name);
+  const auto first = symbols.find(*kind, form.name.text);
   if (first != kNoSymbol && isIt(first)) return first;
-  const auto all = symbols.members(named->kind, kNoSymbol);
+  const auto all = symbols.members(*kind, kNoSymbol);
   const auto found = std::ranges::find_if(all, isIt);
   return found == all.end() ? kNoSymbol : *found;
 }

@@ -125,7 +125,7 @@ std::vector<OutlineEntry> outline(const View& view) {
 std::vector<OutlineEntry> outline(const View& view, syntax::Range within) {
   std::vector<OutlineEntry> result;
   for (const auto& form : view.document().formsIn(within)) {
-    if (const auto* include = std::get_if<syntax::Include>(&form.node)) {
+    if (const auto* include = form.as<syntax::Include>()) {
       result.push_back(ofInclude(*include, form.range));
       continue;
     }

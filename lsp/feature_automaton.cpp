@@ -15,11 +15,11 @@ namespace {
 /// The picture of a definition; of what has none, the calls.
 viz::Request pictureOf(const syntax::Form& form) {
   using viz::Kind;
-  if (const auto* variable = std::get_if<syntax::StateVariable>(&form.node))
+  if (const auto* variable = form.as<syntax::StateVariable>())
     return {Kind::StateVariable, std::string(variable->name.text), false};
-  if (const auto* skill = std::get_if<syntax::Skill>(&form.node))
+  if (const auto* skill = form.as<syntax::Skill>())
     return {skill->isComposite() ? Kind::Body : Kind::Skill, std::string(skill->name.text), false};
-  if (const auto* environment = std::get_if<syntax::Environment>(&form.node))
+  if (const auto* environment = form.as<syntax::Environment>())
     return {Kind::Body, std::string(environment->name.text), false};
   return {};
 }

@@ -85,7 +85,7 @@ template <class Table>
 std::optional<analysis::Location> nameIn(const Table& table, const std::string& name) {
   const auto* definition = table.find(name);
   if (!definition) return std::nullopt;
-  return definition->at(definition->node->name.range);
+  return definition->at(definition->form->name.range);
 }
 
 Subject subjectOf(const analysis::Program& program, const codegen::Check& check) {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-/// The forms of a document lie together in memory that is given back as a whole: to copy those that
-/// an edit leaves as they are takes half as long, and to destroy them next to nothing.
+/// Forms that are read together lie together in memory that is given back as a whole: to copy them
+/// takes half as long, and to destroy them next to nothing.
 namespace proskill::syntax {
 
 /// While it lives, lists that are made by its thread lie in a resource, which outlives them.

@@ -287,13 +287,24 @@ struct UnknownForm {
   Name name; ///< the word behind it: what it would have defined
 };
 
-struct Form {
+using FormNode = std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property,
+                              Environment>;
+
+/// The statements of a body that are looked for in all bodies after each edit, outer before inner,
+/// in the order of the text.
+struct BodyIndex {
+  List<const Statement*> calls;
+  List<const Statement*> labels;
+  List<const Statement*> parallels;
+};
+
+/// A form at the top level, where it was read.
+struct ReadForm {
   Range range;         ///< from its parenthesis to its parenthesis
   Name keyword;        ///< `defskill`, …
   bool mended = false; ///< a parenthesis or quote was put in or left out: a guess
-  Range comment;       ///< the lines of comment directly above, empty where there are none
-  std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property, Environment>
-      node;
+  FormNode node;
+  BodyIndex bodyIndex; ///< of its body, where it has one
 };
 
 } // namespace proskill::syntax

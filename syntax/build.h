@@ -87,6 +87,6 @@ void readSkill(Builder& builder, std::vector<Field>& fields, Skill& skill);
 Property propertyOf(Builder& builder, const Node& node);
 
 /// The forms of a whole text, without their comments.
-std::vector<Form> formsOf(Builder& builder, const Tree& tree);
+std::vector<ReadForm> formsOf(Builder& builder, const Tree& tree);
 
 } // namespace proskill::syntax

@@ -187,8 +187,8 @@ UnknownForm unknownFormOf(Builder& builder, const Node& node) {
   return {builder.nameOf(*head), name && isWord(*name) ? builder.nameOf(*name) : Name{}};
 }
 
-Form formOf(Builder& builder, const Node& node) {
-  Form form;
+ReadForm formOf(Builder& builder, const Node& node) {
+  ReadForm form;
   form.range = node.range;
   if (const Node* head = Parts(node).take()) form.keyword = builder.nameOf(*head);
   switch (node.kind) {
@@ -235,8 +235,8 @@ void reportStray(Builder& builder, const Node& first, Parts& parts) {
 
 } // namespace
 
-std::vector<Form> formsOf(Builder& builder, const Tree& tree) {
-  std::vector<Form> forms;
+std::vector<ReadForm> formsOf(Builder& builder, const Tree& tree) {
+  std::vector<ReadForm> forms;
   Parts parts(tree.front());
   while (const Node* part = parts.take()) {
     if (isForm(*part))

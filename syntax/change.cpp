@@ -51,15 +51,6 @@ private:
 
 } // namespace
 
-std::optional<Range> Replacement::moved(Range range) const {
-  const Offset by = newEnd - oldEnd; // may wrap around, and back when it is added
-  if (range.end < begin || (range.end == begin && !range.empty())) return range;
-  if (range.begin > oldEnd || (range.begin == oldEnd && !range.empty()))
-    return Range{range.begin + by, range.end + by};
-  if (range.begin < begin && range.end > oldEnd) return Range{range.begin, range.end + by};
-  return std::nullopt;
-}
-
 Range Replacement::nearest(Range range) const {
   const Offset by = newEnd - oldEnd;
   const Offset first = range.begin < begin ? range.begin : std::max(range.begin, oldEnd) + by;

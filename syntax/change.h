@@ -32,6 +32,14 @@ struct Replacement {
   friend bool operator==(const Replacement&, const Replacement&) = default;
 };
 
+inline std::optional<Range> Replacement::moved(Range range) const {
+  const Offset by = newEnd - oldEnd; // may wrap around, and back when it is added
+  if (range.end < begin || (range.end == begin && !range.empty())) return range;
+  if (range.begin > oldEnd || (range.begin == oldEnd && !range.empty())) return range.moved(by);
+  if (range.begin < begin && range.end > oldEnd) return Range{range.begin, range.end + by};
+  return std::nullopt;
+}
+
 /// What changed between two documents.
 struct Change {
   Replacement stretches; ///< that were read anew; nothing outside of them is other than before

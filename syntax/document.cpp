@@ -14,44 +14,21 @@
 namespace proskill::syntax {
 namespace {
 
-/// A region's place in a document, and how many of its forms, comments, and diagnostics are its
-/// own.
+/// A region's place in a document.
 struct Piece {
   Range range;
-  std::shared_ptr<const ParsedText> parsed;
-  std::size_t forms = 0;
-  std::size_t comments = 0;
-  std::size_t diagnostics = 0;
+  std::shared_ptr<const Region> region;
 };
 
-/// Where a piece's share begins.
-struct Shares {
-  std::size_t forms = 0;
-  std::size_t comments = 0;
-  std::size_t diagnostics = 0;
-
-  void pass(const Piece& piece) {
-    forms += piece.forms;
-    comments += piece.comments;
-    diagnostics += piece.diagnostics;
-  }
-};
-
-void shift(Range& range, Offset by) {
-  range.begin += by;
-  range.end += by;
-}
-
-/// Copies or moves `count` items from `from`, moved `by` bytes.
-template <class Iterator, class Item>
-void append(Iterator from, std::size_t count, Offset by, std::vector<Item>& to) {
-  for (std::size_t i = 0; i < count; ++i, ++from) shift(to.emplace_back(*from), by);
+std::size_t countOfForms(std::span<const Piece> pieces) {
+  std::size_t count = 0;
+  for (const Piece& piece : pieces) count += piece.region->forms.size();
+  return count;
 }
 
 } // namespace
 
 struct Document::State {
-  std::pmr::monotonic_buffer_resource arena; ///< of the forms
   std::string text;
   LineIndex lines;
   std::vector<Piece> pieces;
@@ -60,17 +37,10 @@ struct Document::State {
   std::vector<Diagnostic> diagnostics;
 
   explicit State(std::string source) : text(std::move(source)), lines(text) {}
+  State(std::string source, LineIndex lines) : text(std::move(source)), lines(std::move(lines)) {}
 
   [[nodiscard]] std::string_view textOf(Range range) const {
     return std::string_view(text).substr(range.begin, range.length());
-  }
-
-  /// Reads what stands in `ranges`, which follow each other.
-  void read(std::span<const Range> ranges) {
-    std::vector<std::string_view> texts;
-    for (Range range : ranges) texts.push_back(textOf(range));
-    auto regions = readRegions(texts);
-    for (std::size_t i = 0; i < ranges.size(); ++i) add(ranges[i], std::move(regions[i]));
   }
 
   /// Where a piece begins; the end of the text for what is behind the last one.
@@ -78,12 +48,25 @@ struct Document::State {
     return piece < pieces.size() ? pieces[piece].range.begin : static_cast<Offset>(text.size());
   }
 
+  /// How many pieces an edit leaves as they are, as far as its lines tell: a piece begins with a
+  /// line, by the first word of that.
+  [[nodiscard]] CommonEnds around(Range edit) const {
+    const Offset line = edit.begin - lines.position(edit.begin).column;
+    const auto end = [](const Piece& piece) { return piece.range.end; };
+    const auto begin = [](const Piece& piece) { return piece.range.begin; };
+    const auto front = std::ranges::lower_bound(pieces, line, {}, end);
+    const auto back = std::ranges::upper_bound(pieces, edit.end, {}, begin);
+    return {static_cast<std::size_t>(front - pieces.begin()),
+            static_cast<std::size_t>(pieces.end() - back)};
+  }
+
   /// Whether what stands there is what was read: nothing was put in or left out.
   [[nodiscard]] bool isReadAsIs(const Piece& piece) const {
-    return !piece.parsed->mended && piece.parsed->text == textOf(piece.range);
+    const auto& parsed = *piece.region->parsed;
+    return !parsed.mended && parsed.text == textOf(piece.range);
   }
   [[nodiscard]] bool isWithoutMistake(const Piece& piece) const {
-    return piece.diagnostics == 0 && isReadAsIs(piece);
+    return piece.region->diagnostics.empty() && isReadAsIs(piece);
   }
 
   /// Makes room for what an edit of the other document leaves of it, and a bit.
@@ -95,31 +78,47 @@ struct Document::State {
     diagnostics.reserve(other.diagnostics.size() + kMore);
   }
 
-  void add(Range range, Region region) {
-    pieces.push_back({range, region.parsed, region.forms.size(), region.comments.size(),
-                      region.diagnostics.size()});
-    append(std::make_move_iterator(region.forms.begin()), region.forms.size(), range.begin, forms);
-    append(region.comments.begin(), region.comments.size(), range.begin, comments);
-    append(std::make_move_iterator(region.diagnostics.begin()), region.diagnostics.size(),
-           range.begin, diagnostics);
+  /// Reads what stands in `ranges`, which follow each other.
+  void read(std::span<const Range> ranges) {
+    std::vector<std::string_view> texts;
+    for (Range range : ranges) texts.push_back(textOf(range));
+    auto regions = readRegions(texts);
+    for (std::size_t i = 0; i < ranges.size(); ++i) read(ranges[i], std::move(regions[i]));
+  }
+  void read(Range range, Region fresh) {
+    for (ReadForm& form : fresh.forms) shift(form, range.begin);
+    const auto region = std::make_shared<const Region>(std::move(fresh));
+    for (const ReadForm& form : region->forms)
+      forms.emplace_back(std::shared_ptr<const ReadForm>(region, &form));
+    add(range, region);
   }
 
-  /// Takes a piece over from another document, in which its shares begin at `shares`.
-  void reuse(const State& other, const Piece& piece, const Shares& shares, Range range) {
-    Offset by = range.begin - piece.range.begin; // may wrap around, and back when it is added
-    pieces.push_back(piece);
-    pieces.back().range = range;
-    append(other.forms.begin() + static_cast<long>(shares.forms), piece.forms, by, forms);
-    append(other.comments.begin() + static_cast<long>(shares.comments), piece.comments, by,
-           comments);
-    append(other.diagnostics.begin() + static_cast<long>(shares.diagnostics), piece.diagnostics, by,
-           diagnostics);
+  /// Takes pieces over from another document, in which their forms begin at `form`.
+  void reuse(const State& other, std::span<const Piece> those, std::size_t form, Offset by) {
+    for (const auto& [range, region] : those) {
+      for (const auto end = form + region->forms.size(); form != end; ++form)
+        forms.push_back(other.forms[form].moved(by));
+      add(range.moved(by), region);
+    }
   }
 
-  /// Gives each form the comment that ends in the line above it.
-  void attachComments() {
-    auto comment = comments.begin();
-    for (Form& form : forms) {
+  /// All of a piece but its forms.
+  void add(Range range, const std::shared_ptr<const Region>& region) {
+    pieces.push_back({range, region});
+    append(region->comments, range.begin, comments);
+    append(region->diagnostics, range.begin, diagnostics);
+  }
+  template <class Item>
+  static void append(const std::vector<Item>& from, Offset by, std::vector<Item>& to) {
+    for (const Item& item : from) shift(to.emplace_back(item), by);
+  }
+
+  /// Gives the forms of a part of them the comment that ends in the line above each.
+  void attachComments(std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    auto comment = std::ranges::upper_bound(comments, forms[begin].range.begin, {}, &Range::end);
+    for (std::size_t i = begin; i < end; ++i) {
+      Form& form = forms[i];
       while (comment != comments.end() && comment->end <= form.range.begin) ++comment;
       form.comment = commentAbove(form.range.begin, comment);
     }
@@ -148,41 +147,45 @@ Document Document::parse(std::string text) {
   auto state = std::make_shared<State>(tooLong ? std::string() : std::move(text));
   if (tooLong)
     state->diagnostics.push_back(makeDiagnostic(Code::TextTooLong, {}, kLongestRead >> 20));
-  const ArenaScope inArena(state->arena);
   state->read(cut(state->text));
-  state->attachComments();
+  state->attachComments(0, state->forms.size());
   document.state = std::move(state);
   return document;
 }
 
 Document Document::edit(Range range, std::string_view text) const {
   assert(range.begin <= range.end && range.end <= state->text.size());
-  std::string edited = state->text;
-  edited.replace(range.begin, range.length(), text);
+  const std::string_view old = state->text;
+  std::string edited;
+  edited.reserve(old.size() - range.length() + text.size());
+  edited.append(old.substr(0, range.begin)).append(text).append(old.substr(range.end));
   if (edited.size() > kLongestText) return parse(std::move(edited));
-  auto next = std::make_shared<State>(std::move(edited));
-  const ArenaScope inArena(next->arena);
+  auto next = std::make_shared<State>(std::move(edited), state->lines.edited(range, text));
+  const auto by = static_cast<Offset>(text.size()) - range.length(); // may wrap around
   next->reserveAs(*state);
-  auto ranges = cut(next->text);
-  const auto& pieces = state->pieces;
-  auto same = [&](const Piece& piece, Range now) {
-    return state->textOf(piece.range) == next->textOf(now);
-  };
-  auto [front, back] = commonEnds(pieces, ranges, same);
 
-  Shares shares;
-  for (std::size_t i = 0; i < front; ++i) {
-    next->reuse(*state, pieces[i], shares, ranges[i]);
-    shares.pass(pieces[i]);
-  }
-  next->read(std::span(ranges).subspan(front, ranges.size() - front - back));
-  for (std::size_t i = front; i < pieces.size() - back; ++i) shares.pass(pieces[i]);
-  for (std::size_t i = 0; i < back; ++i) {
-    const Piece& piece = pieces[pieces.size() - back + i];
-    next->reuse(*state, piece, shares, ranges[ranges.size() - back + i]);
-    shares.pass(piece);
-  }
-  next->attachComments();
+  const std::span<const Piece> pieces = state->pieces;
+  auto [front, back] = next->text.size() > kLongestRead ? CommonEnds() : state->around(range);
+  const Range middle{state->beginOf(front), state->beginOf(pieces.size() - back) + by};
+  const auto cuts = cut(next->textOf(middle));
+  const auto same = [&](const Piece& piece, Range now) {
+    return state->textOf(piece.range) == next->textOf(now.moved(middle.begin));
+  };
+  const auto ends = commonEnds(pieces.first(pieces.size() - back).subspan(front), cuts, same);
+  front += ends.front;
+  back += ends.back;
+
+  next->reuse(*state, pieces.first(front), 0, 0);
+  const auto firstRead = next->forms.size();
+  std::vector<Range> ranges;
+  for (Range each : std::span(cuts).first(cuts.size() - ends.back).subspan(ends.front))
+    ranges.push_back(each.moved(middle.begin));
+  next->read(ranges);
+  const auto firstMoved = next->forms.size();
+  next->reuse(*state, pieces.last(back), state->forms.size() - countOfForms(pieces.last(back)), by);
+  // The comment above a form begins behind the form before it: of those that were taken over only
+  // the first one behind the edit may have another.
+  next->attachComments(firstRead, std::min(firstMoved + 1, next->forms.size()));
   Document document;
   document.state = std::move(next);
   return document;
@@ -206,7 +209,8 @@ std::vector<Stretch> Document::stretches() const {
   std::vector<Stretch> result;
   result.reserve(state->pieces.size());
   for (const Piece& piece : state->pieces)
-    result.push_back({piece.range, {piece.parsed, &piece.parsed->tree}, state->isReadAsIs(piece)});
+    result.push_back(
+        {piece.range, {piece.region, &piece.region->parsed->tree}, state->isReadAsIs(piece)});
   return result;
 }
 
@@ -214,7 +218,7 @@ Change Document::changeFrom(const Document& before) const {
   const auto& old = before.state->pieces;
   const auto& now = state->pieces;
   auto [front, back] =
-      commonEnds(old, now, [](const Piece& a, const Piece& b) { return a.parsed == b.parsed; });
+      commonEnds(old, now, [](const Piece& a, const Piece& b) { return a.region == b.region; });
   Change change;
   auto& stretches = change.stretches;
   stretches = {state->beginOf(front), before.state->beginOf(old.size() - back),
@@ -236,7 +240,7 @@ Change Document::changeFrom(const Document& before) const {
 std::string Document::dump() const {
   std::string out;
   for (const Piece& piece : state->pieces) {
-    out += toString(piece.parsed->tree, piece.range.begin);
+    out += toString(piece.region->parsed->tree, piece.range.begin);
     out += '\n';
   }
   return out;

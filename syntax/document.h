@@ -1,8 +1,8 @@
 #pragma once
 
-#include "syntax/ast.h"
 #include "syntax/change.h"
 #include "syntax/diagnostic.h"
+#include "syntax/form.h"
 #include "syntax/tree.h"
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 #include "syntax/codes.h"
 #include "syntax/mend.h"
 #include "syntax/scan.h"
+#include "syntax/statements.h"
 #include "syntax/words.h"
 
 #include <algorithm>
@@ -34,10 +35,28 @@ const Parenthesis* tooDeep(const Scan& scan) {
   return nullptr;
 }
 
-Form unreadForm(std::string_view text) {
-  Form form;
+ReadForm unreadForm(std::string_view text) {
+  ReadForm form;
   form.range = {0, static_cast<Offset>(text.size())};
   return form;
+}
+
+const Block* bodyOf(const FormNode& node) {
+  if (const auto* skill = std::get_if<Skill>(&node)) return skill->body ? &*skill->body : nullptr;
+  if (const auto* environment = std::get_if<Environment>(&node)) return &environment->body;
+  return nullptr;
+}
+
+BodyIndex bodyIndexOf(const FormNode& node) {
+  BodyIndex found;
+  const Block* body = bodyOf(node);
+  if (!body) return found;
+  forEachStatement(*body, [&](const Statement& statement) {
+    if (statement.kind == StatementKind::Call) found.calls.push_back(&statement);
+    if (statement.kind == StatementKind::Label) found.labels.push_back(&statement);
+    if (statement.kind == StatementKind::Parallel) found.parallels.push_back(&statement);
+  });
+  return found;
 }
 
 void blank(std::string& text, const std::vector<Range>& ranges) {
@@ -64,8 +83,9 @@ std::size_t problemsOf(Parser& parser, std::string_view text) {
 
 Region readRegion(Parser& parser, std::string_view text) {
   Region region;
-  auto parsed = std::make_shared<ParsedText>();
-  region.parsed = parsed;
+  auto owned = std::make_unique<ParsedText>();
+  auto* const parsed = owned.get();
+  region.parsed = std::move(owned);
   Builder builder{{}, region.diagnostics};
   if (text.size() > kLargest) {
     if (text.size() > kLongestRead)
@@ -95,8 +115,12 @@ Region readRegion(Parser& parser, std::string_view text) {
   // What else seems to be wrong with mended forms may come from the same mistake.
   std::vector<Diagnostic> ignored;
   Builder forms{parsed->text, mended ? ignored : region.diagnostics};
+  const ArenaScope inArena(parsed->arena);
   region.forms = formsOf(forms, parsed->tree);
-  for (Form& form : region.forms) form.mended = mended;
+  for (ReadForm& form : region.forms) {
+    form.mended = mended;
+    form.bodyIndex = bodyIndexOf(form.node);
+  }
   sortByPlace(region.diagnostics);
   return region;
 }

@@ -5,6 +5,7 @@
 #include "syntax/tree.h"
 
 #include <memory>
+#include <memory_resource>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,16 +14,17 @@ namespace proskill::syntax {
 
 /// The text of a region as it was parsed, as long as the original, and its concrete tree.
 struct ParsedText {
+  std::pmr::monotonic_buffer_resource arena; ///< of the forms
   std::string text;
   Tree tree;
   bool mended = false; ///< something is missing or too much, also where `text` had no room for it
 };
 
 /// A stretch of a text that was parsed on its own: everything in it depends on its text alone.
-/// Ranges count from its begin.
+/// Ranges count from its begin, but those of the forms once they were shifted.
 struct Region {
-  std::shared_ptr<const ParsedText> parsed; ///< the names of the forms look into it
-  std::vector<Form> forms;
+  std::unique_ptr<const ParsedText> parsed; ///< the forms look into it
+  std::vector<ReadForm> forms;
   std::vector<Range> comments;
   std::vector<Diagnostic> diagnostics;
 };

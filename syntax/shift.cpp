@@ -29,7 +29,7 @@ auto members(Include& x) { return std::tie(x.path); }
 auto members(Event& x) { return std::tie(x.name, x.fields, x.effects); }
 auto members(Resource& x) { return std::tie(x.name, x.fields, x.capacity); }
 auto members(Environment& x) { return std::tie(x.name, x.fields, x.body); }
-auto members(Form& x) { return std::tie(x.range, x.keyword, x.comment, x.node); }
+auto members(ReadForm& x) { return std::tie(x.range, x.keyword, x.node); }
 auto members(Statement& x) {
   return std::tie(x.range, x.head, x.name, x.format, x.arguments, x.condition, x.duration,
                   x.effects, x.arms, x.branches);
@@ -70,7 +70,9 @@ struct Shift {
 
 } // namespace
 
-void shift(Form& form, Offset by) { Shift{by}(form); }
+void shift(Range& range, Offset by) { Shift{by}(range); }
+void shift(FormNode& node, Offset by) { Shift{by}(node); }
+void shift(ReadForm& form, Offset by) { Shift{by}(form); }
 
 void shift(Diagnostic& diagnostic, Offset by) {
   Shift move{by};

@@ -5,13 +5,30 @@
 
 namespace proskill::syntax {
 
-LineIndex::LineIndex(std::string_view text) : starts{0}, size(static_cast<Offset>(text.size())) {
-  const char* end = text.data() + text.size();
-  for (const char* at = text.data(); at != end;) {
-    const void* found = std::memchr(at, '\n', static_cast<std::size_t>(end - at));
+LineIndex::LineIndex(std::string_view text) : size(static_cast<Offset>(text.size())) {
+  add(text, 0);
+}
+
+LineIndex LineIndex::edited(Range range, std::string_view put) const {
+  const auto behind = static_cast<Offset>(put.size()) - range.length(); // may wrap around
+  const auto first = std::ranges::upper_bound(starts, range.begin);
+  const auto kept = std::upper_bound(first, starts.end(), range.end);
+  LineIndex result;
+  result.size = size + behind;
+  result.starts.reserve(starts.size() + static_cast<std::size_t>(std::ranges::count(put, '\n')));
+  result.starts.assign(starts.begin(), first);
+  result.add(put, range.begin);
+  for (auto at = kept; at != starts.end(); ++at) result.starts.push_back(*at + behind);
+  return result;
+}
+
+void LineIndex::add(std::string_view text, Offset at) {
+  const char* const end = text.data() + text.size();
+  for (const char* next = text.data(); next != end;) {
+    const void* found = std::memchr(next, '\n', static_cast<std::size_t>(end - next));
     if (!found) break;
-    at = static_cast<const char*>(found) + 1;
-    starts.push_back(static_cast<Offset>(at - text.data()));
+    next = static_cast<const char*>(found) + 1;
+    starts.push_back(at + static_cast<Offset>(next - text.data()));
   }
 }
 

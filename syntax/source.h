@@ -16,6 +16,8 @@ struct Range {
 
   [[nodiscard]] bool empty() const { return begin == end; }
   [[nodiscard]] Offset length() const { return end - begin; }
+  /// Further towards the end of the text; `by` may wrap around.
+  [[nodiscard]] Range moved(Offset by) const { return {begin + by, end + by}; }
   [[nodiscard]] bool contains(Offset at) const { return begin <= at && at < end; }
   /// Whether there is nothing between the two.
   [[nodiscard]] bool touches(Range other) const { return begin <= other.end && other.begin <= end; }
@@ -33,6 +35,8 @@ struct Position {
 class LineIndex {
 public:
   explicit LineIndex(std::string_view text);
+  /// That of the text after `range` was replaced by `put`.
+  [[nodiscard]] LineIndex edited(Range range, std::string_view put) const;
 
   [[nodiscard]] Position position(Offset at) const;
   /// The same, sooner where the place is in a line near to `line`, which it sets to its own.
@@ -44,7 +48,11 @@ public:
   [[nodiscard]] Range line(std::uint32_t number, std::string_view text) const;
 
 private:
-  std::vector<Offset> starts;
+  LineIndex() = default;
+  /// Adds the lines that begin in a text that stands at `at`.
+  void add(std::string_view text, Offset at);
+
+  std::vector<Offset> starts{0};
   Offset size = 0;
 };
 

@@ -260,11 +260,12 @@ Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
   builder.graph.title = (skill->monitor ? "monitor " : "skill ") + std::string(skill.name());
   if (skill->monitor) builder.graph.note = "started with the program";
   const auto& body = *skill->body;
-  const auto out = BodyPicture(builder, skill.node).drawScope(body, drawBeginning(builder, skill));
+  const auto out =
+      BodyPicture(builder, &skill.node()).drawScope(body, drawBeginning(builder, skill));
   if (!out.empty())
     builder.connect(out,
                     builder.node(NodeRole::Success, "success", endOf(body), {"end of the body"}));
-  drawWatched(builder, *skill.node);
+  drawWatched(builder, skill.node());
   if (skill->timeInterval) drawWatchdog(builder, *skill->timeInterval);
   return std::move(builder.graph);
 }

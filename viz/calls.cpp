@@ -41,7 +41,7 @@ private:
   };
 
   [[nodiscard]] NodeRole role(const SkillDefinition& skill) const {
-    if (main && skill.node == main->node) return NodeRole::Mission;
+    if (main && skill.form == main->form) return NodeRole::Mission;
     if (skill->monitor) return NodeRole::Monitor;
     return skill->isComposite() ? NodeRole::Composite : NodeRole::Basic;
   }

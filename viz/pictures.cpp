@@ -12,7 +12,7 @@ namespace {
 std::expected<Graph, std::string> drawNamedBody(const analysis::Program& program,
                                                 const std::string& name) {
   if (const auto* skill = program.skills.find(name)) {
-    if (skill->node->body) return drawBody(program, *skill);
+    if (skill->node().body) return drawBody(program, *skill);
     return std::unexpected(fmt::format("the skill `{}` is basic and has no body", name));
   }
   if (const auto* environment = program.environments.find(name))
@@ -41,7 +41,7 @@ std::expected<Graph, std::string> draw(const analysis::Program& program, const R
     return std::unexpected(fmt::format("there is no state variable `{}`", name));
   case Kind::Skill:
     if (const auto* skill = program.skills.find(name))
-      return skill->node->body ? drawBody(program, *skill) : drawBasicSkill(program, *skill);
+      return skill->node().body ? drawBody(program, *skill) : drawBasicSkill(program, *skill);
     return std::unexpected(fmt::format("there is no skill `{}`", name));
   case Kind::Body: return drawNamedBody(program, name);
   case Kind::Calls: break;

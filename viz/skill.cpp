@@ -14,7 +14,7 @@ Exits drawPrecondition(Builder& builder, const SkillDefinition& skill, const Exi
   if (skill->preconditions.empty()) return in;
   const auto range = span(skill->preconditions);
   const auto test =
-      builder.node(NodeRole::Test, "precondition?", range, conditions(builder, *skill.node));
+      builder.node(NodeRole::Test, "precondition?", range, conditions(builder, skill.node()));
   builder.connect(in, test);
   const auto refused = builder.node(NodeRole::End, "refused", range, {"no_status"});
   builder.edge({test, refused, EdgeRole::No, "no", {}});

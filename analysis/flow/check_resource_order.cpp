@@ -93,8 +93,8 @@ private:
     report.findings
         .report(Code::ResourceHeldByCaller, call, report.program.resources.all[resource].name(),
                 skills[wanter].name(), fmt::format("`{}` itself", skills[holder].name()))
-        .related(skills[holder].at(placeOf(*skills[holder].node, resource)), "taken here")
-        .related(skills[wanter].at(placeOf(*skills[wanter].node, resource)), "wanted here");
+        .related(skills[holder].at(placeOf(skills[holder].node(), resource)), "taken here")
+        .related(skills[wanter].at(placeOf(skills[wanter].node(), resource)), "wanted here");
   }
 
   /// Of a resource that there is more of: how many those have taken who are on the way to a call.
@@ -134,8 +134,8 @@ private:
                                              report.program.resources.all[resource].name(),
                                              skills[wanter].name(), syntax::enumerateNames(names));
     for (std::size_t holder : holders)
-      finding.related(skills[holder].at(placeOf(*skills[holder].node, resource)), "taken here");
-    finding.related(skills[wanter].at(placeOf(*skills[wanter].node, resource)), "wanted here");
+      finding.related(skills[holder].at(placeOf(skills[holder].node(), resource)), "taken here");
+    finding.related(skills[wanter].at(placeOf(skills[wanter].node(), resource)), "wanted here");
   }
 
   [[nodiscard]] syntax::Range placeOf(const syntax::Skill& skill, std::size_t resource) const {

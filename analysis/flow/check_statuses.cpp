@@ -113,7 +113,7 @@ private:
   /// The reason, for the place where the skill is defined; nothing where it can have the status.
   [[nodiscard]] std::optional<std::string> whyNever(std::size_t index,
                                                     std::string_view status) const {
-    const syntax::Skill& skill = *report.program.skills.all[index].node;
+    const syntax::Skill& skill = report.program.skills.all[index].node();
     ProcessId process = report.system().ofSkill(index);
     if (status == "failure" && skill.failures.empty()) return "has no `:failure`";
     if (status == "failed_inv" && skill.invariants.empty()) return "has no `:invariant`";

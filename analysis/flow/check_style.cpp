@@ -121,11 +121,11 @@ private:
 void checkStyle(Report& report) {
   checkNaming(report, checkSimilarNames(report));
   for (const auto& skill : report.program.skills.all)
-    Equalities(report, skill.file).visit(*skill.node);
+    Equalities(report, skill.file).visit(skill.node());
   for (const auto& environment : report.program.environments.all)
     Equalities(report, environment.file).visit(environment->body);
   for (const auto& property : report.program.properties.all)
-    Equalities(report, property.file).visit(*property.node);
+    Equalities(report, property.file).visit(property.node());
 }
 
 } // namespace proskill::analysis::flow

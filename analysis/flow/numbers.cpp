@@ -55,7 +55,7 @@ std::optional<std::int64_t> wholeNumber(const Expr& expr) {
 std::vector<std::int64_t> numbersIn(const Program& program) {
   Collector collector;
   for (const auto& event : program.events.all) collector.effects(event->effects);
-  for (const auto& skill : program.skills.all) collector.skill(*skill.node);
+  for (const auto& skill : program.skills.all) collector.skill(skill.node());
   for (const auto& environment : program.environments.all) collector.body(environment->body);
   return std::move(collector.found);
 }

@@ -79,7 +79,7 @@ std::set<const syntax::Outcome*> returnedBy(const Report& report, ProcessId skil
 
 void noteUnreturned(Report& report, std::size_t index) {
   const ProcessId id = report.system().ofSkill(index);
-  const syntax::Skill& skill = *report.program.skills.all[index].node;
+  const syntax::Skill& skill = report.program.skills.all[index].node();
   if (!skill.isComposite() || !report.solver.started(id)) return;
   const auto returned = returnedBy(report, id);
   const VariableId status = report.variables().of(VariableKind::Status, index);

@@ -67,10 +67,10 @@ void System::addProcesses() {
   for (std::size_t i = 0; i < source.skills.all.size(); ++i) {
     stopIfAsked();
     skillProcess.push_back(static_cast<ProcessId>(processes.size()));
-    addThreads(graphs.emplace_back(buildGraph(*source.skills.all[i].node)), ProcessKind::Skill, i);
+    addThreads(graphs.emplace_back(buildGraph(source.skills.all[i].node())), ProcessKind::Skill, i);
   }
   for (std::size_t i = 0; i < source.environments.all.size(); ++i)
-    addThreads(graphs.emplace_back(buildGraph(*source.environments.all[i].node)),
+    addThreads(graphs.emplace_back(buildGraph(source.environments.all[i].node())),
                ProcessKind::Environment, i);
   eventProcess = static_cast<ProcessId>(processes.size());
   processes.push_back({.kind = ProcessKind::Events, .root = hasFreeEvents()});
@@ -108,7 +108,7 @@ void System::chooseRoots() {
   for (ProcessId id : candidates) processes[id].root = true;
   for (std::size_t i = 0; i < source.skills.all.size(); ++i) {
     Process& process = processes[skillProcess[i]];
-    const syntax::Skill& skill = *source.skills.all[i].node;
+    const syntax::Skill& skill = source.skills.all[i].node();
     bool free = candidates.empty() && !skill.isComposite();
     process.root |= free || (skill.monitor && skill.isComposite());
     process.repeats = free;

@@ -74,7 +74,7 @@ public:
   [[nodiscard]] bool hasFreeEvents() const { return source.environments.all.empty(); }
 
   [[nodiscard]] const syntax::Skill& skill(const Process& process) const {
-    return *source.skills.all[process.definition].node;
+    return source.skills.all[process.definition].node();
   }
   /// \pre the process has a graph
   [[nodiscard]] Location at(const Process& process, syntax::Range range) const;

@@ -80,7 +80,7 @@ Variables::Variables(const Program& program) : program(program) {
 }
 
 void Variables::addStateVariable(std::size_t definition, const std::vector<std::int64_t>& cuts) {
-  const syntax::StateVariable& node = *program.stateVariables.all[definition].node;
+  const syntax::StateVariable& node = program.stateVariables.all[definition].node();
   Variable variable{.kind = VariableKind::StateVariable,
                     .definition = definition,
                     .domain = domainOf(node, cuts)};
@@ -98,12 +98,12 @@ void Variables::addOfSkills(VariableKind kind) {
   for (std::size_t i = 0; i < program.skills.all.size(); ++i)
     all.push_back({.kind = kind,
                    .definition = i,
-                   .domain = domainOf(*program.skills.all[i].node, kind),
+                   .domain = domainOf(program.skills.all[i].node(), kind),
                    .initial = ValueSet::of(0)});
 }
 
 void Variables::addResource(std::size_t definition) {
-  const auto& node = *program.resources.all[definition].node;
+  const auto& node = program.resources.all[definition].node();
   std::int64_t capacity = node.capacity ? wholeNumber(*node.capacity).value_or(1) : 1;
   std::vector<std::int64_t> cuts{capacity - 1};
   all.push_back({.kind = VariableKind::Used,

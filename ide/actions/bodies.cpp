@@ -22,7 +22,7 @@ const syntax::Statement* onlyStatement(const Selected& selected) {
 
 const syntax::Skill* skillOf(const ActionContext& context, std::string_view name) {
   const auto* found = context.view.program().skills.find(name);
-  return found ? found->node : nullptr;
+  return found ? &found->node() : nullptr;
 }
 
 std::string unusedName(const ActionContext& context, const std::string& wish) {
@@ -148,11 +148,11 @@ void addInlineSkill(const ActionContext& context, Actions& actions) {
   const auto* call = onlyStatement(selected);
   if (!call || call->kind != StatementKind::Call || !call->arguments.empty()) return;
   const auto* definition = context.view.program().skills.find(call->head.text);
-  if (!definition || definition->node == selected.skill || !isPlain(*definition->node) ||
+  if (!definition || &definition->node() == selected.skill || !isPlain(definition->node()) ||
       definition->form->mended || !isOnlyCalled(context, call->head.text))
     return;
   const auto& text = context.view.program().files[definition->file].document.text();
-  auto body = definition->node->body->range;
+  auto body = definition->node().body->range;
   auto words = std::string_view(text).substr(body.begin + 1, body.length() - 2);
   words = words.substr(0, words.find_last_not_of(" \t\r\n") + 1);
   // A comment at the end must not take what stands behind the call.

@@ -28,7 +28,7 @@ const syntax::List<syntax::FieldUse>* fieldsOf(const syntax::Form& form) {
           return &node.fields;
         return nullptr;
       },
-      form.node);
+      form.node());
 }
 
 /// A field with the comments before it and behind it, as far as its line goes.
@@ -80,7 +80,7 @@ bool listsAll(const syntax::StateVariable& variable) {
 void addTransitions(const ActionContext& context, Actions& actions) {
   constexpr std::size_t kMostStates = 12; // more make a list that nobody reads
   const auto* form = context.form();
-  const auto* variable = form ? std::get_if<syntax::StateVariable>(&form->node) : nullptr;
+  const auto* variable = form ? form->as<syntax::StateVariable>() : nullptr;
   if (!variable || variable->states.size() < 2) return;
   auto field = std::ranges::find(variable->fields, ":transitions",
                                  [](const syntax::FieldUse& use) { return use.keyword.text; });
@@ -99,7 +99,7 @@ void addTransitions(const ActionContext& context, Actions& actions) {
 /// Of the value that is selected, else of the last.
 void addMonitor(const ActionContext& context, Actions& actions) {
   const auto* form = context.form();
-  const auto* variable = form ? std::get_if<syntax::StateVariable>(&form->node) : nullptr;
+  const auto* variable = form ? form->as<syntax::StateVariable>() : nullptr;
   if (!variable || !variable->name || variable->states.empty()) return;
   auto selected = std::ranges::find_if(variable->states, [&](const syntax::Name& state) {
     return state.range.begin <= context.selection.begin && context.selection.end <= state.range.end;

@@ -42,7 +42,7 @@ Selected selectedStatements(const ActionContext& context) {
   Selected result;
   result.form = context.form();
   if (!result.form) return result;
-  result.skill = std::get_if<syntax::Skill>(&result.form->node);
+  result.skill = result.form->as<syntax::Skill>();
   if (result.skill && result.skill->body)
     result.statements = selectedIn(*result.skill->body, context.selection);
   return result;

@@ -24,7 +24,7 @@ std::string shape(const codegen::BodyAutomaton& automaton) {
 
 std::string shapeOf(const std::string& body) {
   const auto program = test::programOfText("(defskill mission :body (" + body + "))");
-  return shape(codegen::bodyAutomaton(*program.skills.find("mission")->node->body, "mission"));
+  return shape(codegen::bodyAutomaton(*program.skills.find("mission")->node().body, "mission"));
 }
 
 } // namespace

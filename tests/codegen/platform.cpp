@@ -93,7 +93,7 @@ private:
 
   Process platform(const fiacre::Task& task) {
     const auto skill = skillOf(task.name);
-    const auto& node = *source.skills.find(skill)->node;
+    const auto& node = source.skills.find(skill)->node();
     const auto give = [&](const std::string& result) {
       return sequence({assign(name(resultOf(task.name)), name(result)),
                        assign(name(phaseOf(task.name)), number(2)), to("idle")});

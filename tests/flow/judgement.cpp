@@ -459,7 +459,7 @@ private:
   }
 
   [[nodiscard]] bool isOneOfMore(const Diagnostic& claim) const {
-    return program.stateVariables.find(quoted(claim.message)[0])->node->transitions.size() > 1;
+    return program.stateVariables.find(quoted(claim.message)[0])->node().transitions.size() > 1;
   }
 
   /// A diagnostic has rewritten the interval of the verdict's skill.

@@ -84,7 +84,7 @@ Used usedInExamples() {
   Used used;
   for (const auto& document : parseExamples())
     for (const auto& form : document.forms())
-      std::visit([&](const auto& node) { used.add(node); }, form.node);
+      std::visit([&](const auto& node) { used.add(node); }, form.node());
   return used;
 }
 

@@ -17,7 +17,7 @@ class Census {
 public:
   void count(const analysis::Program& program) {
     for (const auto& form : program.files[0].document.forms())
-      std::visit([&](const auto& node) { of(node); }, form.node);
+      std::visit([&](const auto& node) { of(node); }, form.node());
   }
 
   [[nodiscard]] int of(const std::string& what) const {

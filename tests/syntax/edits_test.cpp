@@ -14,17 +14,21 @@ std::string everything(const Document& document) {
   std::string all = document.dump();
   auto add = [&](Range range) { all += fmt::format(" {}-{}", range.begin, range.end); };
   for (const auto& form : document.forms()) {
-    all += fmt::format("\nform {} {}", form.node.index(), form.keyword.text);
-    add(form.range);
-    add(form.keyword.range);
-    add(form.comment);
-    if (const auto* skill = std::get_if<syntax::Skill>(&form.node)) {
+    all += fmt::format("\nform {} {} {}", form.node().index(), form.keyword.text, form.name.text);
+    for (Range range : {form.range, form.keyword.range, form.name.range, form.comment}) add(range);
+    const auto& [calls, labels, parallels] = form.bodyIndexAsRead();
+    for (const auto* statements : {&calls, &labels, &parallels})
+      for (const auto* each : *statements) add(each->range.moved(form.offset()));
+    if (const auto* skill = form.as<syntax::Skill>()) {
       for (const auto& field : skill->fields) add(field.range);
       if (skill->body)
         for (const auto& statement : skill->body->statements) add(statement.range);
     }
   }
   for (Range comment : document.comments()) add(comment);
+  for (const auto& stretch : document.stretches()) add(stretch.range);
+  for (std::uint32_t line = 0; line < document.lines().lineCount(); ++line)
+    add(document.lines().line(line, document.text()));
   for (const auto& diagnostic : document.diagnostics()) {
     all += "\n" + diagnostic.message;
     add(diagnostic.location.range);
@@ -63,12 +67,30 @@ TEST_CASE("after any edit the document equals a fresh parse, and undo restores i
   }
 }
 
+TEST_CASE("what an edit only moved is read no second time, and is in place when somebody looks") {
+  const Document before = Document::parse("(defevent gust :effects (a 2))\n"
+                                          "(defskill land :body ((use) (label here)))\n");
+  const Document after = before.edit({0, 0}, "; more\n").edit({7, 7}, "\n");
+  REQUIRE(after.forms().size() == 2);
+  for (std::size_t i : {0u, 1u}) CHECK(after.forms()[i].isSameRead(before.forms()[i]));
+  const auto& land = after.forms()[1];
+  CHECK(land.offset() == 8);
+  CHECK(&land.node() == &land.node());
+  const auto& call = land.as<syntax::Skill>()->body->statements.at(0);
+  CHECK(after.text().substr(call.range.begin, call.range.length()) == "(use)");
+  const auto& asRead = *land.bodyIndexAsRead().calls.at(0);
+  CHECK(asRead.range.moved(land.offset()) == call.range);
+
+  const Document back = after.edit({0, 8}, "");
+  CHECK(&back.forms()[1].node() == &before.forms()[1].node());
+}
+
 TEST_CASE("the names of an edited document live as long as it does") {
   std::optional<Document> first = Document::parse("(defsv a :init 1 :min 0 :max 2)\n"
                                                   "(defevent gust :effects (a 2))\n");
   Document second = first->edit({0, 0}, "; more\n");
   first.reset();
-  const auto& gust = std::get<syntax::Event>(second.forms().at(1).node);
+  const auto& gust = std::get<syntax::Event>(second.forms().at(1).node());
   CHECK(gust.name.text == "gust");
   CHECK(second.text().substr(gust.name.range.begin, gust.name.range.length()) == "gust");
 }

@@ -15,7 +15,7 @@ struct Condition {
   explicit Condition(const std::string& text)
       : document(syntax::Document::parse("(defskill s :body ((^ " + text + ")))")) {}
   const Expr* operator->() const {
-    const auto& skill = std::get<syntax::Skill>(document.forms().at(0).node);
+    const auto& skill = std::get<syntax::Skill>(document.forms().at(0).node());
     return &skill.body->statements.at(0).condition;
   }
   [[nodiscard]] std::string codes() const { return test::codesOf(document); }
@@ -27,7 +27,7 @@ struct Formula {
   explicit Formula(const std::string& text)
       : document(syntax::Document::parse("(defproperty p (ltl " + text + "))")) {}
   const Expr* operator->() const {
-    return &std::get<syntax::Property>(document.forms().at(0).node).operands.at(0);
+    return &std::get<syntax::Property>(document.forms().at(0).node()).operands.at(0);
   }
   [[nodiscard]] std::string codes() const { return test::codesOf(document); }
 };

@@ -25,13 +25,13 @@ TEST_CASE("the state variables of the paper") {
   auto document = syntax::Document::parse(std::string(test::kPaperStateVariables));
   REQUIRE(document.forms().size() == 2);
 
-  const auto& levels = std::get<syntax::StateVariable>(document.forms()[0].node);
+  const auto& levels = std::get<syntax::StateVariable>(document.forms()[0].node());
   CHECK(levels.name.text == "flight_levels");
   CHECK(levels.isNatural());
   CHECK(levels.init.number == syntax::Rational{1});
   CHECK(levels.max->number == syntax::Rational{3});
 
-  const auto& battery = std::get<syntax::StateVariable>(document.forms()[1].node);
+  const auto& battery = std::get<syntax::StateVariable>(document.forms()[1].node());
   CHECK_FALSE(battery.isNatural());
   REQUIRE(battery.states.size() == 3);
   CHECK(battery.states[2].text == "Critical");
@@ -44,7 +44,7 @@ TEST_CASE("the state variables of the paper") {
 
 TEST_CASE("the basic skill of the paper") {
   auto document = syntax::Document::parse(std::string(test::kPaperBasicSkill));
-  const auto& takeoff = std::get<syntax::Skill>(document.forms().at(0).node);
+  const auto& takeoff = std::get<syntax::Skill>(document.forms().at(0).node());
   CHECK_FALSE(takeoff.isComposite());
   REQUIRE(takeoff.inputs.size() == 2);
   CHECK(takeoff.inputs[1].name.text == "$duration");
@@ -71,7 +71,7 @@ TEST_CASE("the basic skill of the paper") {
 TEST_CASE("the composite skill of the paper") {
   using syntax::StatementKind;
   auto document = syntax::Document::parse(std::string(test::kPaperCompositeSkill));
-  const auto& mission = std::get<syntax::Skill>(document.forms().at(0).node);
+  const auto& mission = std::get<syntax::Skill>(document.forms().at(0).node());
   CHECK(mission.timeInterval->upper == syntax::Rational{120});
   CHECK(mission.successes.at(0).tag.text == "mission_accomplished");
   REQUIRE(mission.body);
@@ -97,7 +97,7 @@ TEST_CASE("the composite skill of the paper") {
 
 TEST_CASE("the monitor of the paper") {
   auto document = syntax::Document::parse(std::string(test::kPaperMonitor));
-  const auto& monitor = std::get<syntax::Skill>(document.forms().at(0).node);
+  const auto& monitor = std::get<syntax::Skill>(document.forms().at(0).node());
   CHECK(monitor.monitor);
   CHECK(monitor.body->statements.at(1).format.text == "We will try to land the drone safely...");
   CHECK(monitor.body->statements.at(2).arguments.at(2).value.number == syntax::Rational{-1, 10});

@@ -129,7 +129,7 @@ TEST_CASE("a definition that breaks off leaves those after it alone") {
   REQUIRE(document.forms().size() == 2);
   CHECK(document.forms()[0].mended);
   CHECK_FALSE(document.forms()[1].mended);
-  CHECK(std::get<syntax::Event>(document.forms()[1].node).effects.items.size() == 1);
+  CHECK(std::get<syntax::Event>(document.forms()[1].node()).effects.items.size() == 1);
 }
 
 TEST_CASE("a definition that is closed too early") {
@@ -198,7 +198,7 @@ TEST_CASE("a string that is not closed takes no parentheses with it") {
          (landing)))
 )");
   REQUIRE(test::codesOf(document) == "PS0103");
-  CHECK(std::get<syntax::Skill>(document.forms().at(0).node).body->statements.size() == 2);
+  CHECK(std::get<syntax::Skill>(document.forms().at(0).node()).body->statements.size() == 2);
 }
 
 TEST_CASE(
@@ -224,7 +224,7 @@ TEST_CASE("where parentheses are mended, all else is read as it was meant") {
   :time_interval [1,3]
   :action (takeoff))
 )");
-  const auto& takeoff = std::get<syntax::Skill>(document.forms().at(0).node);
+  const auto& takeoff = std::get<syntax::Skill>(document.forms().at(0).node());
   CHECK(takeoff.fields.size() == 4);
   CHECK(takeoff.start.items.size() == 1);
   CHECK(takeoff.timeInterval->upper == syntax::Rational{3});

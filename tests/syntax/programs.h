@@ -27,7 +27,7 @@ template <class Node> struct Parsed {
   syntax::Document document;
 
   explicit Parsed(std::string text) : document(syntax::Document::parse(std::move(text))) {}
-  const Node* operator->() const { return &std::get<Node>(document.forms().at(0).node); }
+  const Node* operator->() const { return &std::get<Node>(document.forms().at(0).node()); }
 };
 
 /// The codes of what is wrong with a text, in its order: `PS0101 PS0105`.

@@ -17,7 +17,7 @@ struct Marked {
 
   explicit Marked(std::string_view text) : source(text), document(Document::parse(source.text)) {}
   template <class Node> [[nodiscard]] const Node& form() const {
-    return std::get<Node>(document.forms().at(0).node);
+    return std::get<Node>(document.forms().at(0).node());
   }
   void check() const {
     REQUIRE(test::codesOf(document) == "");

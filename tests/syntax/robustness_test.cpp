@@ -122,7 +122,7 @@ TEST_CASE("what is nested too deep does not hide its neighbours") {
                                   "\n(defevent gust :effects (a 2))\n");
   // Both stand in one stretch of text, up to the next definition.
   CHECK(test::codesOf(document) == "PS0005");
-  CHECK(std::holds_alternative<syntax::Event>(document.forms().back().node));
+  CHECK(document.forms().back().is<syntax::Event>());
 }
 
 TEST_CASE("a hundred megabytes in one line are one diagnostic") {
@@ -152,14 +152,14 @@ TEST_CASE("a hundred thousand comments in a row are read") {
   CHECK(document.comments().size() == 100'000);
   auto within = Document::parse("(defskill s\n" + repeated(";\n", 100'000) + ":body ((x)))");
   CHECK(isSound(within));
-  CHECK(std::get<syntax::Skill>(within.forms().at(0).node).body->statements.size() == 1);
+  CHECK(std::get<syntax::Skill>(within.forms().at(0).node()).body->statements.size() == 1);
 }
 
 TEST_CASE("a definition of half a megabyte is read") {
   auto document = Document::parse("(defskill a\n  :body (" +
                                   repeated("(takeoff height 3.0)\n", 25'000) + "))\n");
   CHECK(test::codesOf(document) == "");
-  CHECK(std::get<syntax::Skill>(document.forms().at(0).node).body->statements.size() == 25'000);
+  CHECK(std::get<syntax::Skill>(document.forms().at(0).node()).body->statements.size() == 25'000);
 }
 
 TEST_CASE("bytes that are no UTF-8 are named with their place, and the rest is read") {

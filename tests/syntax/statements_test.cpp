@@ -15,7 +15,7 @@ struct Body {
   explicit Body(const std::string& statements)
       : document(syntax::Document::parse("(defskill s :body (" + statements + "))")) {}
   [[nodiscard]] const syntax::List<Statement>& statements() const {
-    return std::get<syntax::Skill>(document.forms().at(0).node).body->statements;
+    return std::get<syntax::Skill>(document.forms().at(0).node()).body->statements;
   }
   const Statement* operator->() const { return &statements().at(0); }
   [[nodiscard]] std::string codes() const { return test::codesOf(document); }
