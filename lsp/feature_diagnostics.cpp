@@ -1,3 +1,4 @@
+#include "analysis/stop.h"
 #include "ide/diagnostics.h"
 #include "lsp/convert.h"
 #include "lsp/diagnostics.h"
@@ -154,6 +155,7 @@ Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& p
                    const ClientFeatures& client, const ide::Verdicts& verdicts) {
   Json result = Json::array();
   for (const auto& finding : ide::diagnostics(snapshot, path)) {
+    analysis::stopIfAsked();
     const Converter convert(finding.owner->program, snapshot.open(), client.encoding);
     result.push_back(diagnosticJson(finding, convert, client));
   }

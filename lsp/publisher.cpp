@@ -82,6 +82,7 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
     Told now{text.uri, text.version, {}, verdicts(), true};
     for (const auto& view : snapshot.views(path)) now.owners.emplace_back(view.owner);
     if (isTold(path, now)) return;
+    scheduler.giveWay();
     auto list = diagnosticsOf(snapshot, path, client, *now.verdicts);
     std::unique_lock lock(mutex);
     if (asked != revision) return;

@@ -4,7 +4,7 @@
 
 namespace proskill::lsp {
 
-Scheduler::Scheduler(unsigned count) {
+Scheduler::Scheduler(unsigned count, std::chrono::milliseconds patience) : patience(patience) {
   assert(count >= 2);
   for (unsigned i = 0; i < count; ++i) threads.emplace_back([this, i] { work(i == 0); });
 }
@@ -17,6 +17,7 @@ Scheduler::~Scheduler() {
     background.clear();
   }
   wake.notify_all();
+  quiet.notify_all();
   threads.clear();
 }
 
@@ -29,24 +30,40 @@ void Scheduler::post(Priority priority, std::function<void()> task) {
   wake.notify_all();
 }
 
+void Scheduler::giveWay() {
+  std::unique_lock lock(mutex);
+  quiet.wait_for(lock, patience, [this] { return stopping || isQuiet(); });
+}
+
 /// \pre the mutex is held
-bool Scheduler::take(bool interactiveOnly, std::function<void()>& task) {
-  auto* queue = !interactive.empty() ? &interactive : &background;
-  if (queue->empty() || (interactiveOnly && queue == &background)) return false;
-  task = std::move(queue->front());
-  queue->pop_front();
-  return true;
+std::optional<Priority> Scheduler::take(bool interactiveOnly, std::function<void()>& task) {
+  const bool isInteractive = !interactive.empty();
+  auto& queue = isInteractive ? interactive : background;
+  if (queue.empty() || (interactiveOnly && !isInteractive)) return std::nullopt;
+  task = std::move(queue.front());
+  queue.pop_front();
+  if (isInteractive) ++interactiveRuns;
+  return isInteractive ? Priority::Interactive : Priority::Background;
+}
+
+void Scheduler::finished(Priority priority) {
+  if (priority != Priority::Interactive) return;
+  const std::lock_guard lock(mutex);
+  --interactiveRuns;
+  if (isQuiet()) quiet.notify_all();
 }
 
 void Scheduler::work(bool interactiveOnly) {
   while (true) {
     std::function<void()> task;
+    std::optional<Priority> priority;
     {
       std::unique_lock lock(mutex);
-      wake.wait(lock, [&] { return stopping || take(interactiveOnly, task); });
-      if (!task) return;
+      wake.wait(lock, [&] { return stopping || (priority = take(interactiveOnly, task)); });
+      if (!priority) return;
     }
     task();
+    finished(*priority);
   }
 }
 

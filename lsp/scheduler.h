@@ -1,11 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -32,20 +34,31 @@ enum class Priority : std::uint8_t { Interactive, Background, Long };
 class Scheduler {
 public:
   /// \pre threads >= 2
-  explicit Scheduler(unsigned threads);
+  /// \param patience how long background work gives way at most
+  explicit Scheduler(unsigned threads,
+                     std::chrono::milliseconds patience = std::chrono::milliseconds(20));
   /// Waits for what runs, and drops what waits.
   ~Scheduler();
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
   void post(Priority priority, std::function<void()> task);
+  /// For background work, where it holds nothing that others want: waits until nobody waits for an
+  /// answer, or the patience ends.
+  void giveWay();
 
 private:
+  /// \pre the mutex is held
+  [[nodiscard]] bool isQuiet() const { return interactive.empty() && interactiveRuns == 0; }
   void work(bool interactiveOnly);
-  bool take(bool interactiveOnly, std::function<void()>& task);
+  std::optional<Priority> take(bool interactiveOnly, std::function<void()>& task);
+  void finished(Priority priority);
 
+  const std::chrono::milliseconds patience;
   std::mutex mutex;
   std::condition_variable wake;
+  std::condition_variable quiet;
+  unsigned interactiveRuns = 0;
   std::deque<std::function<void()>> interactive;
   std::deque<std::function<void()>> background;
   bool stopping = false;

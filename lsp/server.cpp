@@ -340,6 +340,7 @@ template <class Old> void Server::forget(Old old) {
   if (forgotten.load() >= kMostForgotten) return;
   ++forgotten;
   scheduler.post(Priority::Background, [this, old = std::move(old)]() mutable {
+    scheduler.giveWay();
     old = Old();
     --forgotten;
   });
