@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -56,6 +57,18 @@ void shareHeaps() {
 #endif
 }
 
+/// Where the manual lies beside this program: installed, carried by an editor's extension, or in
+/// the tree that it was built in.
+std::filesystem::path manual() {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* docs : {"../share/doc/proskill/docs", "docs", "../../docs"})
+    if (auto page = (folder / docs / "diagnostics.md").lexically_normal();
+        std::filesystem::exists(page, error))
+      return page;
+  return {};
+}
+
 int serve(lsp::Connection& connection, lsp::ServerOptions options) {
   lsp::Server server(connection, std::make_shared<DiskFileSystem>(DiskFileSystem::Reads::OnlyFiles),
                      std::move(options));
@@ -67,6 +80,7 @@ int run(const Arguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
   lsp::ServerOptions options;
   options.version = PROSKILL_VERSION;
+  options.manual = manual();
   options.debounce = std::chrono::milliseconds(arguments.debounce);
   if (!arguments.log.empty()) {
     auto log = std::make_shared<LogFile>(arguments.log);

@@ -67,6 +67,9 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.diagnosticTags =
       memberAt(capabilities, {"textDocument", "publishDiagnostics", "tagSupport"}).is_object() ||
       memberAt(capabilities, {"textDocument", "diagnostic", "tagSupport"}).is_object();
+  client.codeDescription =
+      isTrue(capabilities, {"textDocument", "publishDiagnostics", "codeDescriptionSupport"}) ||
+      isTrue(capabilities, {"textDocument", "diagnostic", "codeDescriptionSupport"});
   client.configuration = isTrue(capabilities, {"workspace", "configuration"});
   client.dynamicConfiguration =
       isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "lsp/manual.h"
 #include "lsp/position.h"
 #include "lsp/rpc.h"
 
+#include <memory>
 #include <set>
 #include <string>
 
@@ -25,6 +27,9 @@ struct ClientFeatures {
   bool resolvesActions = false; ///< asks for the edit of a code action when it was chosen
   bool documentChanges = false; ///< workspace edits with versions
   bool diagnosticTags = false;
+  bool codeDescription = false; ///< shows links from the codes of diagnostics
+  /// Where these lead; null where it shows none.
+  std::shared_ptr<const Manual> manual;
   bool configuration = false;        ///< may be asked for its settings
   bool dynamicConfiguration = false; ///< registers for changes of them
   bool diagnosticRefresh = false;

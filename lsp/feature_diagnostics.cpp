@@ -37,6 +37,12 @@ bool isUnnecessary(Code code) {
   return std::ranges::find(kCodes, code) != kCodes.end();
 }
 
+void writeCode(JsonWriter& json, std::string_view code, const ClientFeatures& client) {
+  json.member("code", code);
+  const auto link = client.manual ? client.manual->linkTo(code) : std::string();
+  if (!link.empty()) json.key("codeDescription").open('{').member("href", link).close('}');
+}
+
 void writeRelated(JsonWriter& json, const syntax::Diagnostic& diagnostic,
                   const Converter& convert) {
   json.key("relatedInformation").open('[');
@@ -141,7 +147,8 @@ Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
   JsonWriter json;
   convert.write(json.open('{').key("range"), diagnostic.location.file, diagnostic.location.range);
   json.member("severity", severityOf(diagnostic.severity));
-  json.member("code", syntax::info(diagnostic.code).id).member("source", "proskill");
+  writeCode(json, syntax::info(diagnostic.code).id, client);
+  json.member("source", "proskill");
   json.member("message", diagnostic.message);
   if (client.diagnosticTags && isUnnecessary(diagnostic.code))
     json.key("tags").open('[').value(1).close(']');

@@ -22,6 +22,7 @@ struct ServerOptions {
   unsigned threads = 3;                   ///< beside those that read and dispatch; at least 2
   std::chrono::milliseconds debounce{50}; ///< from the last edit to the diagnostics that are pushed
   std::function<void(std::string_view)> log{}; ///< a line each; from any thread
+  std::filesystem::path manual{}; ///< its page of diagnostics, for links; need not be there
   /// What runs `runVerifyWorker`: by default this program.
   std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
 };

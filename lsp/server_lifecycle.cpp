@@ -80,6 +80,7 @@ Json watchers() {
 Json Server::initialize(const Json& params) {
   phase = Phase::Running;
   client = readClientFeatures(memberAt(params, {"capabilities"}));
+  if (client.codeDescription) client.manual = std::make_shared<const Manual>(options.manual);
   workspace.setEncoding(client.encoding);
   folders = foldersOf(params);
   parent = parentOf(params);

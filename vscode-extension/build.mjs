@@ -41,6 +41,7 @@ writeFileSync(join(here, 'CHANGELOG.md'),
 const at = process.argv.indexOf('--server');
 if (at > 0) {
   carry(process.argv[at + 1], join(here, 'server/linux-x64'));
+  put(join(tree, 'docs/diagnostics.md'), 'server/linux-x64/docs/diagnostics.md');
 } else if (!existsSync(join(here, 'server'))) {
   console.log('without a server; it will be looked for in the path');
 }

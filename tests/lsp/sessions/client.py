@@ -21,7 +21,7 @@ CAPABILITIES = {
         'didChangeWatchedFiles': {'dynamicRegistration': True},
     },
     'textDocument': {
-        'publishDiagnostics': {'relatedInformation': True, 'tagSupport': {'valueSet': [1, 2]}},
+        'publishDiagnostics': {'relatedInformation': True, 'codeDescriptionSupport': True, 'tagSupport': {'valueSet': [1, 2]}},
         'completion': {'completionItem': {'snippetSupport': True, 'documentationFormat': ['markdown']}},
         'documentSymbol': {'hierarchicalDocumentSymbolSupport': True},
         'hover': {'contentFormat': ['markdown']},

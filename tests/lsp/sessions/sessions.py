@@ -281,6 +281,16 @@ def diagnostics_are_those_of_check():
             assert client.end() == 0
 
 
+def the_code_of_a_diagnostic_leads_to_its_page():
+    client = started()
+    client.open(URI, BAD)
+    (told,) = client.diagnostics(URI, 1)
+    page, line = told['codeDescription']['href'].removeprefix('file://').split('#L')
+    with open(page) as file:
+        assert file.readlines()[int(line) - 1].startswith('## PS0203: ')
+    assert client.end() == 0
+
+
 def mistaken_settings_are_told_at_their_file():
     with tempfile.TemporaryDirectory() as folder:
         folder = os.path.realpath(folder)
