@@ -1,4 +1,5 @@
 #include "analysis/checks.h"
+#include "analysis/deprecated.h"
 #include "analysis/reuse.h"
 #include "analysis/stop.h"
 #include "analysis/unknown_names.h"
@@ -45,6 +46,7 @@ Analysis analyse(const Program& program, const Earlier* earlier) {
                       : Index(std::move(symbols), std::move(occurrences));
   Findings ofNames;
   reportUnknownNames(program, index, all.unknownNames(), ofNames);
+  reportDeprecated(program, index, ofNames);
   all.add(std::move(ofNames).asFound());
   return {std::move(index), std::move(all).inOrder(), std::move(ofDefinitions)};
 }

@@ -1,5 +1,7 @@
 #include "ide/completer.h"
 
+#include "analysis/deprecated.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -45,7 +47,10 @@ bool isForSkillsOnly(std::string_view statement) {
 
 Completer::Completer(const Snapshot& snapshot, const View& view, const Path& path,
                      const Place& place)
-    : snapshot(snapshot), view(view), path(path), place(place), symbols(view.index().symbols()) {}
+    : snapshot(snapshot), view(view), path(path), place(place), symbols(view.index().symbols()) {
+  for (const auto& each : analysis::deprecations(view.program(), view.index()))
+    deprecated.insert(each.symbol);
+}
 
 std::vector<Completion> Completer::gather() && {
   if (path.surrounding == Surrounding::String) {

@@ -2,6 +2,7 @@
 
 #include "ide/completion.h"
 
+#include <set>
 #include <span>
 
 namespace proskill::ide {
@@ -72,6 +73,7 @@ private:
   const Path& path;
   const Place& place;
   const analysis::SymbolTable& symbols;
+  std::set<SymbolId> deprecated;
   std::vector<Completion> items;
   unsigned rank = 0; ///< of what is added next
 };

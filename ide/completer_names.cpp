@@ -61,6 +61,7 @@ void Completer::fillNames() {
 Completion& Completer::name(SymbolId symbol, CompletionKind kind) {
   Completion& item = add(std::string(symbols[symbol].name), kind);
   item.symbol = keyOf(symbols, symbol);
+  item.isDeprecated = deprecated.contains(symbol);
   return item;
 }
 

@@ -36,6 +36,7 @@ struct Completion {
   std::string snippet; ///< the same with places to fill in, in LSP's syntax; empty: there are none
   std::string filter;  ///< what the typed word is compared with
   unsigned rank = 0;   ///< less is better
+  bool isDeprecated = false;
   std::optional<SymbolKey> symbol;
   const Word* word = nullptr; ///< of the language
 };

@@ -51,6 +51,8 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   const auto& item = memberAt(capabilities, {"textDocument", "completion", "completionItem"});
   client.snippets = isTrue(item, {"snippetSupport"});
   client.insertReplace = isTrue(item, {"insertReplaceSupport"});
+  client.completionTags = memberAt(item, {"tagSupport"}).is_object();
+  client.completionDeprecated = isTrue(item, {"deprecatedSupport"});
   client.markdownCompletion = lists(memberAt(item, {"documentationFormat"}), "markdown");
   const auto& signature =
       memberAt(capabilities, {"textDocument", "signatureHelp", "signatureInformation"});

@@ -18,8 +18,10 @@ struct ClientFeatures {
   bool watchedFiles = false; ///< may be registered dynamically
   bool workDoneProgress = false;
   bool snippets = false;
-  bool insertReplace = false;      ///< completions may say both what to insert and to replace
-  bool markdownCompletion = false; ///< in the documentation of completions
+  bool insertReplace = false; ///< completions may say both what to insert and to replace
+  bool completionTags = false;
+  bool completionDeprecated = false; ///< the older way to say the same
+  bool markdownCompletion = false;   ///< in the documentation of completions
   bool markdownSignature = false;
   bool labelOffsets = false; ///< of a signature's parameters
   bool hierarchicalSymbols = false;

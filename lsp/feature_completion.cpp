@@ -70,6 +70,10 @@ Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shar
   writeEdit(json, item, shared);
   if (!item.detail.empty()) json.member("detail", item.detail);
   if (isSnippet(item, shared)) json.member("insertTextFormat", 2);
+  if (item.isDeprecated && shared.client.completionTags)
+    json.key("tags").open('[').value(1).close(']');
+  else if (item.isDeprecated && shared.client.completionDeprecated)
+    json.member("deprecated", true);
   if (item.symbol || item.word) writeData(json, item, shared.uri);
   return written(json.close('}').str());
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 namespace proskill::lsp {
 
@@ -35,6 +36,13 @@ bool isUnnecessary(Code code) {
                               Code::UnusedStateVariable,  Code::UnusedResource, Code::UnusedLabel,
                               Code::UnusedInput};
   return std::ranges::find(kCodes, code) != kCodes.end();
+}
+
+/// The protocol's `DiagnosticTag`.
+std::optional<int> tagOf(Code code) {
+  if (isUnnecessary(code)) return 1;
+  if (code == Code::DeprecatedName) return 2;
+  return std::nullopt;
 }
 
 void writeCode(JsonWriter& json, std::string_view code, const ClientFeatures& client) {
@@ -150,8 +158,8 @@ Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
   writeCode(json, syntax::info(diagnostic.code).id, client);
   json.member("source", "proskill");
   json.member("message", diagnostic.message);
-  if (client.diagnosticTags && isUnnecessary(diagnostic.code))
-    json.key("tags").open('[').value(1).close(']');
+  if (const auto tag = tagOf(diagnostic.code); client.diagnosticTags && tag)
+    json.key("tags").open('[').value(*tag).close(']');
   if (client.relatedInformation && !diagnostic.related.empty())
     writeRelated(json, diagnostic, convert);
   if (!diagnostic.fixes.empty()) writeFixes(json, diagnostic, convert);

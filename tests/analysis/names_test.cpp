@@ -31,6 +31,28 @@ TEST_CASE("what is defined nowhere is told at its name") {
   CHECK(findings("(defskill s :input ($x real) :action (s $x))") == "PS0209 real");
 }
 
+TEST_CASE("the uses of a name that its comment deprecates are told") {
+  const auto messages = [](const std::string& text) {
+    std::string all;
+    for (const auto& each : diagnose(text)) all += each.message + "\n";
+    return all;
+  };
+  const std::string body = "(defskill mission :body ((old) (^ (= old.status success))))\n";
+  const std::string old =
+      "(defskill old :action (old) :invariant (i (:guard (/= old.status success))))\n";
+  CHECK(findings("; Deprecated: use new.\n" + old + body) == "PS0230 old, PS0230 old");
+  CHECK(messages(";; What it does.\n  ;; Deprecated: use new.\n; More.\n" + old +
+                 "(defskill mission :body ((old)))") == "`old` is deprecated: use new.\n");
+  CHECK(messages("; Deprecated:\r\n" + old + "(defskill mission :body ((old)))") ==
+        "`old` is deprecated\n");
+  CHECK(findings("; Deprecated: use new.\n\n" + old + body) == "");
+  CHECK(findings("; Not Deprecated: use it.\n" + old + body) == "");
+  CHECK(findings("(defsv a :states (A B) :init A) ; Deprecated: use b.\n" + old + body) == "");
+  CHECK(findings(old + body + "; Deprecated: use new.") == "");
+  CHECK(findings("(defsv a\n  :states (A\n  ; Deprecated: use A.\n  B C)\n  :init B)\n(defevent e "
+                 ":effects (a C))") == "PS0230 B");
+}
+
 TEST_CASE("a result is compared with the tags of the skill that it is of") {
   CHECK(findings(mission("(^ (= takeoff.res grounded))")) == "");
   CHECK(findings(mission("(^ (= takeoff.res at_altitude))")) == "");

@@ -44,6 +44,21 @@ TEST_CASE("a completion replaces what is typed, counted in the encoding of the c
   }
 }
 
+TEST_CASE("what is deprecated is struck out where it is offered and where it is used") {
+  Session session;
+  session.initialize();
+  session.open(kMain, "; Deprecated: use go.\n(defskill run :action (run))\n"
+                      "(defskill go :action (go))\n(defskill m :body ((run) ()))\n");
+  const auto answer = session.at("textDocument/completion", kMain, 3, 25);
+  CHECK(itemOf(answer, "run")["tags"] == Json::array({1}));
+  CHECK_FALSE(itemOf(answer, "go").contains("tags"));
+  const auto told = session.notified("textDocument/publishDiagnostics")["diagnostics"];
+  const auto found =
+      std::ranges::find(told, "PS0230", [](const Json& each) { return each["code"]; });
+  REQUIRE(found != told.end());
+  CHECK((*found)["tags"] == Json::array({2}));
+}
+
 TEST_CASE("values are ranked in the order of their definition, and told when looked at") {
   Session session;
   session.initialize();

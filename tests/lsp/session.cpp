@@ -73,10 +73,12 @@ Session::~Session() {
 }
 
 void Session::initialize() {
-  Json text = {{"publishDiagnostics", {{"relatedInformation", true}}},
-               {"completion", {{"completionItem", {{"snippetSupport", true}}}}},
-               {"documentSymbol", {{"hierarchicalDocumentSymbolSupport", true}}},
-               {"hover", {{"contentFormat", Json::array({"markdown"})}}}};
+  const auto tags = [](std::vector<int> known) { return Json{{"valueSet", known}}; };
+  Json text = {
+      {"publishDiagnostics", {{"relatedInformation", true}, {"tagSupport", tags({1, 2})}}},
+      {"completion", {{"completionItem", {{"snippetSupport", true}, {"tagSupport", tags({1})}}}}},
+      {"documentSymbol", {{"hierarchicalDocumentSymbolSupport", true}}},
+      {"hover", {{"contentFormat", Json::array({"markdown"})}}}};
   if (options.pull) text["diagnostic"] = Json::object();
   Json capabilities = {{"textDocument", text},
                        {"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
