@@ -2,7 +2,21 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
+
 namespace proskill::lsp {
+
+namespace {
+
+/// Clocks of files are coarse: what was changed just now may change again without another stamp.
+bool isSettled(const FileStamp& stamp) {
+  using std::chrono::nanoseconds;
+  constexpr nanoseconds kCoarse = std::chrono::milliseconds(100);
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return nanoseconds(stamp.modified) + kCoarse < now;
+}
+
+} // namespace
 
 std::optional<FileStamp> stampOnDisk(const std::filesystem::path& path) {
   struct stat found {};
@@ -32,19 +46,41 @@ std::filesystem::path FileCache::canonical(const std::filesystem::path& path) co
 std::expected<syntax::Document, std::string>
 FileCache::document(const std::filesystem::path& path) const {
   // Before the text: what changes while it is read is then read again, never kept.
-  auto stamp = stampOf(path);
-  if (stamp) {
+  const auto stamp = stampOf(path);
+  {
     const std::lock_guard lock(mutex);
-    auto found = entries.find(path.native());
-    if (found != entries.end() && found->second.stamp == *stamp) return found->second.document;
+    const auto found = byPath.find(path.native());
+    if (found != byPath.end() && stamp && found->second->stamp == *stamp) {
+      entries.splice(entries.begin(), entries, found->second);
+      return found->second->document;
+    }
+    if (found != byPath.end()) drop(found->second);
   }
   auto document = disk->document(path);
-  const std::lock_guard lock(mutex);
-  if (stamp && document)
-    entries.insert_or_assign(path.native(), Entry{*stamp, *document});
-  else
-    entries.erase(path.native());
+  if (stamp && document && isSettled(*stamp)) keep({path.native(), *stamp, *document});
   return document;
+}
+
+void FileCache::followAnew() {
+  const std::lock_guard lock(mutex);
+  followed.clear();
+}
+
+/// Another thread may have been quicker.
+void FileCache::keep(Entry entry) const {
+  const std::lock_guard lock(mutex);
+  if (const auto found = byPath.find(entry.path); found != byPath.end()) drop(found->second);
+  bytes += entry.document.text().size();
+  entries.push_front(std::move(entry));
+  byPath.emplace(entries.front().path, entries.begin());
+  while (bytes > mostBytes) drop(std::prev(entries.end()));
+}
+
+/// \pre the mutex is held
+void FileCache::drop(Entries::iterator entry) const {
+  bytes -= entry->document.text().size();
+  byPath.erase(entry->path);
+  entries.erase(entry);
 }
 
 } // namespace proskill::lsp

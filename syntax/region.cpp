@@ -111,6 +111,7 @@ Region readRegion(Parser& parser, std::string_view text) {
   mended |= mendParentheses(parsed->text, scanned, judge, region.diagnostics);
   parsed->mended = mended;
   parsed->tree = parser.parse(parsed->text);
+  parsed->tree.shrink_to_fit();
   checkWords(parsed->text, parsed->tree, region.diagnostics);
   // What else seems to be wrong with mended forms may come from the same mistake.
   std::vector<Diagnostic> ignored;
