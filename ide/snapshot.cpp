@@ -160,7 +160,7 @@ std::shared_ptr<const IncludeGraph> graphOf(const analysis::FileSystem& disk,
   std::vector<IncludeGraph::File> files;
   for (const auto& [path, text] : open)
     files.push_back(std::make_shared<const KnownFile>(
-        knownFile(disk, path, disk.canonical(path).native(), text.document)));
+        knownText(disk, path, disk.canonical(path).native(), text.document)));
   return std::make_shared<const IncludeGraph>(std::move(files));
 }
 
@@ -215,6 +215,14 @@ fs::path Snapshot::nameOf(const fs::path& path) const {
   if (texts.contains(path)) return path;
   const auto* file = graph->find(disk->canonical(path).native());
   return file ? file->name : path;
+}
+
+std::expected<std::string, std::string> Snapshot::textOf(const fs::path& path) const {
+  return Overlay(*disk, *this).read(path);
+}
+
+std::expected<syntax::Document, std::string> Snapshot::documentOf(const fs::path& path) const {
+  return Overlay(*disk, *this).document(path);
 }
 
 std::vector<std::shared_ptr<const AnalysedProgram>> Snapshot::takeReplaced() const {

@@ -123,8 +123,14 @@ public:
   /// The same files, with what each includes.
   [[nodiscard]] const std::vector<IncludeGraph::File>& knownFiles() const { return graph->files(); }
   [[nodiscard]] bool knows(const std::filesystem::path& file) const { return graph->named(file); }
+  [[nodiscard]] bool isKnown(std::string_view canonical) const { return graph->find(canonical); }
   /// The name of the file at a path.
   [[nodiscard]] std::filesystem::path nameOf(const std::filesystem::path& path) const;
+  /// As the editor holds it, or else the disk, or why it cannot be read.
+  [[nodiscard]] std::expected<std::string, std::string>
+  textOf(const std::filesystem::path& path) const;
+  [[nodiscard]] std::expected<syntax::Document, std::string>
+  documentOf(const std::filesystem::path& path) const;
   /// What tells the file at a path from others, open or not.
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const {
     return disk->canonical(path);

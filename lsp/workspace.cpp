@@ -208,7 +208,7 @@ void Workspace::noteText(const fs::path& path) {
   const auto& identity = identities.at(path);
   const auto* known = graph->find(identity);
   if (known && known->name == path && ide::includesAsBefore(*known, document)) return;
-  graph = graph->with(ide::knownFile(*disk, path, identity, document));
+  graph = graph->with(ide::knownText(*disk, path, identity, document));
 }
 
 /// What is no longer open is what the disk says of it, unless it is open by another name.

@@ -34,7 +34,7 @@ void checkRanges(const std::vector<ide::OutlineEntry>& entries, syntax::Range ou
 std::vector<std::string> found(const MarkedProgram& program, std::string_view query) {
   std::vector<std::string> result;
   for (const auto& it : ide::workspaceSymbols(program.snapshot(), query, [] { return false; }))
-    result.emplace_back(it.owner->analysis.index.symbols()[it.symbol].name);
+    result.push_back(it.name);
   return result;
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("symbols of hundreds of closed files, as many as a list can show, each
   auto found = [&](std::string_view query) {
     Names names;
     for (const auto& it : ide::workspaceSymbols(snapshot, query, [] { return false; }))
-      names.emplace_back(it.owner->analysis.index.symbols()[it.symbol].name);
+      names.push_back(it.name);
     return names;
   };
   CHECK(found("shared") == Names{"shared"});
