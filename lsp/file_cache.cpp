@@ -49,38 +49,21 @@ FileCache::document(const std::filesystem::path& path) const {
   const auto stamp = stampOf(path);
   {
     const std::lock_guard lock(mutex);
-    const auto found = byPath.find(path.native());
-    if (found != byPath.end() && stamp && found->second->stamp == *stamp) {
-      entries.splice(entries.begin(), entries, found->second);
-      return found->second->document;
-    }
-    if (found != byPath.end()) drop(found->second);
+    const auto* known = entries.use(path.native());
+    if (known && stamp && known->stamp == *stamp) return known->document;
+    entries.drop(path.native());
   }
   auto document = disk->document(path);
-  if (stamp && document && isSettled(*stamp)) keep({path.native(), *stamp, *document});
+  if (stamp && document && isSettled(*stamp)) {
+    const std::lock_guard lock(mutex);
+    entries.put(path.native(), {*stamp, *document}, document->text().size());
+  }
   return document;
 }
 
 void FileCache::followAnew() {
   const std::lock_guard lock(mutex);
   followed.clear();
-}
-
-/// Another thread may have been quicker.
-void FileCache::keep(Entry entry) const {
-  const std::lock_guard lock(mutex);
-  if (const auto found = byPath.find(entry.path); found != byPath.end()) drop(found->second);
-  bytes += entry.document.text().size();
-  entries.push_front(std::move(entry));
-  byPath.emplace(entries.front().path, entries.begin());
-  while (bytes > mostBytes) drop(std::prev(entries.end()));
-}
-
-/// \pre the mutex is held
-void FileCache::drop(Entries::iterator entry) const {
-  bytes -= entry->document.text().size();
-  byPath.erase(entry->path);
-  entries.erase(entry);
 }
 
 } // namespace proskill::lsp

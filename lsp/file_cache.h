@@ -1,15 +1,14 @@
 #pragma once
 
 #include "analysis/file_system.h"
+#include "ide/last_used.h"
 
 #include <filesystem>
 #include <functional>
-#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 
 namespace proskill::lsp {
@@ -39,7 +38,7 @@ public:
   /// \param mostBytes of the texts of the trees that are kept
   explicit FileCache(std::shared_ptr<const analysis::FileSystem> disk,
                      StampOf stampOf = stampOnDisk, std::size_t mostBytes = kMostBytes)
-      : disk(std::move(disk)), stampOf(std::move(stampOf)), mostBytes(mostBytes) {}
+      : disk(std::move(disk)), stampOf(std::move(stampOf)), entries(mostBytes) {}
 
   [[nodiscard]] std::expected<std::string, std::string>
   read(const std::filesystem::path& path) const override {
@@ -56,27 +55,19 @@ public:
 
 private:
   struct Entry {
-    std::string path;
     FileStamp stamp;
     syntax::Document document;
   };
-  using Entries = std::list<Entry>;
   struct Followed {
     std::uint64_t device;
     std::uint64_t inode;
     std::filesystem::path canonical;
   };
 
-  void keep(Entry entry) const;
-  void drop(Entries::iterator entry) const;
-
   std::shared_ptr<const analysis::FileSystem> disk;
   StampOf stampOf;
-  std::size_t mostBytes;
   mutable std::mutex mutex;
-  mutable Entries entries; ///< the last used first
-  mutable std::unordered_map<std::string_view, Entries::iterator> byPath;
-  mutable std::size_t bytes = 0; ///< of the texts of `entries`
+  mutable ide::LastUsed<Entry> entries;
   mutable std::unordered_map<std::string, Followed> followed;
 };
 

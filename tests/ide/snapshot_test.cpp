@@ -51,8 +51,8 @@ Snapshot after(const Snapshot& snapshot, const syntax::Document& document) {
 
 /// The same flow, not another one of the same program.
 bool isSameFlow(const Snapshot& a, const Snapshot& b) {
-  const auto* first = a->view(kPath).owner->flowIfKnown();
-  const auto* second = b->view(kPath).owner->flowIfKnown();
+  const auto first = a->view(kPath).owner->flowIfKnown();
+  const auto second = b->view(kPath).owner->flowIfKnown();
   return first && second && &first->flow() == &second->flow();
 }
 
