@@ -18,13 +18,16 @@ Saying sayingOf(const syntax::Diagnostic& diagnostic) {
 
 } // namespace
 
+/// The findings of a program that no feature looks into are wanted, and no more of its flow.
 std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem::path& file) {
   std::vector<Finding> result;
   std::set<Saying> said;
-  for (const auto& view : snapshot.views(file))
+  snapshot.eachView(file, [&](const View& view) {
     for (const auto& diagnostic : view.owner->findings())
       if (diagnostic.location.file == view.file && said.insert(sayingOf(diagnostic)).second)
         result.push_back({view.owner, &diagnostic});
+    if (!snapshot.isLookedAt(*view.owner)) view.owner->forgetFlow();
+  });
   return result;
 }
 

@@ -22,8 +22,8 @@ std::size_t sizeOf(const analysis::Program& program) {
 
 } // namespace
 
-const KnownFlow* quickFlow(const View& view) {
-  if (const auto* known = view.owner->flowIfKnown()) return known;
+std::shared_ptr<const KnownFlow> quickFlow(const View& view) {
+  if (auto known = view.owner->flowIfKnown()) return known;
   return sizeOf(view.program()) <= kQuick ? view.owner->flow() : nullptr;
 }
 
@@ -45,7 +45,7 @@ std::optional<flow::VariableId> flowVariable(const View& view, const KnownFlow& 
 }
 
 std::string valuesHere(const View& view, analysis::Location place, std::string_view text) {
-  const auto* flow = quickFlow(view);
+  const auto flow = quickFlow(view);
   if (!flow) return {};
   const auto variable = flowVariable(view, *flow, text);
   const auto points = flow::pointsAround(flow->flow(), flow->then(place));
@@ -59,7 +59,7 @@ std::string valuesHere(const View& view, analysis::Location place, std::string_v
 }
 
 std::string valuesEver(const View& view, std::string_view text) {
-  const auto* flow = quickFlow(view);
+  const auto flow = quickFlow(view);
   if (!flow) return {};
   const auto variable = flowVariable(view, *flow, text);
   if (!variable) return {};

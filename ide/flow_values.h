@@ -10,7 +10,7 @@ namespace proskill::ide {
 
 /// The flow where it is known already, or is quickly computed: an answer that somebody waits for
 /// does not wait for a large program. Null else, and in a program with errors.
-[[nodiscard]] const KnownFlow* quickFlow(const View& view);
+[[nodiscard]] std::shared_ptr<const KnownFlow> quickFlow(const View& view);
 
 /// The variable of the flow that a name stands for: a state variable's name, or `skill.status` and
 /// `skill.res`.

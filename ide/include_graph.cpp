@@ -39,13 +39,20 @@ std::vector<fs::path> includesOf(const fs::path& file, const syntax::Document& d
   return result;
 }
 
-KnownFile knownFile(const analysis::FileSystem& files, fs::path name, std::string canonical,
+KnownFile knownText(const analysis::FileSystem& files, fs::path name, std::string canonical,
                     const syntax::Document& document) {
   KnownFile result{std::move(name), std::move(canonical), {}};
   for (auto& path : pathsFrom(result, document)) {
     auto found = files.canonical(path).native();
     result.includes.push_back({std::move(path), std::move(found)});
   }
+  return result;
+}
+
+KnownFile knownFile(const analysis::FileSystem& files, fs::path name, std::string canonical,
+                    const syntax::Document& document) {
+  auto result = knownText(files, std::move(name), std::move(canonical), document);
+  if (!isFiacre(result.name)) result.names = FileNames(document);
   return result;
 }
 

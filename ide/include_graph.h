@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/file_system.h"
+#include "ide/file_names.h"
 
 #include <filesystem>
 #include <memory>
@@ -25,11 +26,15 @@ struct KnownFile {
   std::filesystem::path name; ///< of all its names the one that the editor uses
   std::string canonical;      ///< what tells it from other files
   std::vector<Include> includes;
+  FileNames names{}; ///< of a text that is not open
 
   friend bool operator==(const KnownFile&, const KnownFile&) = default;
 };
 
-/// \param canonical of the file
+/// Of a text that is open. \param canonical of the file
+[[nodiscard]] KnownFile knownText(const analysis::FileSystem& files, std::filesystem::path name,
+                                  std::string canonical, const syntax::Document& document);
+/// The same of one that is not, with its names.
 [[nodiscard]] KnownFile knownFile(const analysis::FileSystem& files, std::filesystem::path name,
                                   std::string canonical, const syntax::Document& document);
 

@@ -149,7 +149,7 @@ private:
 
   const View& view;
   syntax::Range range;
-  const KnownFlow* flow;
+  std::shared_ptr<const KnownFlow> flow;
   std::optional<flow::Durations> durations;
   std::vector<InlayHint> hints;
 };

@@ -95,54 +95,73 @@ AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Setti
       program(*shared),
       analysis(earlier ? analysis::analyse(program, {earlier->program, earlier->analysis})
                        : analysis::analyse(program)),
-      settings(std::move(settings)) {
+      settings(std::move(settings)),
+      flows(analysis::flow::hasFlow(program, analysis)) {
   if (earlier) takeFlow(*earlier);
 }
 
 /// White space and comments do not change what flows where.
 void AnalysedProgram::takeFlow(const AnalysedProgram& earlier) {
   remembered = earlier.memory();
-  if (!remembered || !analysis::flow::hasFlow(program, analysis)) return;
+  if (!remembered || !flows) return;
   const auto edit = analysis::changeBetween(*remembered->program, program);
-  auto moved = edit ? analysis::movedByLayout(remembered->findings, *edit) : std::nullopt;
-  auto flow = moved ? remembered->flow->after(edit->file, *edit->change.layout) : nullptr;
-  if (!flow) return;
-  std::call_once(flowOnce, [&] {
-    knownFlow = std::move(flow);
-    readyFlow = knownFlow.get();
-  });
+  auto moved = edit ? analysis::movedByLayout(*remembered->findings, *edit) : std::nullopt;
+  if (!moved) return;
+  if (remembered->flow) {
+    knownFlow = remembered->flow->after(edit->file, *edit->change.layout);
+    if (!knownFlow) return;
+  }
   std::call_once(flowFindingsOnce, [&] { noteFlowFindings(std::move(*moved)); });
-  remembered.reset();
 }
 
 /// Of this program where it is known, else of the last one before it.
-std::shared_ptr<const AnalysedProgram::FlowMemory> AnalysedProgram::memory() const {
-  return knowsFlowFindings && knownFlow ? knownFlowFindings : remembered;
+AnalysedProgram::Memory AnalysedProgram::memory() const {
+  const std::lock_guard lock(mutex);
+  return flows && known ? known : remembered;
 }
 
-void AnalysedProgram::noteFlowFindings(std::vector<syntax::Diagnostic> found) const {
-  knownFlowFindings =
-      std::make_shared<const FlowMemory>(FlowMemory{shared, knownFlow, std::move(found)});
-  knowsFlowFindings = true;
+AnalysedProgram::Memory AnalysedProgram::withoutFlow(const Memory& memory) {
+  if (!memory || !memory->flow) return memory;
+  return std::make_shared<const FlowMemory>(FlowMemory{memory->program, nullptr, memory->findings});
 }
 
-const std::vector<syntax::Diagnostic>& AnalysedProgram::flowFindings() const {
+void AnalysedProgram::noteFlowFindings(Diagnostics found) const {
+  const std::lock_guard lock(mutex);
+  known = std::make_shared<const FlowMemory>(
+      FlowMemory{shared, knownFlow, std::make_shared<const Diagnostics>(std::move(found))});
+  if (flows) remembered.reset();
+}
+
+std::shared_ptr<const AnalysedProgram::Diagnostics> AnalysedProgram::flowFindings() const {
   std::call_once(flowFindingsOnce, [this] {
-    const auto* known = flow();
-    noteFlowFindings(known ? analysis::flow::checkFlow(known->flow(), analysis.index,
-                                                       analysis::flow::wantsStyle(settings))
-                           : std::vector<syntax::Diagnostic>());
+    const auto now = flow();
+    noteFlowFindings(now ? analysis::flow::checkFlow(now->flow(), analysis.index,
+                                                     analysis::flow::wantsStyle(settings))
+                         : Diagnostics());
   });
-  return knownFlowFindings->findings;
+  const std::lock_guard lock(mutex);
+  return known->findings;
 }
 
-const KnownFlow* AnalysedProgram::flow() const {
-  std::call_once(flowOnce, [this] {
-    if (analysis::flow::hasFlow(program, analysis))
-      knownFlow = std::make_shared<const KnownFlow>(shared);
-    readyFlow = knownFlow.get();
-  });
-  return knownFlow.get();
+std::shared_ptr<const KnownFlow> AnalysedProgram::flow() const {
+  if (!flows) return nullptr;
+  const std::lock_guard one(computing);
+  if (auto now = flowIfKnown()) return now;
+  auto computed = std::make_shared<const KnownFlow>(shared);
+  const std::lock_guard lock(mutex);
+  return knownFlow = std::move(computed);
+}
+
+std::shared_ptr<const KnownFlow> AnalysedProgram::flowIfKnown() const {
+  const std::lock_guard lock(mutex);
+  return knownFlow;
+}
+
+void AnalysedProgram::forgetFlow() const {
+  const std::lock_guard lock(mutex);
+  knownFlow.reset();
+  known = withoutFlow(known);
+  remembered = withoutFlow(remembered);
 }
 
 const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
@@ -150,7 +169,7 @@ const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
     const auto& root = program.files.front();
     knownFindings = isFiacre(root.path)
                         ? readFiacre(root.path, root.document.text()).diagnostics
-                        : analysis::flow::weighed(program, analysis, flowFindings(), settings);
+                        : analysis::flow::weighed(program, analysis, *flowFindings(), settings);
   });
   return knownFindings;
 }
@@ -160,7 +179,7 @@ std::shared_ptr<const IncludeGraph> graphOf(const analysis::FileSystem& disk,
   std::vector<IncludeGraph::File> files;
   for (const auto& [path, text] : open)
     files.push_back(std::make_shared<const KnownFile>(
-        knownFile(disk, path, disk.canonical(path).native(), text.document)));
+        knownText(disk, path, disk.canonical(path).native(), text.document)));
   return std::make_shared<const IncludeGraph>(std::move(files));
 }
 
@@ -205,8 +224,14 @@ void Snapshot::takeClosedPrograms(const Snapshot& before,
     return;
   }
   std::lock_guard lock(before.closed->mutex);
-  for (const auto& [root, entry] : before.closed->entries)
-    if (!hasOneOf(*entry->program, changed)) closed->entries.emplace(root, entry);
+  for (const auto& item : before.closed->entries.all() | std::views::reverse)
+    if (!hasOneOf(*item.value->program, changed)) closed->put(item.name, item.value);
+}
+
+void Snapshot::ClosedPrograms::put(const std::string& root, const std::shared_ptr<Entry>& entry) {
+  std::size_t bytes = 0;
+  for (const auto& file : entry->program->program.files) bytes += file.document.text().size();
+  entries.put(root, entry, bytes);
 }
 
 /// A name that is open is that text's, also where another text was opened before by another name of
@@ -215,6 +240,14 @@ fs::path Snapshot::nameOf(const fs::path& path) const {
   if (texts.contains(path)) return path;
   const auto* file = graph->find(disk->canonical(path).native());
   return file ? file->name : path;
+}
+
+std::expected<std::string, std::string> Snapshot::textOf(const fs::path& path) const {
+  return Overlay(*disk, *this).read(path);
+}
+
+std::expected<syntax::Document, std::string> Snapshot::documentOf(const fs::path& path) const {
+  return Overlay(*disk, *this).document(path);
 }
 
 std::vector<std::shared_ptr<const AnalysedProgram>> Snapshot::takeReplaced() const {
@@ -228,13 +261,28 @@ std::optional<View> Snapshot::viewIn(const fs::path& root, const fs::path& file)
   return id ? std::optional(View{std::move(analysed), *id}) : std::nullopt;
 }
 
+void Snapshot::eachView(const fs::path& file, const std::function<void(const View&)>& visit) const {
+  bool any = false;
+  for (const auto& root : graph->rootsOf(file))
+    if (const auto found = viewIn(root, file)) {
+      any = true;
+      visit(*found);
+    }
+  // Who seems to include it does not, through links or too deep: it stands for itself.
+  if (!any) visit({program(file), 0});
+}
+
 std::vector<View> Snapshot::views(const fs::path& file) const {
   std::vector<View> result;
-  for (const auto& root : graph->rootsOf(file))
-    if (auto found = viewIn(root, file)) result.push_back(std::move(*found));
-  // Who seems to include it does not, through links or too deep: it stands for itself.
-  if (result.empty()) result.push_back({program(file), 0});
+  eachView(file, [&](const View& view) { result.push_back(view); });
   return result;
+}
+
+bool Snapshot::isLookedAt(const AnalysedProgram& analysed) const {
+  std::call_once(lookedAtOnce, [this] {
+    for (const auto& [path, text] : texts) lookedAt.insert(graph->rootsOf(path).front().native());
+  });
+  return lookedAt.contains(analysed.program.files.front().path.native());
 }
 
 /// The other programs that it belongs to, which may be hundreds, are not looked at.
@@ -255,8 +303,7 @@ std::shared_ptr<Snapshot::Entry> Snapshot::entryOf(const std::string& root) cons
   if (const auto found = entries.find(root); found != entries.end()) return found->second;
   {
     std::lock_guard lockClosed(closed->mutex);
-    const auto found = closed->entries.find(root);
-    if (found != closed->entries.end()) return found->second;
+    if (const auto* found = closed->entries.use(root)) return *found;
   }
   return entries.emplace(root, std::make_shared<Entry>()).first->second;
 }
@@ -278,7 +325,7 @@ void Snapshot::analyse(const std::shared_ptr<Entry>& entry, const fs::path& root
   if (isOpen(*entry->program, texts)) return;
   entries.erase(root.native());
   std::lock_guard lockClosed(closed->mutex);
-  closed->entries.try_emplace(root.native(), entry);
+  closed->put(root.native(), entry);
 }
 
 } // namespace proskill::ide

@@ -3,8 +3,8 @@
 #include "analysis/flow/inspect.h"
 #include "ide/include_graph.h"
 #include "ide/known_flow.h"
+#include "ide/last_used.h"
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -14,6 +14,7 @@
 #include <ranges>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 /// The texts of an editor at one moment, and what analysis says of them.
@@ -46,33 +47,40 @@ public:
   const analysis::flow::Settings settings;
 
   /// Which values a variable can have where; null in a program with errors.
-  [[nodiscard]] const KnownFlow* flow() const;
+  [[nodiscard]] std::shared_ptr<const KnownFlow> flow() const;
   /// The same where it is known already; null else. For who cannot wait.
-  [[nodiscard]] const KnownFlow* flowIfKnown() const { return readyFlow.load(); }
+  [[nodiscard]] std::shared_ptr<const KnownFlow> flowIfKnown() const;
+  /// Gives back its memory, which is most of a program's. Who asks for it has it computed again;
+  /// the findings are known still.
+  void forgetFlow() const;
   /// All that `proskill check` tells of the program, weighed by its settings.
   [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
 
 private:
+  using Diagnostics = std::vector<syntax::Diagnostic>;
+
   /// All that was known of the flow of a program: what is kept for the next one that differs in
   /// white space and comments only, also where programs with errors come in between.
   struct FlowMemory {
     std::shared_ptr<const analysis::Program> program;
-    std::shared_ptr<const KnownFlow> flow; ///< null: it has errors
-    std::vector<syntax::Diagnostic> findings;
+    std::shared_ptr<const KnownFlow> flow; ///< null: it has errors, or the flow was forgotten
+    std::shared_ptr<const Diagnostics> findings;
   };
+  using Memory = std::shared_ptr<const FlowMemory>;
 
-  [[nodiscard]] const std::vector<syntax::Diagnostic>& flowFindings() const;
-  [[nodiscard]] std::shared_ptr<const FlowMemory> memory() const;
+  [[nodiscard]] std::shared_ptr<const Diagnostics> flowFindings() const;
+  [[nodiscard]] Memory memory() const;
+  [[nodiscard]] static Memory withoutFlow(const Memory& memory);
   void takeFlow(const AnalysedProgram& earlier);
-  void noteFlowFindings(std::vector<syntax::Diagnostic> found) const;
+  void noteFlowFindings(Diagnostics found) const;
 
-  std::shared_ptr<const FlowMemory> remembered; ///< of a program before this one; may be null
-  mutable std::once_flag flowOnce;
-  mutable std::shared_ptr<const KnownFlow> knownFlow;
-  mutable std::atomic<const KnownFlow*> readyFlow = nullptr;
+  const bool flows;             ///< it has a flow, known or not
+  mutable std::mutex computing; ///< the flow
   mutable std::once_flag flowFindingsOnce;
-  mutable std::shared_ptr<const FlowMemory> knownFlowFindings;
-  mutable std::atomic<bool> knowsFlowFindings = false; ///< set last
+  mutable std::mutex mutex; ///< of what follows
+  mutable std::shared_ptr<const KnownFlow> knownFlow;
+  mutable Memory known;      ///< of this program
+  mutable Memory remembered; ///< of one before it, until this one's own is known; may be null
   mutable std::once_flag findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;
 };
@@ -123,8 +131,14 @@ public:
   /// The same files, with what each includes.
   [[nodiscard]] const std::vector<IncludeGraph::File>& knownFiles() const { return graph->files(); }
   [[nodiscard]] bool knows(const std::filesystem::path& file) const { return graph->named(file); }
+  [[nodiscard]] bool isKnown(std::string_view canonical) const { return graph->find(canonical); }
   /// The name of the file at a path.
   [[nodiscard]] std::filesystem::path nameOf(const std::filesystem::path& path) const;
+  /// As the editor holds it, or else the disk, or why it cannot be read.
+  [[nodiscard]] std::expected<std::string, std::string>
+  textOf(const std::filesystem::path& path) const;
+  [[nodiscard]] std::expected<syntax::Document, std::string>
+  documentOf(const std::filesystem::path& path) const;
   /// What tells the file at a path from others, open or not.
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const {
     return disk->canonical(path);
@@ -134,8 +148,13 @@ public:
   /// The file in each program that it belongs to, one a root; a file that nothing includes is its
   /// own root.
   [[nodiscard]] std::vector<View> views(const std::filesystem::path& file) const;
+  /// The same, one after the other: of hundreds not all need be held.
+  void eachView(const std::filesystem::path& file,
+                const std::function<void(const View&)>& visit) const;
   /// The first of them.
   [[nodiscard]] View view(const std::filesystem::path& file) const;
+  /// It is the first program of an open text: features look into it.
+  [[nodiscard]] bool isLookedAt(const AnalysedProgram& analysed) const;
 
 private:
   /// Analysed at most once, whoever comes first.
@@ -146,10 +165,14 @@ private:
   };
   using Entries = std::unordered_map<std::string, std::shared_ptr<Entry>>;
   /// Programs none of whose files is open: an edit, which touches none of them, does not look at
-  /// them. In a large workspace there are many.
+  /// them. In a large workspace there are many, of which those that were used last are kept.
   struct ClosedPrograms {
+    static constexpr std::size_t kMostBytes = 1 << 20; ///< of their texts
+
+    void put(const std::string& root, const std::shared_ptr<Entry>& entry);
+
     std::mutex mutex;
-    Entries entries;
+    LastUsed<std::shared_ptr<Entry>> entries{kMostBytes};
   };
 
   std::optional<View> viewIn(const std::filesystem::path& root,
@@ -170,6 +193,8 @@ private:
   /// Of all snapshots with the same files, open or not.
   std::shared_ptr<ClosedPrograms> closed = std::make_shared<ClosedPrograms>();
   mutable std::vector<std::shared_ptr<const AnalysedProgram>> replaced;
+  mutable std::once_flag lookedAtOnce;
+  mutable std::unordered_set<std::string> lookedAt; ///< the roots of programs
 };
 
 } // namespace proskill::ide

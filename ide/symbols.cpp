@@ -1,15 +1,19 @@
 #include "ide/symbols.h"
 
 #include "ide/describe.h"
+#include "ide/fiacre_file.h"
 #include "ide/fuzzy.h"
 #include "ide/symbol_key.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
+#include <optional>
 
 namespace proskill::ide {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 using analysis::kNoSymbol;
 using analysis::SymbolId;
@@ -64,57 +68,75 @@ OutlineEntry ofDefinition(const View& view, const syntax::Form& form, SymbolId i
   return entry;
 }
 
-bool isSearched(SymbolKind kind) {
-  switch (kind) {
-  case SymbolKind::Parameter:
-  case SymbolKind::PreconditionTag:
-  case SymbolKind::InvariantTag:
-  case SymbolKind::SuccessTag:
-  case SymbolKind::FailureTag: return false;
-  default: return true;
-  }
-}
-
 struct Scored {
   int score = 0;
   FoundSymbol found;
 };
 
-/// What a file of several programs defines is found once.
+/// The best names of the files that are added.
 class Search {
 public:
   explicit Search(std::string_view query) : query(query) {}
 
-  void add(const std::shared_ptr<const AnalysedProgram>& owner) {
-    const auto& symbols = owner->analysis.index.symbols();
-    for (SymbolId id = 0; id < symbols.all().size(); ++id) add(owner, symbols[id], id);
+  void add(const fs::path& file, const FileNames& names) {
+    for (const auto& name : names.all()) {
+      const auto word = names.wordOf(name);
+      if (word.empty()) continue;
+      if (const auto score = fuzzyScore(query, word)) add(*score, file, names, name);
+    }
   }
 
   std::vector<FoundSymbol> best() && {
-    std::ranges::stable_sort(all, std::ranges::greater(), &Scored::score);
-    if (all.size() > kMostFound) all.resize(kMostFound);
+    cut();
     std::vector<FoundSymbol> result;
     for (auto& each : all) result.push_back(std::move(each.found));
     return result;
   }
 
 private:
-  void add(const std::shared_ptr<const AnalysedProgram>& owner, const analysis::Symbol& symbol,
-           SymbolId id) {
-    if (symbol.name.empty() || !isSearched(symbol.kind)) return;
-    auto score = fuzzyScore(query, symbol.name);
-    if (!score) return;
-    const auto& path = owner->program.files[symbol.at.file].path;
-    const bool isShared = owner->program.files.size() > 1;
-    if (isShared && !seen.emplace(path.string(), symbol.at.range.begin).second) return;
-    if (symbol.owner != kNoSymbol) *score -= 8;
-    all.push_back({*score, {owner, id}});
+  /// An inner name is worth less.
+  void add(int score, const fs::path& file, const FileNames& names, const FileNames::Name& name) {
+    constexpr int kInside = 8;
+    if (name.isInner) score -= kInside;
+    if (all.size() >= 4 * kMostFound) cut();
+    if (worst && score <= *worst) return;
+    FoundSymbol found{std::string(names.wordOf(name)), name.kind, file, name.at};
+    if (name.isInner) found.owner = names.ownerOf(name);
+    all.push_back({score, std::move(found)});
+  }
+
+  /// Of those that are as good the first ones stay.
+  void cut() {
+    std::ranges::stable_sort(all, std::ranges::greater(), &Scored::score);
+    if (all.size() < kMostFound) return;
+    all.resize(kMostFound);
+    worst = all.back().score;
   }
 
   std::string_view query;
   std::vector<Scored> all;
-  std::set<std::pair<std::string, syntax::Offset>> seen;
+  std::optional<int> worst; ///< what is no better comes too late
 };
+
+/// Those outside of the workspace that its files include, and so on: by their canonical names.
+std::map<std::string, fs::path> includedFromOutside(const Snapshot& snapshot) {
+  std::map<std::string, fs::path> result;
+  std::vector<fs::path> pending;
+  auto note = [&](const std::string& canonical, const fs::path& path) {
+    if (!snapshot.isKnown(canonical) && result.emplace(canonical, path).second)
+      pending.push_back(path);
+  };
+  for (const auto& file : snapshot.knownFiles())
+    for (const auto& include : file->includes) note(include.canonical, include.path);
+  while (!pending.empty()) {
+    const auto file = std::move(pending.back());
+    pending.pop_back();
+    if (const auto document = snapshot.documentOf(file))
+      for (const auto& path : includesOf(file, *document))
+        note(snapshot.canonical(path).native(), path);
+  }
+  return result;
+}
 
 } // namespace
 
@@ -135,13 +157,24 @@ std::vector<OutlineEntry> outline(const View& view, syntax::Range within) {
   return result;
 }
 
+/// Of a text that is open the names are those that it has now.
 std::vector<FoundSymbol> workspaceSymbols(const Snapshot& snapshot, std::string_view query,
                                           const std::function<bool()>& isCancelled) {
   Search search(query);
-  for (const auto& root : snapshot.roots()) {
-    if (isCancelled()) break;
-    search.add(snapshot.view(root).owner);
+  auto addText = [&](const fs::path& file) {
+    const auto document =
+        isFiacre(file) ? std::unexpected(std::string()) : snapshot.documentOf(file);
+    if (document) search.add(file, FileNames(*document));
+  };
+  for (const auto& file : snapshot.knownFiles()) {
+    if (isCancelled()) return std::move(search).best();
+    if (snapshot.open().contains(file->name))
+      addText(file->name);
+    else
+      search.add(file->name, file->names);
   }
+  for (const auto& [canonical, file] : includedFromOutside(snapshot))
+    if (!isCancelled()) addText(file);
   return std::move(search).best();
 }
 

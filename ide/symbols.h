@@ -24,12 +24,16 @@ struct OutlineEntry {
 [[nodiscard]] std::vector<OutlineEntry> outline(const View& view, syntax::Range within);
 
 struct FoundSymbol {
-  std::shared_ptr<const AnalysedProgram> owner;
-  analysis::SymbolId symbol = analysis::kNoSymbol;
+  std::string name;
+  analysis::SymbolKind kind = analysis::SymbolKind::Skill;
+  std::filesystem::path file;
+  syntax::Range at;                   ///< as the file was when it was last read
+  std::optional<std::string> owner{}; ///< the name of what it is inside of
 };
 
-/// The symbols of all files of the workspace whose names match, best first, at most 256; inputs and
-/// tags are found under the names of their skills alone. An empty query matches everything.
+/// The symbols of all files of the workspace, and of those that they include, whose names match,
+/// best first, at most 256; inputs and tags are found under the names of their skills alone. An
+/// empty query matches everything. No program is looked at.
 /// \param isCancelled is asked now and then; what was found so far is given
 [[nodiscard]] std::vector<FoundSymbol> workspaceSymbols(const Snapshot& snapshot,
                                                         std::string_view query,

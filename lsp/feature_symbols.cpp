@@ -3,6 +3,10 @@
 #include "lsp/kept_parts.h"
 #include "lsp/outline_json.h"
 #include "lsp/symbol_kind.h"
+#include "lsp/uri.h"
+
+#include <algorithm>
+#include <map>
 
 namespace proskill::lsp {
 
@@ -46,14 +50,42 @@ Answer documentSymbol(const Request& request, LastOfTexts<SymbolParts>& last) {
   return listAnswer(request, json.close(']').str());
 }
 
-Json symbolJson(const ide::FoundSymbol& found, const Request& request) {
-  const Converter convert(found.owner->program, request.snapshot.open(), request.client.encoding);
-  const auto& symbols = found.owner->analysis.index.symbols();
-  const auto& symbol = symbols[found.symbol];
-  Json json{{"name", symbol.name},
-            {"kind", symbolKind(symbol.kind)},
-            {"location", convert.location(symbol.at)}};
-  if (symbol.owner != analysis::kNoSymbol) json["containerName"] = symbols[symbol.owner].name;
+/// Places in texts of which one after the other is looked at, each read once.
+class Places {
+public:
+  explicit Places(const Request& request) : request(request) {}
+
+  Json location(const std::filesystem::path& file, syntax::Range range) {
+    auto found = texts.find(file);
+    if (found == texts.end())
+      found = texts.try_emplace(file, request.snapshot.textOf(file).value_or("")).first;
+    const auto& [text, lines] = found->second;
+    auto position = [&](syntax::Offset at) {
+      const auto end = static_cast<syntax::Offset>(text.size());
+      const auto place = toEditor(text, lines, std::min(at, end), request.client.encoding);
+      return Json{{"line", place.line}, {"character", place.character}};
+    };
+    const auto open = request.snapshot.open().find(file);
+    return {{"uri", open == request.snapshot.open().end() ? toUri(file) : open->second.uri},
+            {"range", {{"start", position(range.begin)}, {"end", position(range.end)}}}};
+  }
+
+private:
+  struct Text {
+    explicit Text(std::string read) : text(std::move(read)), lines(text) {}
+    std::string text;
+    syntax::LineIndex lines;
+  };
+
+  const Request& request;
+  std::map<std::filesystem::path, Text> texts;
+};
+
+Json symbolJson(const ide::FoundSymbol& found, Places& places) {
+  Json json{{"name", found.name},
+            {"kind", symbolKind(found.kind)},
+            {"location", places.location(found.file, found.at)}};
+  if (found.owner) json["containerName"] = *found.owner;
   return json;
 }
 
@@ -61,9 +93,10 @@ Answer workspaceSymbol(const Request& request) {
   const auto query = textIn(request.params, "query");
   if (!query) return std::unexpected(query.error());
   auto isCancelled = [&] { return request.cancellation.isCancelled(); };
+  Places places(request);
   Json result = Json::array();
   for (const auto& found : ide::workspaceSymbols(request.snapshot, *query, isCancelled))
-    result.push_back(symbolJson(found, request));
+    result.push_back(symbolJson(found, places));
   return result;
 }
 

@@ -2,7 +2,21 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
+
 namespace proskill::lsp {
+
+namespace {
+
+/// Clocks of files are coarse: what was changed just now may change again without another stamp.
+bool isSettled(const FileStamp& stamp) {
+  using std::chrono::nanoseconds;
+  constexpr nanoseconds kCoarse = std::chrono::milliseconds(100);
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return nanoseconds(stamp.modified) + kCoarse < now;
+}
+
+} // namespace
 
 std::optional<FileStamp> stampOnDisk(const std::filesystem::path& path) {
   struct stat found {};
@@ -32,19 +46,24 @@ std::filesystem::path FileCache::canonical(const std::filesystem::path& path) co
 std::expected<syntax::Document, std::string>
 FileCache::document(const std::filesystem::path& path) const {
   // Before the text: what changes while it is read is then read again, never kept.
-  auto stamp = stampOf(path);
-  if (stamp) {
+  const auto stamp = stampOf(path);
+  {
     const std::lock_guard lock(mutex);
-    auto found = entries.find(path.native());
-    if (found != entries.end() && found->second.stamp == *stamp) return found->second.document;
+    const auto* known = entries.use(path.native());
+    if (known && stamp && known->stamp == *stamp) return known->document;
+    entries.drop(path.native());
   }
   auto document = disk->document(path);
-  const std::lock_guard lock(mutex);
-  if (stamp && document)
-    entries.insert_or_assign(path.native(), Entry{*stamp, *document});
-  else
-    entries.erase(path.native());
+  if (stamp && document && isSettled(*stamp)) {
+    const std::lock_guard lock(mutex);
+    entries.put(path.native(), {*stamp, *document}, document->text().size());
+  }
   return document;
+}
+
+void FileCache::followAnew() {
+  const std::lock_guard lock(mutex);
+  followed.clear();
 }
 
 } // namespace proskill::lsp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/file_system.h"
+#include "ide/last_used.h"
 
 #include <filesystem>
 #include <functional>
@@ -26,13 +27,18 @@ using StampOf = std::function<std::optional<FileStamp>(const std::filesystem::pa
 /// Of a file of this machine.
 [[nodiscard]] std::optional<FileStamp> stampOnDisk(const std::filesystem::path& path);
 
-/// Files as trees, read again only where they have changed, and the ends of links, followed again
-/// only where they lead to another file. Any thread may use it.
+/// Files as trees, read again only where they have changed, so that programs share what they
+/// include; and the ends of links, followed again only where they lead to another file. Of the
+/// trees it keeps those that were used last. Any thread may use it.
 class FileCache : public analysis::FileSystem {
 public:
+  /// A tree takes some twenty times as much as its text.
+  static constexpr std::size_t kMostBytes = 4 << 20;
+
+  /// \param mostBytes of the texts of the trees that are kept
   explicit FileCache(std::shared_ptr<const analysis::FileSystem> disk,
-                     StampOf stampOf = stampOnDisk)
-      : disk(std::move(disk)), stampOf(std::move(stampOf)) {}
+                     StampOf stampOf = stampOnDisk, std::size_t mostBytes = kMostBytes)
+      : disk(std::move(disk)), stampOf(std::move(stampOf)), entries(mostBytes) {}
 
   [[nodiscard]] std::expected<std::string, std::string>
   read(const std::filesystem::path& path) const override {
@@ -44,6 +50,8 @@ public:
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
   [[nodiscard]] std::expected<syntax::Document, std::string>
   document(const std::filesystem::path& path) const override;
+  /// Follows links again, also those that lead to the same file, which may have been moved.
+  void followAnew();
 
 private:
   struct Entry {
@@ -59,7 +67,7 @@ private:
   std::shared_ptr<const analysis::FileSystem> disk;
   StampOf stampOf;
   mutable std::mutex mutex;
-  mutable std::unordered_map<std::string, Entry> entries;
+  mutable ide::LastUsed<Entry> entries;
   mutable std::unordered_map<std::string, Followed> followed;
 };
 

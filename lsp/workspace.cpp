@@ -2,7 +2,6 @@
 
 #include "ide/fiacre_file.h"
 #include "lsp/convert.h"
-#include "lsp/file_cache.h"
 #include "lsp/program_settings.h"
 #include "lsp/text_changes.h"
 
@@ -48,7 +47,8 @@ ide::IncludeGraph::File followedAnew(const analysis::FileSystem& disk,
 
 } // namespace
 
-Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files) : disk(std::move(files)) {
+Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files)
+    : direct(std::move(files)), disk(std::make_shared<FileCache>(direct)) {
   startAfresh();
 }
 
@@ -112,7 +112,7 @@ FolderContents Workspace::read(const std::vector<fs::path>& folders, const OnFil
   for (const auto& folder : folders) files.merge(programFiles(folder));
   FolderContents result;
   for (const auto& file : files) {
-    if (auto document = disk->document(file))
+    if (auto document = direct->document(file))
       result.files.push_back(
           ide::knownFile(*disk, file, disk->canonical(file).native(), *document));
     onFile(result.files.size(), files.size());
@@ -161,6 +161,7 @@ std::map<fs::path, SettingsMistake> Workspace::mistakes() const {
 }
 
 void Workspace::readFiles(const std::vector<fs::path>& paths) {
+  disk->followAnew();
   std::set<std::string> changed;
   for (const auto& path : paths)
     if (path.filename() != kSettingsFile)
@@ -207,7 +208,7 @@ void Workspace::noteText(const fs::path& path) {
   const auto& identity = identities.at(path);
   const auto* known = graph->find(identity);
   if (known && known->name == path && ide::includesAsBefore(*known, document)) return;
-  graph = graph->with(ide::knownFile(*disk, path, identity, document));
+  graph = graph->with(ide::knownText(*disk, path, identity, document));
 }
 
 /// What is no longer open is what the disk says of it, unless it is open by another name.

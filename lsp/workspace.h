@@ -2,6 +2,7 @@
 
 #include "ide/snapshot.h"
 #include "lsp/client.h"
+#include "lsp/file_cache.h"
 #include "lsp/program_settings.h"
 
 #include <expected>
@@ -68,7 +69,8 @@ private:
   void refresh();
   void startAfresh();
 
-  std::shared_ptr<const analysis::FileSystem> disk;
+  std::shared_ptr<const analysis::FileSystem> direct; ///< for what is looked at once
+  std::shared_ptr<FileCache> disk;
   Encoding encoding = Encoding::Utf16;
   bool style = false;
   ide::OpenTexts texts;

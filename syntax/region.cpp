@@ -79,6 +79,18 @@ std::size_t problemsOf(Parser& parser, std::string_view text) {
   return diagnostics.size();
 }
 
+/// Lists that grow while they are read leave much behind: that is elsewhere, and what is kept is a
+/// copy without gaps.
+std::vector<ReadForm> compactForms(Builder& builder, ParsedText& parsed) {
+  std::pmr::monotonic_buffer_resource scratch;
+  const auto grown = [&] {
+    const ArenaScope inScratch(scratch);
+    return formsOf(builder, parsed.tree);
+  }();
+  const ArenaScope inArena(parsed.arena);
+  return std::vector<ReadForm>(grown);
+}
+
 } // namespace
 
 Region readRegion(Parser& parser, std::string_view text) {
@@ -111,12 +123,12 @@ Region readRegion(Parser& parser, std::string_view text) {
   mended |= mendParentheses(parsed->text, scanned, judge, region.diagnostics);
   parsed->mended = mended;
   parsed->tree = parser.parse(parsed->text);
+  parsed->tree.shrink_to_fit();
   checkWords(parsed->text, parsed->tree, region.diagnostics);
   // What else seems to be wrong with mended forms may come from the same mistake.
   std::vector<Diagnostic> ignored;
   Builder forms{parsed->text, mended ? ignored : region.diagnostics};
-  const ArenaScope inArena(parsed->arena);
-  region.forms = formsOf(forms, parsed->tree);
+  region.forms = compactForms(forms, *parsed);
   for (ReadForm& form : region.forms) {
     form.mended = mended;
     form.bodyIndex = bodyIndexOf(form.node);

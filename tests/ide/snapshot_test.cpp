@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace proskill;
 using Snapshot = std::shared_ptr<const ide::Snapshot>;
 
@@ -51,8 +53,8 @@ Snapshot after(const Snapshot& snapshot, const syntax::Document& document) {
 
 /// The same flow, not another one of the same program.
 bool isSameFlow(const Snapshot& a, const Snapshot& b) {
-  const auto* first = a->view(kPath).owner->flowIfKnown();
-  const auto* second = b->view(kPath).owner->flowIfKnown();
+  const auto first = a->view(kPath).owner->flowIfKnown();
+  const auto second = b->view(kPath).owner->flowIfKnown();
   return first && second && &first->flow() == &second->flow();
 }
 
@@ -235,6 +237,26 @@ TEST_CASE(
   CHECK(opened->view("/w/closed.proskill").text() == "; new");
   texts.erase("/w/closed.proskill"); // what the disk has now is not known before it is read
   CHECK(opened->with(texts, graph)->view("/w/closed.proskill").owner != closed);
+}
+
+TEST_CASE("of the programs of which nothing is open those are kept that were used last") {
+  std::map<std::string, std::string> files;
+  std::vector<ide::IncludeGraph::File> known;
+  for (int i = 0; i < 6; ++i) {
+    const auto path = fmt::format("/w/{}.proskill", i);
+    files[path] = ";" + std::string(300'000, 'x');
+    known.push_back(std::make_shared<const ide::KnownFile>(ide::KnownFile{path, path, {}}));
+  }
+  const auto disk = std::make_shared<test::MemoryFiles>(files);
+  const ide::Snapshot snapshot(disk, {}, std::make_shared<const ide::IncludeGraph>(known));
+  std::vector<std::weak_ptr<const ide::AnalysedProgram>> programs;
+  for (const auto& [path, text] : files) {
+    programs.emplace_back(snapshot.view(path).owner);
+    CHECK(snapshot.view("/w/0.proskill").text() == files["/w/0.proskill"]);
+  }
+  CHECK(std::ranges::count_if(programs, [](const auto& it) { return it.expired(); }) == 3);
+  CHECK_FALSE(programs.front().expired());
+  CHECK_FALSE(programs.back().expired());
 }
 
 TEST_CASE("a text that was opened by a link is the file that programs include") {

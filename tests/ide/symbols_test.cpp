@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
+
 using namespace proskill;
 using test::MarkedProgram;
 using test::MemoryFiles;
@@ -34,7 +36,7 @@ void checkRanges(const std::vector<ide::OutlineEntry>& entries, syntax::Range ou
 std::vector<std::string> found(const MarkedProgram& program, std::string_view query) {
   std::vector<std::string> result;
   for (const auto& it : ide::workspaceSymbols(program.snapshot(), query, [] { return false; }))
-    result.emplace_back(it.owner->analysis.index.symbols()[it.symbol].name);
+    result.push_back(it.name);
   return result;
 }
 
@@ -81,6 +83,40 @@ TEST_CASE("the workspace's symbols by what was typed of them, the best first") {
   CHECK(found(program, "").size() == 6);
 }
 
+TEST_CASE("the workspace's symbols tell where they are, and what they are inside of") {
+  const MarkedProgram program("(defevent e)\n(defsv lamp :states (On Off) :init Off)");
+  const auto found = ide::workspaceSymbols(program.snapshot(), "Off", [] { return false; });
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].file == "/w/main.proskill");
+  CHECK(program.view().text().substr(found[0].at.begin, found[0].at.length()) == "Off");
+  CHECK(found[0].kind == analysis::SymbolKind::Value);
+  CHECK(found[0].owner == "lamp");
+  const auto events = ide::workspaceSymbols(program.snapshot(), "e", [] { return false; });
+  REQUIRE_FALSE(events.empty());
+  CHECK(events[0].name == "e");
+  CHECK_FALSE(events[0].owner);
+}
+
+TEST_CASE("symbols are those of open texts as they are now, and of files outside of the folders") {
+  const auto disk = std::make_shared<MemoryFiles>(std::map<std::string, std::string>{
+      {"/w/open.proskill", "(defevent old)"},
+      {"/w/closed.proskill", "(include \"../far/lib.proskill\") (defevent closed)"},
+      {"/far/lib.proskill", "(include \"deep.proskill\") (defevent lib)"},
+      {"/far/deep.proskill", "(include \"lib.proskill\") (defevent deep)"}});
+  std::vector<ide::IncludeGraph::File> known;
+  for (const auto* path : {"/w/open.proskill", "/w/closed.proskill"})
+    known.push_back(std::make_shared<const ide::KnownFile>(
+        ide::knownFile(*disk, path, path, *disk->document(path))));
+  ide::OpenTexts texts;
+  texts["/w/open.proskill"] = {"file:///w/open.proskill", 1,
+                               syntax::Document::parse("(defevent now)")};
+  const ide::Snapshot snapshot(disk, texts, std::make_shared<const ide::IncludeGraph>(known));
+  std::set<std::string> names;
+  for (const auto& it : ide::workspaceSymbols(snapshot, "", [] { return false; }))
+    CHECK(names.insert(it.name).second);
+  CHECK(names == std::set<std::string>{"now", "closed", "lib", "deep"});
+}
+
 TEST_CASE("a search that is cancelled ends") {
   const MarkedProgram program("(defresource gripper)");
   CHECK(ide::workspaceSymbols(program.snapshot(), "g", [] { return true; }).empty());
@@ -101,7 +137,7 @@ TEST_CASE("symbols of hundreds of closed files, as many as a list can show, each
   auto found = [&](std::string_view query) {
     Names names;
     for (const auto& it : ide::workspaceSymbols(snapshot, query, [] { return false; }))
-      names.emplace_back(it.owner->analysis.index.symbols()[it.symbol].name);
+      names.push_back(it.name);
     return names;
   };
   CHECK(found("shared") == Names{"shared"});

@@ -120,10 +120,33 @@ TEST_CASE("a file is parsed again only where it has changed") {
   CHECK(disk->reads == 4);
 }
 
+TEST_CASE("of the trees those are kept that were used last, as many as there is room for") {
+  auto disk = std::make_shared<CountingFiles>();
+  const auto room = 2 * disk->read("")->size();
+  disk->reads = 0;
+  const lsp::FileCache cache(
+      disk, [](const auto&) { return lsp::FileStamp{}; }, room);
+  for (const auto* path : {"/a", "/b", "/a", "/c", "/a"}) (void)cache.document(path);
+  CHECK(disk->reads == 3);
+  (void)cache.document("/b"); // which had to go for `/c`
+  CHECK(disk->reads == 4);
+}
+
+TEST_CASE("a file that was changed just now is read again: its clock may be too coarse") {
+  auto disk = std::make_shared<CountingFiles>();
+  lsp::FileStamp stamp;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  stamp.modified = std::chrono::nanoseconds(now).count();
+  const lsp::FileCache cache(disk, [&](const auto&) { return stamp; });
+  (void)cache.document("/a");
+  (void)cache.document("/a");
+  CHECK(disk->reads == 2);
+}
+
 TEST_CASE("a link is followed again only where it leads to another file") {
   auto disk = std::make_shared<CountingFiles>();
   std::optional<lsp::FileStamp> stamp = lsp::FileStamp{};
-  const lsp::FileCache cache(disk, [&](const auto&) { return stamp; });
+  lsp::FileCache cache(disk, [&](const auto&) { return stamp; });
   CHECK(cache.canonical("/a") == "/b");
   ++stamp->modified;
   disk->end = "/c";
@@ -131,7 +154,11 @@ TEST_CASE("a link is followed again only where it leads to another file") {
   CHECK(disk->follows == 1);
   ++stamp->inode;
   CHECK(cache.canonical("/a") == "/c");
-  stamp.reset(); // there is no file
-  CHECK(cache.canonical("/a") == "/c");
+  disk->end = "/d"; // the file was moved, and the link with it
+  cache.followAnew();
+  CHECK(cache.canonical("/a") == "/d");
   CHECK(disk->follows == 3);
+  stamp.reset(); // there is no file
+  CHECK(cache.canonical("/a") == "/d");
+  CHECK(disk->follows == 4);
 }

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <list>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace proskill::ide {
+
+/// What can be had again, by name: of all that was put in, what was used last and has room. For one
+/// thread at a time.
+template <class Value> class LastUsed {
+public:
+  struct Item {
+    std::string name;
+    std::size_t size = 0;
+    Value value;
+  };
+
+  explicit LastUsed(std::size_t room) : room(room) {}
+  LastUsed(const LastUsed&) = delete; ///< names are looked up by the items' own
+  LastUsed& operator=(const LastUsed&) = delete;
+
+  /// Null where it is not there. It is the last used now, and valid until something is put in.
+  [[nodiscard]] Value* use(std::string_view name) {
+    const auto found = byName.find(name);
+    if (found == byName.end()) return nullptr;
+    items.splice(items.begin(), items, found->second);
+    return &items.front().value;
+  }
+  /// In place of what had the name. What is larger than the room is alone there.
+  void put(std::string name, Value value, std::size_t size) {
+    drop(name);
+    items.push_front({std::move(name), size, std::move(value)});
+    byName.emplace(items.front().name, items.begin());
+    used += size;
+    while (used > room && items.size() > 1) drop(std::string_view(items.back().name));
+  }
+  void drop(std::string_view name) {
+    const auto found = byName.find(name);
+    if (found == byName.end()) return;
+    const auto item = found->second;
+    used -= item->size;
+    byName.erase(found);
+    items.erase(item);
+  }
+
+  /// The last used first.
+  [[nodiscard]] const std::list<Item>& all() const { return items; }
+
+private:
+  std::size_t room;
+  std::size_t used = 0;
+  std::list<Item> items;
+  std::unordered_map<std::string_view, typename std::list<Item>::iterator> byName;
+};
+
+} // namespace proskill::ide
