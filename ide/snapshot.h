@@ -49,6 +49,10 @@ public:
   [[nodiscard]] const KnownFlow* flow() const;
   /// The same where it is known already; null else. For who cannot wait.
   [[nodiscard]] const KnownFlow* flowIfKnown() const { return readyFlow.load(); }
+  /// Somebody wanted the flow, and did not wait for it. Any thread.
+  void missFlow() const { missedFlow = true; }
+  /// What somebody missed is there now: true once.
+  [[nodiscard]] bool takeMissedFlow() const { return flowIfKnown() && missedFlow.exchange(false); }
   /// All that `proskill check` tells of the program, weighed by its settings.
   [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
 
@@ -70,6 +74,7 @@ private:
   mutable std::once_flag flowOnce;
   mutable std::shared_ptr<const KnownFlow> knownFlow;
   mutable std::atomic<const KnownFlow*> readyFlow = nullptr;
+  mutable std::atomic<bool> missedFlow = false;
   mutable std::once_flag flowFindingsOnce;
   mutable std::shared_ptr<const FlowMemory> knownFlowFindings;
   mutable std::atomic<bool> knowsFlowFindings = false; ///< set last
@@ -113,6 +118,9 @@ public:
   /// them takes a while: nobody should wait for it. Each is given once.
   [[nodiscard]] std::vector<std::shared_ptr<const AnalysedProgram>> takeReplaced() const;
 
+  /// Somebody missed the flow of a program with open texts, which is known by now: true once.
+  [[nodiscard]] bool takeMissedFlow() const;
+
   [[nodiscard]] const OpenTexts& open() const { return texts; }
   /// Every file that is open or in the workspace. A file has one name in all that a snapshot gives,
   /// whatever links lead to it: the one that the editor opened it by, else that in the workspace.
@@ -120,6 +128,7 @@ public:
     return graph->files() |
            std::views::transform([](const auto& file) -> const auto& { return file->name; });
   }
+  [[nodiscard]] const std::shared_ptr<const IncludeGraph>& includes() const { return graph; }
   /// The same files, with what each includes.
   [[nodiscard]] const std::vector<IncludeGraph::File>& knownFiles() const { return graph->files(); }
   [[nodiscard]] bool knows(const std::filesystem::path& file) const { return graph->named(file); }

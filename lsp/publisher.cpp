@@ -91,6 +91,7 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
     told[path] = std::move(now);
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
     lock.unlock();
+    onPublished(snapshot);
     (void)snapshot.takeReplaced();     // now that nobody waits for it
   } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
   } catch (const std::exception& error) {

@@ -64,6 +64,7 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
                     [this] { inbox.put([this] { verdictsChanged(); }); }, options.log}),
       publisher(
           peer, scheduler, statistics, client, [this] { return verification.verdicts(); },
+          [this](const ide::Snapshot& snapshot) { findingsTold(snapshot); },
           [this](std::string_view method, const Json& params, std::string_view error) {
             failed(method, params, error);
           }),
@@ -106,16 +107,19 @@ int Server::run() {
 }
 
 std::optional<Server::Time> Server::nextDeadline() const {
-  auto due = publisher.due();
-  if (!due || (parentDue && *parentDue < *due)) return parentDue;
-  return due;
+  std::optional<Time> first;
+  for (const auto& due : {publisher.due(), refresher.due(), parentDue})
+    if (due && (!first || *due < *first)) first = due;
+  return first;
 }
 
 void Server::onDeadline() {
-  if (publisher.due() && *publisher.due() <= std::chrono::steady_clock::now()) {
+  const auto now = std::chrono::steady_clock::now();
+  if (publisher.due() && *publisher.due() <= now) {
     publisher.publish(workspace.snapshot(), settings->diagnostics);
     showMistakes();
   }
+  if (refresher.due() && *refresher.due() <= now) refresher.refresh(*workspace.snapshot());
 }
 
 void Server::readStream() {
@@ -268,6 +272,8 @@ void Server::handleText(Received& received) {
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
   if (message.method == "textDocument/didChange") refuseStale(received);
   changed();
+  if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
+    refresher.changed(*path, *before, debounce());
   verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
   forget(std::move(before));
 }
@@ -299,6 +305,7 @@ void Server::dispatch(Received& received, const Method& method) {
         std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
                                    memberAt(message.params, {"partialResultToken"}));
     answer(message, method, request);
+    if (message.method == "textDocument/diagnostic") findingsTold(*snapshot);
     if (auto replaced = snapshot->takeReplaced(); !replaced.empty()) forget(std::move(replaced));
   });
 }
@@ -366,13 +373,13 @@ void Server::textsChanged() {
 /// The texts are as they were; what shows verdicts is told anew.
 void Server::verdictsChanged() {
   if (phase != Phase::Running) return;
-  const auto ask = [&](bool wanted, const char* method) {
-    if (wanted) peer.ask(method, nullptr);
-  };
-  ask(client.pullDiagnostics && client.diagnosticRefresh, "workspace/diagnostic/refresh");
-  ask(client.refreshCodeLens, "workspace/codeLens/refresh");
-  ask(client.refreshInlayHints, "workspace/inlayHint/refresh");
+  refresher.verdictsChanged();
   if (!client.pullDiagnostics) publisher.changed(std::chrono::milliseconds(0));
+}
+
+/// Hints of a large program do not wait for its flow, but the findings do: now it is there.
+void Server::findingsTold(const ide::Snapshot& snapshot) {
+  if (snapshot.takeMissedFlow()) refresher.hintsChanged();
 }
 
 std::chrono::milliseconds Server::debounce() const {

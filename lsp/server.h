@@ -6,6 +6,7 @@
 #include "lsp/peer.h"
 #include "lsp/pending.h"
 #include "lsp/publisher.h"
+#include "lsp/refresher.h"
 #include "lsp/registry.h"
 #include "lsp/statistics.h"
 #include "lsp/verification.h"
@@ -65,6 +66,7 @@ private:
   [[nodiscard]] std::chrono::milliseconds debounce() const;
   void textsChanged();
   void verdictsChanged();
+  void findingsTold(const ide::Snapshot& snapshot);
 
   // server_lifecycle.cpp
   Json initialize(const Json& params);
@@ -109,6 +111,7 @@ private:
   std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
   Verification verification;
   Publisher publisher;
+  Refresher refresher{peer, client};
   Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above
   Scheduler scheduler;
 };

@@ -132,8 +132,7 @@ void Server::setSettings(const Json& json) {
   verification.configure(memberAt(whole.is_object() ? whole : json, {"verify"}));
   workspace.setStyle(settings->style);
   changed();
-  if (client.pullDiagnostics && client.diagnosticRefresh)
-    peer.ask("workspace/diagnostic/refresh", nullptr);
+  refresher.findingsChanged(debounce());
 }
 
 void Server::changeFolders(const Json& params) {
@@ -144,6 +143,7 @@ void Server::changeFolders(const Json& params) {
   folders.insert(folders.end(), added.begin(), added.end());
   readFolders(std::move(added));
   changed();
+  refresher.allChanged(debounce());
 }
 
 /// On another thread, for a folder may be large: edits and requests do not wait for it. Progress is
@@ -168,15 +168,22 @@ void Server::readFolders(std::vector<Path> some) {
     inbox.put([this, found] {
       workspace.add(std::move(*found));
       textsChanged();
+      refresher.allChanged(debounce());
     });
   });
 }
 
 void Server::handleWatchedFiles(const Json& params) {
-  workspace.readFiles(pathsIn(memberAt(params, {"changes"})));
+  const auto before = workspace.snapshot();
+  const auto paths = pathsIn(memberAt(params, {"changes"}));
+  workspace.readFiles(paths);
   textsChanged();
-  if (client.pullDiagnostics && client.diagnosticRefresh)
-    peer.ask("workspace/diagnostic/refresh", nullptr);
+  for (const auto& path : paths) {
+    const auto file = before->nameOf(path);
+    if (before->open().contains(file)) continue;
+    refresher.findingsChanged(debounce());
+    refresher.changed(file, *before, debounce());
+  }
 }
 
 /// A mistaken file of settings is told like a mistake in a program.

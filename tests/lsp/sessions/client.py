@@ -19,6 +19,7 @@ CAPABILITIES = {
         'workspaceEdit': {'documentChanges': True},
         'didChangeConfiguration': {'dynamicRegistration': True},
         'didChangeWatchedFiles': {'dynamicRegistration': True},
+        **{what: {'refreshSupport': True} for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens', 'diagnostics')},
     },
     'textDocument': {
         'publishDiagnostics': {'relatedInformation': True, 'tagSupport': {'valueSet': [1, 2]}},
