@@ -84,6 +84,8 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
       isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});
   client.retried =
       strings(memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
+  client.resolvedOfHints = strings(
+      memberAt(capabilities, {"textDocument", "inlayHint", "resolveSupport", "properties"}));
   client.refreshes = refreshesOf(capabilities);
   if (!client.pullDiagnostics) client.refreshes.erase("workspace/diagnostic/refresh");
   return client;

@@ -29,6 +29,8 @@ struct ClientFeatures {
   bool dynamicConfiguration = false; ///< registers for changes of them
   /// Methods that it asks again where a request was refused because the text has changed.
   std::set<std::string> retried;
+  /// Members of inlay hints that it asks for when they are looked at: `label.location`.
+  std::set<std::string> resolvedOfHints;
   /// Requests by which it may be told to ask for something again: `workspace/codeLens/refresh`.
   std::set<std::string> refreshes;
 };

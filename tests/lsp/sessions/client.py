@@ -26,6 +26,7 @@ CAPABILITIES = {
         'completion': {'completionItem': {'snippetSupport': True, 'documentationFormat': ['markdown']}},
         'documentSymbol': {'hierarchicalDocumentSymbolSupport': True},
         'hover': {'contentFormat': ['markdown']},
+        'inlayHint': {'resolveSupport': {'properties': ['tooltip', 'label.location']}},
         'foldingRange': {'lineFoldingOnly': False},
         'codeAction': {'codeActionLiteralSupport': {'codeActionKind': {'valueSet': ['quickfix', 'refactor']}},
                        'dataSupport': True, 'resolveSupport': {'properties': ['edit']}},

@@ -116,8 +116,8 @@ REQUESTS = {
     'foldingRangeProvider': once('textDocument/foldingRange'),
     'hoverProvider': at_places('textDocument/hover'),
     'implementationProvider': at_places('textDocument/implementation'),
-    'inlayHintProvider':
-        lambda client, text: client.request('textDocument/inlayHint', about(text, range=whole(text))),
+    'inlayHintProvider': resolved('textDocument/inlayHint', 'inlayHint/resolve', lambda method: lambda client, text: [
+        client.request(method, about(text, range=whole(text)))]),
     'inlineValueProvider':
         lambda client, text: client.request('textDocument/inlineValue', about(text, range=whole(text), context={
             'frameId': 1, 'stoppedLocation': whole(text)})),
