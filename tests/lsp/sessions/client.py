@@ -73,6 +73,7 @@ class Client:
         self.last = 0
         self.answers = {}     # id: (message, when it came)
         self.notes = []       # (Note, when it came)
+        self.questions = []   # of the server, by their methods
         self.record = []      # ('in' | 'out', message)
         self.lock = threading.Condition()
         self.ended = False
@@ -131,6 +132,7 @@ class Client:
 
     def serve(self, message):
         result = None
+        self.questions.append(message['method'])
         if message['method'] == 'workspace/configuration':
             result = [self.settings for _ in message['params']['items']]
         self.send({'jsonrpc': '2.0', 'id': message['id'], 'result': result})
@@ -197,6 +199,10 @@ class Client:
             self.notes[:found + 1] = [entry for entry in self.notes[:found] if about(entry[0]) != about(taken)]
             return taken.message['params'], when
         return self.wait(find)
+
+    def asked(self, method):
+        """Waits for a request of the server; each counts once."""
+        self.wait(lambda: self.questions.remove(method) or True if method in self.questions else None)
 
     # A session ----------------------------------------------------------------------------------
 

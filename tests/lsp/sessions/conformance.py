@@ -156,6 +156,9 @@ def session(program):
         client.diagnostics(uri, 1)
         for capability in sorted(set(offered) & set(REQUESTS)):
             REQUESTS[capability](client, text)
+    client.notify('workspace/didChangeWorkspaceFolders', {'event': {'added': [], 'removed': []}})  # may mean all
+    for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens'):
+        client.asked(f'workspace/{what}/refresh')
     client.request('proskill/status', None)
     client.request('textDocument/nonsense', {})
     assert client.end() == 0

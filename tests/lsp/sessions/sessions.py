@@ -9,7 +9,7 @@ import tempfile
 import threading
 import time
 
-from client import Client, Ended, PATIENCE, framed, position
+from client import CAPABILITIES, Client, Ended, PATIENCE, framed, position
 
 PROGRAM = sys.argv[1]
 LAMP = '(defsv lamp :states (On Off) :init Off)\n'
@@ -279,6 +279,22 @@ def diagnostics_are_those_of_check():
                               {'changes': [{'uri': f'file://{folder}/.proskill.json', 'type': 3}]})
                 client.note('textDocument/publishDiagnostics', lambda params: params['diagnostics'] != told)
             assert client.end() == 0
+
+
+def other_texts_of_a_program_are_asked_for_again():
+    client = server()
+    client.initialize({**CAPABILITIES, 'textDocument': {**CAPABILITIES['textDocument'], 'diagnostic': {}}})
+    main = 'file:///nowhere/main.proskill'
+    client.open(main, '(include "lamp.proskill")\n(defevent e :effects (lamp Oon))\n')
+    client.open(URI, LAMP)
+    for change in (lambda: None, lambda: client.change(URI, 2, position(0, 22), position(0, 24), 'Oon'), lambda: client.close(URI)):
+        change()
+        for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens', 'diagnostic'):
+            client.asked(f'workspace/{what}/refresh')
+    client.change(main, 2, position(0, 0), position(0, 0), ';')  # a text alone is its client's own matter
+    client.result('proskill/status', None)
+    assert client.end() == 0
+    assert not [each for each in client.questions if each.endswith('/refresh')], client.questions
 
 
 def mistaken_settings_are_told_at_their_file():
