@@ -20,6 +20,7 @@ Saying sayingOf(const syntax::Diagnostic& diagnostic) {
 
 std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem::path& file) {
   std::vector<Finding> result;
+  if (snapshot.kindOf(file) == TextKind::Notebook) return result;
   std::set<Saying> said;
   for (const auto& view : snapshot.views(file))
     for (const auto& diagnostic : view.owner->findings())

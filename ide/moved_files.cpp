@@ -46,7 +46,7 @@ std::map<fs::path, std::vector<syntax::TextEdit>> includesAfter(const Snapshot& 
                                                                 const std::vector<Move>& moves) {
   std::map<fs::path, std::vector<syntax::TextEdit>> result;
   for (const auto& file : snapshot.knownFiles()) {
-    if (isUntouched(*file, moves)) continue;
+    if (isUntouched(*file, moves) || snapshot.kindOf(file->name) == TextKind::Notebook) continue;
     auto edits = editsOf(file->name, snapshot.view(file->name).document(), moves);
     if (!edits.empty()) result.emplace(file->name, std::move(edits));
   }

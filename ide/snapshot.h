@@ -19,11 +19,16 @@
 /// The texts of an editor at one moment, and what analysis says of them.
 namespace proskill::ide {
 
+/// The cells of a notebook are texts that have no files. The text of a notebook itself is nobody's:
+/// it includes the cells, so that they are one program, and no answer ever speaks of it.
+enum class TextKind : std::uint8_t { File, Cell, Notebook };
+
 /// A text as an editor holds it; its file may not exist.
 struct OpenText {
   std::string uri; ///< as the client spells it
   std::int64_t version = 0;
   syntax::Document document;
+  TextKind kind = TextKind::File;
 };
 
 using OpenTexts = std::map<std::filesystem::path, OpenText>;
@@ -122,6 +127,11 @@ public:
   [[nodiscard]] bool takeMissedFlow() const;
 
   [[nodiscard]] const OpenTexts& open() const { return texts; }
+  /// Of a text that is open, or of a file.
+  [[nodiscard]] TextKind kindOf(const std::filesystem::path& name) const {
+    const auto found = texts.find(name);
+    return found == texts.end() ? TextKind::File : found->second.kind;
+  }
   /// Every file that is open or in the workspace. A file has one name in all that a snapshot gives,
   /// whatever links lead to it: the one that the editor opened it by, else that in the workspace.
   [[nodiscard]] auto files() const {

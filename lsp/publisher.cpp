@@ -37,13 +37,15 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
     const std::lock_guard lock(mutex);
     latest = snapshot;
   }
-  for (const auto& [path, text] : snapshot->open())
+  for (const auto& [path, text] : snapshot->open()) {
+    if (text.kind == ide::TextKind::Notebook) continue;
     scheduler.post(Priority::Background,
                    [this, path = path, asked = revision.load(), wanted = running] {
                      if (wanted.isCancelled()) return;
                      const analysis::StopWhen stop([&] { return wanted.isCancelled(); });
                      publishLatest(path, asked);
                    });
+  }
 }
 
 /// What waits holds no texts: of those that a fast typist leaves behind there would be many.

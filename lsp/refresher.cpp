@@ -42,8 +42,9 @@ bool Refresher::concernsOthers(const ide::Snapshot& now) const {
   const auto& after = now.includes();
   for (const auto& file : files)
     for (const auto& [path, text] : now.open())
-      if (path != file && (shareProgram(*after, file, path) ||
-                           (before != after && shareProgram(*before, file, path))))
+      if (path != file && text.kind != ide::TextKind::Notebook &&
+          (shareProgram(*after, file, path) ||
+           (before != after && shareProgram(*before, file, path))))
         return true;
   return false;
 }

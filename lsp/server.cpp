@@ -226,6 +226,7 @@ void Server::notified(Received& received) {
   const auto& [method, params] = std::tie(received.message.method, received.message.params);
   if (method == "initialized") return initialized();
   if (method.starts_with("textDocument/did")) return handleText(received);
+  if (method.starts_with("notebookDocument/did")) return handleNotebook(received);
   if (method == "workspace/didChangeWatchedFiles") return handleWatchedFiles(params);
   if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
   if (method == "workspace/didChangeConfiguration")
@@ -270,22 +271,53 @@ void Server::handleText(Received& received) {
   else
     return log("a notification that is not served: " + message.method);
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
-  if (message.method == "textDocument/didChange") refuseStale(received);
-  changed();
+  if (message.method == "textDocument/didChange")
+    refuseStale(uriOf(message.params), received.order);
+  std::vector<Path> texts;
   if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
-    refresher.changed(*path, *before, debounce());
-  verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
+    texts.push_back(*path);
+  textsChanged(texts, std::move(before));
+}
+
+void Server::handleNotebook(const Received& received) {
+  const auto& [method, params] = std::tie(received.message.method, received.message.params);
+  auto before = workspace.snapshot();
+  Notebooks::Outcome outcome;
+  if (method == "notebookDocument/didOpen")
+    outcome = notebooks.open(params);
+  else if (method == "notebookDocument/didChange")
+    outcome = notebooks.change(params);
+  else if (method == "notebookDocument/didClose")
+    outcome = notebooks.close(params);
+  else if (method != "notebookDocument/didSave")
+    log("a notification that is not served: " + method);
+  for (const auto& problem : outcome.problems) {
+    log(method + ": " + problem);
+    announcer.show(Announcer::Kind::Error, problem);
+  }
+  for (const auto& path : outcome.changed)
+    if (auto text = before->open().find(path); text != before->open().end())
+      refuseStale(text->second.uri, received.order);
+  if (!outcome.changed.empty()) textsChanged(outcome.changed, std::move(before));
+}
+
+/// By the client; the last of them is in view.
+void Server::textsChanged(const std::vector<Path>& texts,
+                          std::shared_ptr<const ide::Snapshot> before) {
+  changed();
+  for (const auto& path : texts) refresher.changed(path, *before, debounce());
+  verification.textsChanged(workspace.snapshot(),
+                            texts.empty() ? std::nullopt : std::optional(texts.back()));
   forget(std::move(before));
 }
 
 /// What was asked about the text before the edit, and is asked again by the client.
-void Server::refuseStale(const Received& edit) {
-  const auto uri = uriOf(edit.message.params);
-  for (const auto& [id, method] : pending.about(uri, client.retried, edit.order))
+void Server::refuseStale(const std::string& uri, std::uint64_t order) {
+  for (const auto& [id, method] : pending.about(uri, client.retried, order))
     if (pending.cancel(id))
       outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
   static const std::set<std::string> kPulled{"textDocument/diagnostic"};
-  for (const auto& [id, method] : pending.about(uri, kPulled, edit.order))
+  for (const auto& [id, method] : pending.about(uri, kPulled, order))
     if (pending.cancel(id))
       outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
                                   Json{{"retriggerRequest", true}}}));

@@ -2,6 +2,7 @@
 
 #include "lsp/announcer.h"
 #include "lsp/inbox.h"
+#include "lsp/notebooks.h"
 #include "lsp/outbox.h"
 #include "lsp/peer.h"
 #include "lsp/pending.h"
@@ -56,7 +57,9 @@ private:
   void notified(Received& received);
   void gatherEdits(Message& edit);
   void handleText(Received& received);
-  void refuseStale(const Received& edit);
+  void handleNotebook(const Received& received);
+  void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
+  void refuseStale(const std::string& uri, std::uint64_t order);
   void dispatch(Received& received, const Method& method);
   [[nodiscard]] Answer execute(const Json& params);
   void answer(const Message& message, const Method& method, const Request& request);
@@ -98,6 +101,7 @@ private:
   Pending pending;
   Statistics statistics;
   Workspace workspace;
+  Notebooks notebooks{workspace};
   ClientFeatures client;
   std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
   Phase phase = Phase::Fresh;

@@ -75,6 +75,13 @@ Json watchers() {
   return result;
 }
 
+/// Cells in ProSkill, whatever the notebook.
+Json notebookSync() {
+  const Json cells = Json::array({{{"language", "proskill"}}});
+  return {{"notebookSelector", Json::array({{{"notebook", "*"}, {"cells", cells}}})},
+          {"save", true}};
+}
+
 } // namespace
 
 Json Server::initialize(const Json& params) {
@@ -92,6 +99,7 @@ Json Server::initialize(const Json& params) {
   capabilities["positionEncoding"] = nameOf(client.encoding);
   capabilities["textDocumentSync"] = {
       {"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}};
+  capabilities["notebookDocumentSync"] = notebookSync();
   capabilities["workspace"]["workspaceFolders"] = {{"supported", true},
                                                    {"changeNotifications", true}};
   return {{"capabilities", capabilities},
