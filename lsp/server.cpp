@@ -337,7 +337,7 @@ void Server::dispatch(Received& received, const Method& method) {
         std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
                                    memberAt(message.params, {"partialResultToken"}));
     answer(message, method, request);
-    if (message.method == "textDocument/diagnostic") findingsTold(*snapshot);
+    if (message.method.ends_with("/diagnostic")) findingsTold(*snapshot);
     if (auto replaced = snapshot->takeReplaced(); !replaced.empty()) forget(std::move(replaced));
   });
 }

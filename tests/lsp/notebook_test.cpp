@@ -211,6 +211,13 @@ TEST_CASE("cells include what lies beside their notebook, and a notebook may hav
   CHECK(session.at("textDocument/definition", cellUri("b"), 0, 22)[0]["uri"] ==
         "file:///w/lamp.proskill");
 
+  const Json moved{{"oldUri", kNotebook}, {"newUri", "file:///w/deep/mission.ipynb"}};
+  const auto edits =
+      session.result("workspace/willRenameFiles", {{"files", {moved}}})["documentChanges"];
+  REQUIRE(edits.size() == 1);
+  CHECK(edits[0]["textDocument"]["uri"] == cellUri("a"));
+  CHECK(edits[0]["edits"][0]["newText"] == "../lamp.proskill");
+
   const std::string one = "vscode-notebook-cell:Untitled-1.ipynb?jupyter#W0sdW50aXRsZWQ%3D";
   const std::string two = "vscode-notebook-cell:Untitled-1.ipynb?jupyter#W1sdW50aXRsZWQ%3D";
   auto text = [](const std::string& uri, const std::string& content) -> Json {
