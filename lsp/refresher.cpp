@@ -6,11 +6,15 @@ namespace proskill::lsp {
 
 namespace {
 
-bool shareProgram(const ide::IncludeGraph& graph, const std::filesystem::path& one,
-                  const std::filesystem::path& other) {
-  const auto roots = graph.rootsOf(one);
-  return std::ranges::any_of(graph.rootsOf(other), [&](const auto& root) {
-    return std::ranges::binary_search(roots, root);
+/// Whether another open text belongs to a program that this file belongs to. That may be hundreds.
+bool sharesProgram(const ide::IncludeGraph& graph, const std::filesystem::path& file,
+                   const ide::OpenTexts& open) {
+  const auto roots = graph.rootsOf(file);
+  auto isRoot = [&](const auto& root) { return std::ranges::binary_search(roots, root); };
+  return std::ranges::any_of(open, [&](const auto& entry) {
+    const auto& [path, text] = entry;
+    return path != file && text.kind != ide::TextKind::Notebook &&
+           std::ranges::any_of(graph.rootsOf(path), isRoot);
   });
 }
 
@@ -18,6 +22,7 @@ bool shareProgram(const ide::IncludeGraph& graph, const std::filesystem::path& o
 
 void Refresher::changed(const Path& file, const ide::Snapshot& then,
                         std::chrono::milliseconds delay) {
+  if (client.refreshes.empty()) return; // nothing is kept for nobody
   if (!before) before = then.includes();
   files.insert(file);
   delayBy(delay);
@@ -40,13 +45,10 @@ void Refresher::delayBy(std::chrono::milliseconds delay) {
 /// An edit may separate what was one program, or join what was two.
 bool Refresher::concernsOthers(const ide::Snapshot& now) const {
   const auto& after = now.includes();
-  for (const auto& file : files)
-    for (const auto& [path, text] : now.open())
-      if (path != file && text.kind != ide::TextKind::Notebook &&
-          (shareProgram(*after, file, path) ||
-           (before != after && shareProgram(*before, file, path))))
-        return true;
-  return false;
+  return std::ranges::any_of(files, [&](const Path& file) {
+    return sharesProgram(*after, file, now.open()) ||
+           (before != after && sharesProgram(*before, file, now.open()));
+  });
 }
 
 void Refresher::refresh(const ide::Snapshot& now) {

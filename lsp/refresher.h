@@ -31,6 +31,8 @@ public:
   /// When `refresh` is to be called next.
   [[nodiscard]] std::optional<Time> due() const { return dueAt; }
   void refresh(const ide::Snapshot& now);
+  /// What waits is given up.
+  void stop() { dueAt.reset(); }
 
   // Any thread's, at once:
   void verdictsChanged() { ask({"workspace/diagnostic/refresh", "workspace/codeLens/refresh"}); }

@@ -126,6 +126,13 @@ TEST_CASE("many edits are followed by one question, when the texts have been lef
   CHECK(editor.refreshed() == kNone);
 }
 
+TEST_CASE("a client that leaves is asked nothing") {
+  Editor editor;
+  editor.refresher.allChanged({});
+  editor.refresher.stop();
+  CHECK_FALSE(editor.refresher.due());
+}
+
 TEST_CASE("settings weigh findings, and folders may join any texts") {
   Editor editor;
   editor.refresher.findingsChanged({});
