@@ -279,7 +279,7 @@ void Completer::files() {
   for (const auto& target : includesOf(self, view.document()))
     included.insert(snapshot.nameOf(target).native());
   for (const auto& file : snapshot.files()) {
-    if (included.contains(file.native())) continue;
+    if (included.contains(file.native()) || snapshot.kindOf(file) != TextKind::File) continue;
     const auto relative = file.lexically_relative(folder);
     if (relative.empty()) continue;
     Completion& item = add(relative.generic_string(), CompletionKind::File);

@@ -21,6 +21,7 @@ Saying sayingOf(const syntax::Diagnostic& diagnostic) {
 /// The findings of a program that no feature looks into are wanted, and no more of its flow.
 std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem::path& file) {
   std::vector<Finding> result;
+  if (snapshot.kindOf(file) == TextKind::Notebook) return result;
   std::set<Saying> said;
   snapshot.eachView(file, [&](const View& view) {
     for (const auto& diagnostic : view.owner->findings())

@@ -24,7 +24,9 @@ std::size_t sizeOf(const analysis::Program& program) {
 
 std::shared_ptr<const KnownFlow> quickFlow(const View& view) {
   if (auto known = view.owner->flowIfKnown()) return known;
-  return sizeOf(view.program()) <= kQuick ? view.owner->flow() : nullptr;
+  if (sizeOf(view.program()) <= kQuick) return view.owner->flow();
+  view.owner->missFlow();
+  return view.owner->flowIfKnown(); // it may have come between the two
 }
 
 std::optional<flow::VariableId> flowVariable(const View& view, const KnownFlow& flow,

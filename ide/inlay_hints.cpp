@@ -66,10 +66,10 @@ private:
       if (!isLiteral(argument.value)) continue;
       for (const auto& input : (*callee)->inputs)
         if (analysis::withoutDollar(input.name).text == argument.name.text && input.type)
-          add({HintKind::ArgumentType,
-               argument.name.range.end,
+          add({HintKind::ArgumentType, argument.name.range.end,
                fmt::format(": {}", input.type.text),
-               {}});
+               fmt::format("The type of the input `{}` of `{}`.", input.name.text, callee->name()),
+               callee->at(input.name.range)});
     }
   }
 
@@ -87,7 +87,8 @@ private:
     const auto text = taken ? flow::words(*taken) : std::string("never ends");
     add({HintKind::Duration, skill.name.range.end, text,
          "From the start of the skill to its end, in runs that nobody stops; computed from its "
-         "parts."});
+         "parts.",
+         std::nullopt});
   }
 
   /// One text may be several steps.
@@ -111,6 +112,13 @@ private:
            view.index().symbols()[occurrence->symbol].kind == analysis::SymbolKind::StateVariable;
   }
 
+  /// Of `takeoff.status` the skill.
+  [[nodiscard]] std::optional<analysis::Location> definitionAt(syntax::Range name) const {
+    const auto* occurrence = view.index().at(view.file, name.begin);
+    if (!occurrence) return std::nullopt;
+    return view.index().symbols()[occurrence->symbol].at;
+  }
+
   void collect(const syntax::Expr& expr, std::vector<Mention>& mentions) const {
     const auto now = [this](syntax::Range then) { return flow->now({view.file, then}).range; };
     const bool isName = expr.kind == ExprKind::Test || expr.kind == ExprKind::Symbol;
@@ -131,7 +139,8 @@ private:
       auto label = values ? labelOf(*variable, *values) : std::string();
       if (label.empty()) continue;
       add({HintKind::Values, mention.at.end, std::move(label),
-           fmt::format("What `{}` can be when the program comes here.", mention.name)});
+           fmt::format("What `{}` can be when the program comes here.", mention.name),
+           definitionAt(mention.at)});
     }
   }
 

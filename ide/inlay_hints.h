@@ -2,6 +2,7 @@
 
 #include "ide/snapshot.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct InlayHint {
   syntax::Offset at = 0; ///< shown before what stands here
   std::string label;
   std::string tooltip;
+  std::optional<analysis::Location>
+      about; ///< the name of what it speaks about, where it is defined
 };
 
 /// In the order of the text: the types of the inputs of calls that are given literals, what a

@@ -255,6 +255,14 @@ std::vector<std::shared_ptr<const AnalysedProgram>> Snapshot::takeReplaced() con
   return std::exchange(replaced, {});
 }
 
+bool Snapshot::takeMissedFlow() const {
+  const std::lock_guard lock(mutex);
+  bool result = false;
+  for (const auto& [root, entry] : entries)
+    result |= entry->program && entry->program->takeMissedFlow();
+  return result;
+}
+
 std::optional<View> Snapshot::viewIn(const fs::path& root, const fs::path& file) const {
   auto analysed = program(root);
   const auto id = fileIn(analysed->program, file);

@@ -20,11 +20,16 @@
 /// The texts of an editor at one moment, and what analysis says of them.
 namespace proskill::ide {
 
+/// The cells of a notebook are texts that have no files. The text of a notebook itself is nobody's:
+/// it includes the cells, so that they are one program, and no answer ever speaks of it.
+enum class TextKind : std::uint8_t { File, Cell, Notebook };
+
 /// A text as an editor holds it; its file may not exist.
 struct OpenText {
   std::string uri; ///< as the client spells it
   std::int64_t version = 0;
   syntax::Document document;
+  TextKind kind = TextKind::File;
 };
 
 using OpenTexts = std::map<std::filesystem::path, OpenText>;
@@ -53,6 +58,10 @@ public:
   /// Gives back its memory, which is most of a program's. Who asks for it has it computed again;
   /// the findings are known still.
   void forgetFlow() const;
+  /// Somebody wanted the flow, and did not wait for it. Any thread.
+  void missFlow() const { missedFlow = true; }
+  /// What somebody missed is there now: true once.
+  [[nodiscard]] bool takeMissedFlow() const { return flowIfKnown() && missedFlow.exchange(false); }
   /// All that `proskill check` tells of the program, weighed by its settings.
   [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
 
@@ -76,6 +85,7 @@ private:
 
   const bool flows;             ///< it has a flow, known or not
   mutable std::mutex computing; ///< the flow
+  mutable std::atomic<bool> missedFlow = false;
   mutable std::once_flag flowFindingsOnce;
   mutable std::mutex mutex; ///< of what follows
   mutable std::shared_ptr<const KnownFlow> knownFlow;
@@ -121,13 +131,22 @@ public:
   /// them takes a while: nobody should wait for it. Each is given once.
   [[nodiscard]] std::vector<std::shared_ptr<const AnalysedProgram>> takeReplaced() const;
 
+  /// Somebody missed the flow of a program with open texts, which is known by now: true once.
+  [[nodiscard]] bool takeMissedFlow() const;
+
   [[nodiscard]] const OpenTexts& open() const { return texts; }
+  /// Of a text that is open, or of a file.
+  [[nodiscard]] TextKind kindOf(const std::filesystem::path& name) const {
+    const auto found = texts.find(name);
+    return found == texts.end() ? TextKind::File : found->second.kind;
+  }
   /// Every file that is open or in the workspace. A file has one name in all that a snapshot gives,
   /// whatever links lead to it: the one that the editor opened it by, else that in the workspace.
   [[nodiscard]] auto files() const {
     return graph->files() |
            std::views::transform([](const auto& file) -> const auto& { return file->name; });
   }
+  [[nodiscard]] const std::shared_ptr<const IncludeGraph>& includes() const { return graph; }
   /// The same files, with what each includes.
   [[nodiscard]] const std::vector<IncludeGraph::File>& knownFiles() const { return graph->files(); }
   [[nodiscard]] bool knows(const std::filesystem::path& file) const { return graph->named(file); }

@@ -27,6 +27,18 @@ std::set<std::string> strings(const Json& json) {
   return result;
 }
 
+/// The capability for diagnostics was named in two ways.
+std::set<std::string> refreshesOf(const Json& capabilities) {
+  std::set<std::string> result;
+  const auto& workspace = memberAt(capabilities, {"workspace"});
+  for (const auto* what : {"codeLens", "diagnostic", "inlayHint", "inlineValue", "semanticTokens"})
+    if (isTrue(workspace, {what, "refreshSupport"}))
+      result.insert(std::string("workspace/") + what + "/refresh");
+  if (isTrue(workspace, {"diagnostics", "refreshSupport"}))
+    result.insert("workspace/diagnostic/refresh");
+  return result;
+}
+
 /// Bytes are what the server counts in; where the client takes them, nothing has to be converted.
 Encoding chooseEncoding(const Json& capabilities) {
   for (const auto* offered : {&memberAt(capabilities, {"general", "positionEncodings"}),
@@ -75,12 +87,12 @@ ClientFeatures readClientFeatures(const Json& capabilities) {
   client.configuration = isTrue(capabilities, {"workspace", "configuration"});
   client.dynamicConfiguration =
       isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});
-  client.diagnosticRefresh = isTrue(capabilities, {"workspace", "diagnostics", "refreshSupport"}) ||
-                             isTrue(capabilities, {"workspace", "diagnostic", "refreshSupport"});
   client.retried =
       strings(memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
-  client.refreshCodeLens = isTrue(capabilities, {"workspace", "codeLens", "refreshSupport"});
-  client.refreshInlayHints = isTrue(capabilities, {"workspace", "inlayHint", "refreshSupport"});
+  client.resolvedOfHints = strings(
+      memberAt(capabilities, {"textDocument", "inlayHint", "resolveSupport", "properties"}));
+  client.refreshes = refreshesOf(capabilities);
+  if (!client.pullDiagnostics) client.refreshes.erase("workspace/diagnostic/refresh");
   return client;
 }
 

@@ -34,12 +34,12 @@ struct ClientFeatures {
   std::shared_ptr<const Manual> manual;
   bool configuration = false;        ///< may be asked for its settings
   bool dynamicConfiguration = false; ///< registers for changes of them
-  bool diagnosticRefresh = false;
   /// Methods that it asks again where a request was refused because the text has changed.
   std::set<std::string> retried;
-  // What the client asks for again when the server says so.
-  bool refreshCodeLens = false;
-  bool refreshInlayHints = false;
+  /// Members of inlay hints that it asks for when they are looked at: `label.location`.
+  std::set<std::string> resolvedOfHints;
+  /// Requests by which it may be told to ask for something again: `workspace/codeLens/refresh`.
+  std::set<std::string> refreshes;
 };
 
 /// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension

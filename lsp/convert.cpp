@@ -54,6 +54,11 @@ void Converter::write(JsonWriter& json, analysis::Location location) const {
   json.close('}');
 }
 
+bool Converter::isShown(analysis::FileId file) const {
+  const auto open = texts.find(program.files[file].path);
+  return open == texts.end() || open->second.kind != ide::TextKind::Notebook;
+}
+
 std::string Converter::uri(analysis::FileId file) const {
   const auto& path = program.files[file].path;
   auto open = texts.find(path);
@@ -61,8 +66,9 @@ std::string Converter::uri(analysis::FileId file) const {
 }
 
 std::filesystem::path pathOf(std::string_view uri) {
-  auto path = toPath(uri);
-  return path ? *path : std::filesystem::path("/" + std::string(uri));
+  if (auto path = toPath(uri)) return *path;
+  if (auto path = toCellPath(uri)) return *path;
+  return "/" + std::string(uri);
 }
 
 std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) {
@@ -93,7 +99,8 @@ std::expected<std::string, RpcError> textIn(const Json& params, const char* name
 std::expected<ide::View, RpcError> documentView(const Request& request) {
   auto path = documentPath(request.params);
   if (!path) return std::unexpected(path.error());
-  if (!request.snapshot.open().contains(*path))
+  if (!request.snapshot.open().contains(*path) ||
+      request.snapshot.kindOf(*path) == ide::TextKind::Notebook)
     return std::unexpected(invalidParams("the document is not open"));
   return request.snapshot.view(*path);
 }

@@ -27,6 +27,8 @@ public:
   [[nodiscard]] Json location(analysis::Location location) const;
   void write(JsonWriter& json, analysis::FileId file, syntax::Range range) const;
   void write(JsonWriter& json, analysis::Location location) const;
+  /// Whether the client knows it as a text: the server's own of a notebook is none.
+  [[nodiscard]] bool isShown(analysis::FileId file) const;
   /// As the client spells it, where it holds the text.
   [[nodiscard]] std::string uri(analysis::FileId file) const;
 

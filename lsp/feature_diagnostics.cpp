@@ -55,6 +55,7 @@ void writeRelated(JsonWriter& json, const syntax::Diagnostic& diagnostic,
                   const Converter& convert) {
   json.key("relatedInformation").open('[');
   for (const auto& entry : diagnostic.related) {
+    if (!convert.isShown(entry.location.file)) continue;
     convert.write(json.open('{').key("location"), entry.location);
     json.member("message", entry.message).close('}');
   }
@@ -125,7 +126,9 @@ Json goneItem(const std::string& uri) {
 /// Of every file of the workspace, open or not; in parts where the client takes them.
 Answer workspaceDiagnostics(const Request& request) {
   const auto previous = previousOf(request.params);
-  const auto files = request.snapshot.files();
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : request.snapshot.files())
+    if (request.snapshot.kindOf(file) != ide::TextKind::Notebook) files.push_back(file);
   Json items = Json::array();
   auto give = [&](Json item) {
     if (request.progress->wantsParts())

@@ -37,13 +37,15 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
     const std::lock_guard lock(mutex);
     latest = snapshot;
   }
-  for (const auto& [path, text] : snapshot->open())
+  for (const auto& [path, text] : snapshot->open()) {
+    if (text.kind == ide::TextKind::Notebook) continue;
     scheduler.post(Priority::Background,
                    [this, path = path, asked = revision.load(), wanted = running] {
                      if (wanted.isCancelled()) return;
                      const analysis::StopWhen stop([&] { return wanted.isCancelled(); });
                      publishLatest(path, asked);
                    });
+  }
 }
 
 /// What waits holds no texts: of those that a fast typist leaves behind there would be many.
@@ -91,6 +93,7 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
     told[path] = std::move(now);
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
     lock.unlock();
+    onPublished(snapshot);
     (void)snapshot.takeReplaced();     // now that nobody waits for it
   } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
   } catch (const std::exception& error) {

@@ -25,17 +25,19 @@ class Publisher {
 public:
   using Time = std::chrono::steady_clock::time_point;
   using GetVerdicts = std::function<std::shared_ptr<const ide::Verdicts>()>;
+  using OnPublished = std::function<void(const ide::Snapshot& snapshot)>;
   using OnFailure =
       std::function<void(std::string_view method, const Json& params, std::string_view error)>;
 
   /// All of them outlive the publisher's tasks.
   Publisher(Peer& peer, Scheduler& scheduler, Statistics& statistics, const ClientFeatures& client,
-            GetVerdicts verdicts, OnFailure onFailure)
+            GetVerdicts verdicts, OnPublished onPublished, OnFailure onFailure)
       : peer(peer),
         scheduler(scheduler),
         statistics(statistics),
         client(client),
         verdicts(std::move(verdicts)),
+        onPublished(std::move(onPublished)),
         onFailure(std::move(onFailure)) {}
 
   /// The main thread's: texts or settings have changed; `debounce` from now on is soon enough.
@@ -68,6 +70,7 @@ private:
   Statistics& statistics;
   const ClientFeatures& client;
   GetVerdicts verdicts;
+  OnPublished onPublished; ///< by any thread: the findings of a text have been told
   OnFailure onFailure;
   std::optional<Time> dueAt;
   std::atomic<std::uint64_t> revision{0}; ///< of the texts

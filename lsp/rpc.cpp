@@ -60,7 +60,8 @@ std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
 }
 
 std::string request(const Json& id, std::string_view method, const Json& params) {
-  auto text = envelope(params).member("id", id).member("method", method).member("params", params);
+  auto text = envelope(params).member("id", id).member("method", method);
+  if (!params.is_null()) text.member("params", params);
   return text.close('}').take();
 }
 

@@ -64,6 +64,7 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
                     [this] { inbox.put([this] { verdictsChanged(); }); }, options.log}),
       publisher(
           peer, scheduler, statistics, client, [this] { return verification.verdicts(); },
+          [this](const ide::Snapshot& snapshot) { findingsTold(snapshot); },
           [this](std::string_view method, const Json& params, std::string_view error) {
             failed(method, params, error);
           }),
@@ -106,16 +107,19 @@ int Server::run() {
 }
 
 std::optional<Server::Time> Server::nextDeadline() const {
-  auto due = publisher.due();
-  if (!due || (parentDue && *parentDue < *due)) return parentDue;
-  return due;
+  std::optional<Time> first;
+  for (const auto& due : {publisher.due(), refresher.due(), parentDue})
+    if (due && (!first || *due < *first)) first = due;
+  return first;
 }
 
 void Server::onDeadline() {
-  if (publisher.due() && *publisher.due() <= std::chrono::steady_clock::now()) {
+  const auto now = std::chrono::steady_clock::now();
+  if (publisher.due() && *publisher.due() <= now) {
     publisher.publish(workspace.snapshot(), settings->diagnostics);
     showMistakes();
   }
+  if (refresher.due() && *refresher.due() <= now) refresher.refresh(*workspace.snapshot());
 }
 
 void Server::readStream() {
@@ -204,6 +208,7 @@ void Server::handleRequest(Received& received) {
     return refuse(ErrorCode::ServerNotInitialized, "`initialize` comes first");
   if (message.method == "shutdown") {
     phase = Phase::ShutDown;
+    refresher.stop(); // a client that leaves is asked nothing
     return give(nullptr);
   }
   auto method = registry.methods.find(message.method);
@@ -222,6 +227,7 @@ void Server::notified(Received& received) {
   const auto& [method, params] = std::tie(received.message.method, received.message.params);
   if (method == "initialized") return initialized();
   if (method.starts_with("textDocument/did")) return handleText(received);
+  if (method.starts_with("notebookDocument/did")) return handleNotebook(received);
   if (method == "workspace/didChangeWatchedFiles") return handleWatchedFiles(params);
   if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
   if (method == "workspace/didChangeConfiguration")
@@ -266,20 +272,53 @@ void Server::handleText(Received& received) {
   else
     return log("a notification that is not served: " + message.method);
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
-  if (message.method == "textDocument/didChange") refuseStale(received);
+  if (message.method == "textDocument/didChange")
+    refuseStale(uriOf(message.params), received.order);
+  std::vector<Path> texts;
+  if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
+    texts.push_back(*path);
+  textsChanged(texts, std::move(before));
+}
+
+void Server::handleNotebook(const Received& received) {
+  const auto& [method, params] = std::tie(received.message.method, received.message.params);
+  auto before = workspace.snapshot();
+  Notebooks::Outcome outcome;
+  if (method == "notebookDocument/didOpen")
+    outcome = notebooks.open(params);
+  else if (method == "notebookDocument/didChange")
+    outcome = notebooks.change(params);
+  else if (method == "notebookDocument/didClose")
+    outcome = notebooks.close(params);
+  else if (method != "notebookDocument/didSave")
+    log("a notification that is not served: " + method);
+  for (const auto& problem : outcome.problems) {
+    log(method + ": " + problem);
+    announcer.show(Announcer::Kind::Error, problem);
+  }
+  for (const auto& path : outcome.changed)
+    if (auto text = before->open().find(path); text != before->open().end())
+      refuseStale(text->second.uri, received.order);
+  if (!outcome.changed.empty()) textsChanged(outcome.changed, std::move(before));
+}
+
+/// By the client; the last of them is in view.
+void Server::textsChanged(const std::vector<Path>& texts,
+                          std::shared_ptr<const ide::Snapshot> before) {
   changed();
-  verification.textsChanged(workspace.snapshot(), outcome ? std::optional(*outcome) : std::nullopt);
+  for (const auto& path : texts) refresher.changed(path, *before, debounce());
+  verification.textsChanged(workspace.snapshot(),
+                            texts.empty() ? std::nullopt : std::optional(texts.back()));
   forget(std::move(before));
 }
 
 /// What was asked about the text before the edit, and is asked again by the client.
-void Server::refuseStale(const Received& edit) {
-  const auto uri = uriOf(edit.message.params);
-  for (const auto& [id, method] : pending.about(uri, client.retried, edit.order))
+void Server::refuseStale(const std::string& uri, std::uint64_t order) {
+  for (const auto& [id, method] : pending.about(uri, client.retried, order))
     if (pending.cancel(id))
       outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
   static const std::set<std::string> kPulled{"textDocument/diagnostic"};
-  for (const auto& [id, method] : pending.about(uri, kPulled, edit.order))
+  for (const auto& [id, method] : pending.about(uri, kPulled, order))
     if (pending.cancel(id))
       outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
                                   Json{{"retriggerRequest", true}}}));
@@ -299,6 +338,7 @@ void Server::dispatch(Received& received, const Method& method) {
         std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
                                    memberAt(message.params, {"partialResultToken"}));
     answer(message, method, request);
+    if (message.method.ends_with("/diagnostic")) findingsTold(*snapshot);
     if (auto replaced = snapshot->takeReplaced(); !replaced.empty()) forget(std::move(replaced));
   });
 }
@@ -366,13 +406,13 @@ void Server::textsChanged() {
 /// The texts are as they were; what shows verdicts is told anew.
 void Server::verdictsChanged() {
   if (phase != Phase::Running) return;
-  const auto ask = [&](bool wanted, const char* method) {
-    if (wanted) peer.ask(method, nullptr);
-  };
-  ask(client.pullDiagnostics && client.diagnosticRefresh, "workspace/diagnostic/refresh");
-  ask(client.refreshCodeLens, "workspace/codeLens/refresh");
-  ask(client.refreshInlayHints, "workspace/inlayHint/refresh");
+  refresher.verdictsChanged();
   if (!client.pullDiagnostics) publisher.changed(std::chrono::milliseconds(0));
+}
+
+/// Hints of a large program do not wait for its flow, but the findings do: now it is there.
+void Server::findingsTold(const ide::Snapshot& snapshot) {
+  if (snapshot.takeMissedFlow()) refresher.hintsChanged();
 }
 
 std::chrono::milliseconds Server::debounce() const {

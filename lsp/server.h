@@ -2,10 +2,12 @@
 
 #include "lsp/announcer.h"
 #include "lsp/inbox.h"
+#include "lsp/notebooks.h"
 #include "lsp/outbox.h"
 #include "lsp/peer.h"
 #include "lsp/pending.h"
 #include "lsp/publisher.h"
+#include "lsp/refresher.h"
 #include "lsp/registry.h"
 #include "lsp/statistics.h"
 #include "lsp/verification.h"
@@ -56,7 +58,9 @@ private:
   void notified(Received& received);
   void gatherEdits(Message& edit);
   void handleText(Received& received);
-  void refuseStale(const Received& edit);
+  void handleNotebook(const Received& received);
+  void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
+  void refuseStale(const std::string& uri, std::uint64_t order);
   void dispatch(Received& received, const Method& method);
   [[nodiscard]] Answer execute(const Json& params);
   void answer(const Message& message, const Method& method, const Request& request);
@@ -66,6 +70,7 @@ private:
   [[nodiscard]] std::chrono::milliseconds debounce() const;
   void textsChanged();
   void verdictsChanged();
+  void findingsTold(const ide::Snapshot& snapshot);
 
   // server_lifecycle.cpp
   Json initialize(const Json& params);
@@ -97,6 +102,7 @@ private:
   Pending pending;
   Statistics statistics;
   Workspace workspace;
+  Notebooks notebooks{workspace};
   ClientFeatures client;
   std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
   Phase phase = Phase::Fresh;
@@ -110,6 +116,7 @@ private:
   std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
   Verification verification;
   Publisher publisher;
+  Refresher refresher{peer, client};
   Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above
   Scheduler scheduler;
 };

@@ -75,6 +75,13 @@ Json watchers() {
   return result;
 }
 
+/// Cells in ProSkill, whatever the notebook.
+Json notebookSync() {
+  const Json cells = Json::array({{{"language", "proskill"}}});
+  return {{"notebookSelector", Json::array({{{"notebook", "*"}, {"cells", cells}}})},
+          {"save", true}};
+}
+
 } // namespace
 
 Json Server::initialize(const Json& params) {
@@ -93,6 +100,7 @@ Json Server::initialize(const Json& params) {
   capabilities["positionEncoding"] = nameOf(client.encoding);
   capabilities["textDocumentSync"] = {
       {"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}};
+  capabilities["notebookDocumentSync"] = notebookSync();
   capabilities["workspace"]["workspaceFolders"] = {{"supported", true},
                                                    {"changeNotifications", true}};
   return {{"capabilities", capabilities},
@@ -133,8 +141,7 @@ void Server::setSettings(const Json& json) {
   verification.configure(memberAt(whole.is_object() ? whole : json, {"verify"}));
   workspace.setStyle(settings->style);
   changed();
-  if (client.pullDiagnostics && client.diagnosticRefresh)
-    peer.ask("workspace/diagnostic/refresh", nullptr);
+  refresher.findingsChanged(debounce());
 }
 
 void Server::changeFolders(const Json& params) {
@@ -145,6 +152,7 @@ void Server::changeFolders(const Json& params) {
   folders.insert(folders.end(), added.begin(), added.end());
   readFolders(std::move(added));
   changed();
+  refresher.allChanged(debounce());
 }
 
 /// On another thread, for a folder may be large: edits and requests do not wait for it. Progress is
@@ -169,15 +177,22 @@ void Server::readFolders(std::vector<Path> some) {
     inbox.put([this, found] {
       workspace.add(std::move(*found));
       textsChanged();
+      refresher.allChanged(debounce());
     });
   });
 }
 
 void Server::handleWatchedFiles(const Json& params) {
-  workspace.readFiles(pathsIn(memberAt(params, {"changes"})));
+  const auto before = workspace.snapshot();
+  const auto paths = pathsIn(memberAt(params, {"changes"}));
+  workspace.readFiles(paths);
   textsChanged();
-  if (client.pullDiagnostics && client.diagnosticRefresh)
-    peer.ask("workspace/diagnostic/refresh", nullptr);
+  for (const auto& path : paths) {
+    const auto file = before->nameOf(path);
+    if (before->open().contains(file)) continue;
+    refresher.findingsChanged(debounce());
+    refresher.changed(file, *before, debounce());
+  }
 }
 
 /// A mistaken file of settings is told like a mistake in a program.

@@ -25,10 +25,11 @@ double milliseconds(std::chrono::nanoseconds time) {
 Json documents(const ide::Snapshot& snapshot) {
   Json result = Json::array();
   for (const auto& [path, text] : snapshot.open())
-    result.push_back({{"uri", text.uri},
-                      {"version", text.version},
-                      {"bytes", text.document.text().size()},
-                      {"hash", fingerprint(text.document.text())}});
+    if (text.kind != ide::TextKind::Notebook)
+      result.push_back({{"uri", text.uri},
+                        {"version", text.version},
+                        {"bytes", text.document.text().size()},
+                        {"hash", fingerprint(text.document.text())}});
   return result;
 }
 

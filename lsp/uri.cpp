@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace proskill::lsp {
@@ -43,6 +44,14 @@ std::string encode(std::string_view text) {
   return result;
 }
 
+/// Of a path that begins with one, as no folder's does: "untitled" of `/untitled:Untitled-1`. A
+/// single letter is a drive.
+std::string_view schemeIn(std::string_view path) {
+  const auto end = path.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.", 1);
+  const bool found = end != std::string_view::npos && end > 2 && path[end] == ':';
+  return found ? path.substr(1, end - 1) : std::string_view();
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> toPath(std::string_view uri) {
@@ -53,8 +62,23 @@ std::optional<std::filesystem::path> toPath(std::string_view uri) {
   return std::filesystem::path(decode(rest.substr(slash))).lexically_normal();
 }
 
+/// What `pathOf` made of a URI of another scheme is that URI again.
 std::string toUri(const std::filesystem::path& path) {
+  if (const auto scheme = schemeIn(path.native()); !scheme.empty()) return path.native().substr(1);
   return std::string(kFile) + encode(path.generic_string());
+}
+
+std::optional<std::filesystem::path> toCellPath(std::string_view uri) {
+  const auto colon = uri.find(':');
+  if (uri.find('#') == std::string_view::npos || colon == std::string_view::npos) return {};
+  auto rest = uri.substr(colon + 1);
+  if (rest.starts_with("//")) rest = rest.substr(std::min(rest.find('/', 2), rest.size()));
+  const auto file = rest.starts_with('/') ? rest.substr(0, rest.find_first_of("?#")) : "";
+  const auto path = std::filesystem::path("/" + decode(file)).lexically_normal();
+  auto name = path.filename().string() + decode(file.empty() ? uri : rest.substr(file.size()));
+  std::ranges::replace_if(
+      name, [](char c) { return std::string_view("/\"%\r\n").contains(c); }, '_');
+  return path.parent_path() / name;
 }
 
 std::string normalised(std::string_view uri) {

@@ -11,6 +11,10 @@ namespace proskill::lsp {
 /// RFC 3986, RFC 8089.
 [[nodiscard]] std::optional<std::filesystem::path> toPath(std::string_view uri);
 [[nodiscard]] std::string toUri(const std::filesystem::path& path);
+/// A path for a text that is part of a file, as a cell of a notebook is: its URI is of a scheme of
+/// its own and has a fragment (`vscode-notebook-cell:/w/a.ipynb#W0s`). There is no file of that
+/// name, but what it includes is looked for beside it. It has neither quotes nor escapes.
+[[nodiscard]] std::optional<std::filesystem::path> toCellPath(std::string_view uri);
 
 /// One spelling for each URI: clients write the same file with `%3A` or `:`, and in other ways.
 [[nodiscard]] std::string normalised(std::string_view uri);

@@ -95,6 +95,7 @@ Json textsJson(const analysis::Program& program, const ide::OpenTexts& open) {
   const Converter convert(program, open, Encoding::Utf8);
   Json texts = Json::array();
   for (analysis::FileId i = 0; i < program.files.size(); ++i) {
+    if (!convert.isShown(i)) continue;
     auto text = open.find(program.files[i].path);
     texts.push_back({{"uri", convert.uri(i)},
                      {"version", text == open.end() ? Json() : Json(text->second.version)}});
@@ -106,6 +107,7 @@ Json textsJson(const ide::ProgramVerdicts& verdicts, const Converter& convert) {
   Json texts = Json::array();
   const auto& files = verdicts.program->program.files;
   for (analysis::FileId i = 0; i < files.size(); ++i) {
+    if (!convert.isShown(i)) continue;
     auto version = verdicts.versions.find(files[i].path);
     texts.push_back(
         {{"uri", convert.uri(i)},

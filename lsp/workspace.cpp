@@ -29,6 +29,10 @@ std::int64_t versionOf(const Json& document) {
   return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
 }
 
+bool isProgramFile(const fs::path& path) {
+  return path.extension() == ".proskill" || ide::isFiacre(path);
+}
+
 /// It is not itself where its folder is, wherever that may be.
 bool isLink(const analysis::FileSystem& disk, const ide::KnownFile& file) {
   return disk.canonical(file.name.parent_path()) / file.name.filename() != file.canonical;
@@ -56,7 +60,7 @@ void Workspace::setStyle(bool now) {
   if (std::exchange(style, now) != now) startAfresh();
 }
 
-Workspace::Outcome Workspace::open(const Json& params) {
+Workspace::Outcome Workspace::open(const Json& params, ide::TextKind kind) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
   const auto& document = params["textDocument"];
@@ -64,7 +68,7 @@ Workspace::Outcome Workspace::open(const Json& params) {
     return std::unexpected("`textDocument.text` is missing");
   texts.insert_or_assign(*path,
                          ide::OpenText{document["uri"].get<std::string>(), versionOf(document),
-                                       syntax::Document::parse(document["text"])});
+                                       syntax::Document::parse(document["text"]), kind});
   identities.try_emplace(*path, identityOf(*path));
   noteText(*path);
   refresh();
@@ -105,6 +109,28 @@ Workspace::Outcome Workspace::saved(const Json& params) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
   return *path;
+}
+
+/// Mostly the cells lie in the notebook's folder; what is written there has no quotes.
+bool Workspace::join(const fs::path& notebook, const std::string& uri,
+                     const std::vector<fs::path>& cells) {
+  std::string text;
+  for (const auto& cell : cells) {
+    const bool isBeside = cell.parent_path() == notebook.parent_path();
+    text += "(include \"" + (isBeside ? cell.filename() : cell).native() + "\")\n";
+  }
+  const auto found = texts.find(notebook);
+  if (found != texts.end() && found->second.document.text() == text) return false;
+  texts.insert_or_assign(
+      notebook, ide::OpenText{uri, 0, syntax::Document::parse(text), ide::TextKind::Notebook});
+  identities.try_emplace(notebook, identityOf(notebook));
+  noteText(notebook);
+  refresh();
+  return true;
+}
+
+void Workspace::close(const fs::path& path) {
+  if (texts.contains(path)) drop(path);
 }
 
 FolderContents Workspace::read(const std::vector<fs::path>& folders, const OnFile& onFile) const {
@@ -211,15 +237,18 @@ void Workspace::noteText(const fs::path& path) {
   graph = graph->with(ide::knownText(*disk, path, identity, document));
 }
 
-/// What is no longer open is what the disk says of it, unless it is open by another name.
+/// What is no longer open is what the disk says of it, unless it is open by another name. What the
+/// disk has of a notebook is mostly no program.
 void Workspace::drop(const fs::path& path) {
+  const bool mayBeFile = texts.at(path).kind == ide::TextKind::File || isProgramFile(path);
   texts.erase(path);
   const auto identity = identities.extract(path).mapped();
   graph = graph->without(identity);
   if (const auto other = otherTextOf(identity)) {
     graph = graph->without(std::exchange(identities.at(*other), identity));
     noteText(*other);
-  } else if (auto file = onDisk(path); file && !isHeld(file->canonical)) {
+  } else if (auto file = mayBeFile ? onDisk(path) : std::nullopt;
+             file && !isHeld(file->canonical)) {
     graph = graph->with(std::move(*file));
   }
   refresh();
@@ -253,8 +282,7 @@ std::set<fs::path> programFiles(const fs::path& folder) {
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
     if (walk->is_directory(error) && isSkipped(walk->path())) walk.disable_recursion_pending();
     const auto& path = walk->path();
-    if (path.extension() == ".proskill" || ide::isFiacre(path))
-      result.insert(path.lexically_normal());
+    if (isProgramFile(path)) result.insert(path.lexically_normal());
     if (result.size() == kMostFiles) break;
   }
   return result;

@@ -34,11 +34,18 @@ public:
   /// The path of the text that was opened, changed or closed, or what is wrong with the message. A
   /// change that does not fit the text drops the text: a wrong text would give wrong answers until
   /// it is closed.
-  Outcome open(const Json& params);
+  Outcome open(const Json& params, ide::TextKind kind = ide::TextKind::File);
   Outcome change(const Json& params);
   Outcome close(const Json& params);
   /// Nothing changes but where the file is that others include from disk.
   Outcome saved(const Json& params);
+
+  /// Makes the cells of a notebook one program, in this order.
+  /// \return it is another one than before
+  bool join(const std::filesystem::path& notebook, const std::string& uri,
+            const std::vector<std::filesystem::path>& cells);
+  /// A text that may be open.
+  void close(const std::filesystem::path& path);
 
   using OnFile = std::function<void(std::size_t done, std::size_t all)>;
   /// The programs of folders, each file parsed. Any thread; nothing changes until they are added.

@@ -69,7 +69,7 @@ TEST_CASE("each request of the table is served, and each that is served stands i
     for (const auto& request : row.requests) {
       INFO(request);
       CHECK(told.insert(request).second);
-      if (request.starts_with("workspace/did") || request.starts_with("textDocument/did")) continue;
+      if (request.contains("Document/did") || request.starts_with("workspace/did")) continue;
       const auto answer = session.ask(request, lsp::Json::object());
       CHECK((!answer.contains("error") || answer["error"]["code"] != -32601));
     }

@@ -57,6 +57,7 @@ lsp::ClientFeatures featuresOf(lsp::Encoding encoding) {
   result.pullDiagnostics = result.relatedInformation = result.snippets = true;
   result.insertReplace = result.hierarchicalSymbols = result.documentChanges = true;
   result.markdownHover = result.markdownCompletion = true;
+  result.resolvedOfHints = {"tooltip", "label.location"};
   return result;
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("places behind characters beyond the BMP, in the encoding of the clien
     auto hints = session.result("textDocument/inlayHint", {{"textDocument", {{"uri", kMain}}},
                                                            {"range", rangeOf(2, go, go + 9)}});
     REQUIRE(hints.size() == 1);
-    CHECK(hints[0]["label"] == ": int");
+    CHECK(hints[0]["label"][0]["value"] == ": int");
     CHECK(hints[0]["position"] == Json{{"line", 2}, {"character", go + 4}});
 
     auto lamp = column(encoding, 54);

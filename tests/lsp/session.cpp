@@ -84,6 +84,7 @@ void Session::initialize() {
                        {"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
   capabilities["general"]["staleRequestSupport"] = {{"cancel", true},
                                                     {"retryOnContentModified", options.retried}};
+  capabilities.merge_patch(options.capabilities);
   if (!options.encoding.empty())
     capabilities["general"]["positionEncodings"] = Json::array({options.encoding});
   auto answer = result("initialize", {{"processId", nullptr},

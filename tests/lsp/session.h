@@ -45,6 +45,7 @@ public:
     std::shared_ptr<const analysis::FileSystem> disk = std::make_shared<MemoryFiles>();
     std::string encoding = "utf-16";
     bool pull = false; ///< the client asks for diagnostics instead of being told
+    lsp::Json capabilities = lsp::Json::object(); ///< beside the usual ones
     std::chrono::milliseconds debounce{0};
     std::vector<std::string> retried{}; ///< methods that the client asks again after an edit
     /// Nothing is verified unless a test asks for it.

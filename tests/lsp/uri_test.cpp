@@ -1,3 +1,4 @@
+#include "lsp/convert.h"
 #include "lsp/uri.h"
 
 #include <catch2/catch.hpp>
@@ -20,4 +21,21 @@ TEST_CASE("a URI is decoded however a client writes it") {
 TEST_CASE("other schemes have no path and keep their spelling") {
   CHECK(!toPath("untitled:Untitled-1"));
   CHECK(normalised("untitled:Untitled-1") == "untitled:Untitled-1");
+}
+
+TEST_CASE("a text that is part of a file lies beside it, by a name without quotes and escapes") {
+  CHECK(pathOf("vscode-notebook-cell:/w/a%20b.ipynb#W0sZmlsZQ%3D%3D") ==
+        "/w/a b.ipynb#W0sZmlsZQ==");
+  CHECK(pathOf("vscode-notebook-cell://host/w/x/../a.ipynb?q#%22a%2Fb%25") == "/w/a.ipynb?q#_a_b_");
+  CHECK(pathOf("cell:Untitled-1#W0%3D").parent_path() == "/");
+  CHECK(pathOf("cell:Untitled-1#W0%3D") == pathOf("cell:Untitled-1#W0="));
+  CHECK(pathOf("cell:#") != pathOf("cell:?#"));
+  CHECK(pathOf("cell://host#x").parent_path() == "/");
+}
+
+TEST_CASE("a path for a URI of another scheme is that URI again") {
+  for (const auto* uri : {"untitled:Untitled-1", "git:/w/a.proskill?x", "untitled:/c:/w/%C3%A9"})
+    CHECK(toUri(pathOf(uri)) == uri);
+  CHECK(toUri("/c:/w") == "file:///c%3A/w");
+  CHECK(toUri("/w/untitled:x") == "file:///w/untitled%3Ax");
 }

@@ -77,6 +77,7 @@ export class Client implements vscode.Disposable {
       documentSelector: [
         { language: 'proskill', scheme: 'file' },
         { language: 'proskill', scheme: 'untitled' },
+        { language: 'proskill', notebook: '*' },
         { language: 'fiacre', scheme: 'file' },
       ],
       synchronize: { configurationSection: 'proskill' },

@@ -19,12 +19,14 @@ CAPABILITIES = {
         'workspaceEdit': {'documentChanges': True},
         'didChangeConfiguration': {'dynamicRegistration': True},
         'didChangeWatchedFiles': {'dynamicRegistration': True},
+        **{what: {'refreshSupport': True} for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens', 'diagnostics')},
     },
     'textDocument': {
         'publishDiagnostics': {'relatedInformation': True, 'codeDescriptionSupport': True, 'tagSupport': {'valueSet': [1, 2]}},
         'completion': {'completionItem': {'snippetSupport': True, 'documentationFormat': ['markdown']}},
         'documentSymbol': {'hierarchicalDocumentSymbolSupport': True},
         'hover': {'contentFormat': ['markdown']},
+        'inlayHint': {'resolveSupport': {'properties': ['tooltip', 'label.location']}},
         'foldingRange': {'lineFoldingOnly': False},
         'codeAction': {'codeActionLiteralSupport': {'codeActionKind': {'valueSet': ['quickfix', 'refactor']}},
                        'dataSupport': True, 'resolveSupport': {'properties': ['edit']}},
@@ -71,6 +73,7 @@ class Client:
         self.last = 0
         self.answers = {}     # id: (message, when it came)
         self.notes = []       # (Note, when it came)
+        self.questions = []   # of the server, by their methods
         self.record = []      # ('in' | 'out', message)
         self.lock = threading.Condition()
         self.ended = False
@@ -129,6 +132,7 @@ class Client:
 
     def serve(self, message):
         result = None
+        self.questions.append(message['method'])
         if message['method'] == 'workspace/configuration':
             result = [self.settings for _ in message['params']['items']]
         self.send({'jsonrpc': '2.0', 'id': message['id'], 'result': result})
@@ -196,6 +200,10 @@ class Client:
             return taken.message['params'], when
         return self.wait(find)
 
+    def asked(self, method):
+        """Waits for a request of the server; each counts once."""
+        self.wait(lambda: self.questions.remove(method) or True if method in self.questions else None)
+
     # A session ----------------------------------------------------------------------------------
 
     def initialize(self, capabilities=None, **more):
@@ -215,6 +223,16 @@ class Client:
 
     def close(self, uri):
         self.notify('textDocument/didClose', {'textDocument': {'uri': uri}})
+
+    def open_notebook(self, uri, cells):
+        """The cells are texts, by their URIs."""
+        self.notify('notebookDocument/didOpen', {
+            'notebookDocument': {'uri': uri, 'notebookType': 'jupyter-notebook', 'version': 1,
+                                 'cells': [{'kind': 2, 'document': cell.uri} for cell in cells]},
+            'cellTextDocuments': [cell.item() for cell in cells]})
+
+    def change_cells(self, uri, version, **cells):
+        self.notify('notebookDocument/didChange', {'notebookDocument': {'uri': uri, 'version': version}, 'change': {'cells': cells}})
 
     def diagnostics(self, uri, version):
         return self.note('textDocument/publishDiagnostics',
@@ -251,10 +269,29 @@ class Text:
         """No position lies within the end of a line."""
         return offset - 1 if self.text[max(offset - 1, 0):offset + 1] == '\r\n' and offset > 0 else offset
 
+    def item(self):
+        return {'uri': self.uri, 'languageId': 'proskill', 'version': self.version, 'text': self.text}
+
     def edit(self, client, begin, end, text):
         """Replaces a piece here and in the server."""
         begin, end = self.expressible(begin), self.expressible(end)
         start, stop = self.position(begin), self.position(end)
         self.version += 1
         self.text = self.text[:begin] + text + self.text[end:]
+        self.send(client, start, stop, text)
+
+    def send(self, client, start, stop, text):
         client.change(self.uri, self.version, start, stop, text)
+
+
+class Cell(Text):
+    """One of a notebook's."""
+
+    def __init__(self, notebook, name, text):
+        super().__init__(f'vscode-notebook-cell:{notebook.removeprefix("file://")}#{name}sZmlsZQ%3D%3D', text)
+        self.notebook = notebook
+
+    def send(self, client, start, stop, text):
+        client.change_cells(self.notebook, self.version, textContent=[{
+            'document': {'uri': self.uri, 'version': self.version},
+            'changes': [{'range': {'start': start, 'end': stop}, 'text': text}]}])

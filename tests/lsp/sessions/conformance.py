@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-from client import CAPABILITIES, Client, Text
+from client import CAPABILITIES, Cell, Client, Text
 
 HERE = pathlib.Path(__file__).resolve()
 ROOT = HERE.parents[3]
@@ -116,8 +116,8 @@ REQUESTS = {
     'foldingRangeProvider': once('textDocument/foldingRange'),
     'hoverProvider': at_places('textDocument/hover'),
     'implementationProvider': at_places('textDocument/implementation'),
-    'inlayHintProvider':
-        lambda client, text: client.request('textDocument/inlayHint', about(text, range=whole(text))),
+    'inlayHintProvider': resolved('textDocument/inlayHint', 'inlayHint/resolve', lambda method: lambda client, text: [
+        client.request(method, about(text, range=whole(text)))]),
     'inlineValueProvider':
         lambda client, text: client.request('textDocument/inlineValue', about(text, range=whole(text), context={
             'frameId': 1, 'stoppedLocation': whole(text)})),
@@ -137,7 +137,7 @@ REQUESTS = {
     'workspaceSymbolProvider':
         lambda client, text: [client.request('workspace/symbol', {'query': query}) for query in ('', 'take')],
 }
-NO_REQUESTS = {'positionEncoding', 'textDocumentSync', 'experimental'}
+NO_REQUESTS = {'positionEncoding', 'textDocumentSync', 'notebookDocumentSync', 'experimental'}
 
 
 def session(program):
@@ -149,13 +149,20 @@ def session(program):
     unknown = set(offered) - set(REQUESTS) - NO_REQUESTS
     assert not unknown, f'{unknown}: say in conformance.py what these let a client ask'
     source = (drone / 'drone.proskill').read_text()
-    for uri, content in [((drone / 'drone.proskill').as_uri(), source),
-                         ('untitled:broken', source.replace(':states', ':sttes').replace('takeoff', 'take off'))]:
-        text = Text(uri, content)
-        client.open(uri, content)
-        client.diagnostics(uri, 1)
+    middle = source.index('(defskill')
+    notebook = 'file:///nowhere/drone.ipynb'
+    cells = [Cell(notebook, 'W0', source[:middle]), Cell(notebook, 'W1', source[middle:])]
+    client.open_notebook(notebook, cells)
+    for text in [Text((drone / 'drone.proskill').as_uri(), source), cells[1],
+                 Text('untitled:broken', source.replace(':states', ':sttes').replace('takeoff', 'take off'))]:
+        if text is not cells[1]:
+            client.open(text.uri, text.text)
+        client.diagnostics(text.uri, 1)
         for capability in sorted(set(offered) & set(REQUESTS)):
             REQUESTS[capability](client, text)
+    client.notify('workspace/didChangeWorkspaceFolders', {'event': {'added': [], 'removed': []}})  # may mean all
+    for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens'):
+        client.asked(f'workspace/{what}/refresh')
     client.request('proskill/status', None)
     client.request('textDocument/nonsense', {})
     assert client.end() == 0

@@ -1,5 +1,5 @@
-"""Random sessions: edits at random places, requests at random places, cancellations. At the end the server holds the text
-that the client holds, and tells what a fresh `proskill check` tells of it. Usage:
+"""Random sessions: edits at random places, requests at random places, cancellations, of texts and of a notebook whose cells come, go
+and move. At the end the server holds the texts that the client holds, and tells what a fresh `proskill check` tells of them. Usage:
 random_sessions.py PROSKILL [--check PROSKILL] [--seed N] [--sessions N | --seconds S] [--steps N]"""
 
 import argparse
@@ -12,7 +12,7 @@ import sys
 import tempfile
 import time
 
-from client import CAPABILITIES, Client, Text
+from client import CAPABILITIES, Cell, Client, Text
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / 'examples'
 SEVERITIES = {1: 'error', 2: 'warning', 4: 'hint'}
@@ -41,6 +41,9 @@ class Session:
         self.path = os.path.realpath(self.folder.name)
         self.write('lamp.proskill', '(defsv lamp :states (On Off) :init Off)\n')
         self.texts = {}
+        self.notebook = f'file://{self.path}/mission.ipynb'
+        self.cells = []
+        self.made = 0
         self.errors = open(os.path.join(self.path, 'stderr'), 'w+')
         self.client = Client(command, stderr=self.errors)
         encodings = self.random.choice([['utf-16'], ['utf-16', 'utf-32']])
@@ -59,14 +62,19 @@ class Session:
         sources = [path for path in EXAMPLES.rglob('*.proskill')]
         for name in ('main.proskill', 'other.proskill'):
             self.open(name, self.random.choice(sorted(sources)).read_text())
+        source = self.random.choice(sorted(sources)).read_text()
+        places = sorted(self.random.sample(range(len(source)), 2))
+        self.cells = [self.cell(source[begin:end]) for begin, end in zip([0, *places], [*places, None])]
+        self.client.open_notebook(self.notebook, self.cells)
         for _ in range(self.steps):
-            self.random.choices([self.edit, self.ask, self.cancel, self.reopen, self.watch], [50, 40, 8, 1, 1])[0]()
+            self.random.choices([self.edit, self.ask, self.cancel, self.reopen, self.watch, self.restructure], [50, 40, 8, 1, 1, 2])[0]()
             if len(self.asked) > 50:
                 self.settle(self.asked.pop(0))
         for asked in self.asked:
             self.settle(asked)
         for name, text in self.texts.items():
             self.compare(name, text)
+        self.compare_cells()
         code = self.client.end()
         self.errors.seek(0)
         said = self.errors.read()
@@ -79,7 +87,25 @@ class Session:
         self.client.open(text.uri, content, version)
 
     def pick(self):
-        return self.random.choice(list(self.texts.values()))
+        return self.random.choice([*self.texts.values(), *self.cells])
+
+    def cell(self, content):
+        self.made += 1
+        return Cell(self.notebook, f'W{self.made}', content)
+
+    def restructure(self):
+        """Some cells go, new ones come, and some of those that stay stand elsewhere."""
+        start = self.random.randrange(len(self.cells) + 1)
+        old = self.cells[start:start + self.random.randrange(4)]
+        gone = [cell for cell in old if self.random.random() < 0.3]
+        come = [self.cell(self.random.choice(['(defsv lamp_%d :states (On Off) :init Off)\n' % self.made, '', '(defevent']))
+                for _ in range(self.random.choice([0, 0, 1, 2]))]
+        new = [cell for cell in old if cell not in gone] + come
+        self.random.shuffle(new)
+        self.cells[start:start + len(old)] = new
+        self.client.change_cells(self.notebook, 1, structure={
+            'array': {'start': start, 'deleteCount': len(old), 'cells': [{'kind': 2, 'document': cell.uri} for cell in new]},
+            'didOpen': [cell.item() for cell in come], 'didClose': [{'uri': cell.uri} for cell in gone]})
 
     def edit(self):
         text = self.pick()
@@ -122,7 +148,23 @@ class Session:
         text.edit(self.client, len(text.text), len(text.text), '\n')
         told = self.client.diagnostics(text.uri, text.version)
         self.write(name, text.text)
-        checked = self.check(name)
+        self.compare_with(told, self.check(name, name), name, text)
+
+    def compare_cells(self):
+        """With files that a file includes as the notebook has cells."""
+        names = [f'cell_{i}.proskill' for i in range(len(self.cells))]
+        for cell in self.cells:  # all of them, for an edit of one changes what is told of others
+            cell.edit(self.client, len(cell.text), len(cell.text), '\n')
+        for name, cell in zip(names, self.cells):
+            self.write(name, cell.text)
+        self.write('notebook.proskill', ''.join(f'(include "{name}")\n' for name in names))
+        for name, cell in zip(names, self.cells):
+            checked = self.check('notebook.proskill', name)
+            told = self.client.note('textDocument/publishDiagnostics', lambda params: params['uri'] == cell.uri and
+                                    params['version'] == cell.version and len(params['diagnostics']) == len(checked))['diagnostics']
+            self.compare_with(told, checked, name, cell)
+
+    def compare_with(self, told, checked, name, text):
         seen = [(each['code'], SEVERITIES[each['severity']], each['message'], each['range']['start']['line'] + 1) for each in told]
         assert sorted(seen) == sorted(checked), (name, seen, checked, text.text)
         status = self.client.result('proskill/status', None)
@@ -131,8 +173,9 @@ class Session:
         sent = text.text.encode()
         assert (held['bytes'], held['hash']) == (len(sent), fnv1a(sent)), ('the texts differ', held, len(sent))
 
-    def check(self, name):
-        done = subprocess.run([CHECKER, 'check', '--format=json', os.path.join(self.path, name)], capture_output=True)
+    def check(self, root, name):
+        """What is told of a file in the program of another."""
+        done = subprocess.run([CHECKER, 'check', '--format=json', os.path.join(self.path, root)], capture_output=True)
         path = os.path.join(self.path, name)
         return [(each['code'], each['severity'], each['message'], each['location']['begin']['line'])
                 for each in json.loads(done.stdout)['diagnostics']

@@ -9,7 +9,7 @@ import tempfile
 import threading
 import time
 
-from client import Client, Ended, PATIENCE, framed, position
+from client import CAPABILITIES, Cell, Client, Ended, PATIENCE, framed, position
 
 PROGRAM = sys.argv[1]
 LAMP = '(defsv lamp :states (On Off) :init Off)\n'
@@ -289,6 +289,51 @@ def the_code_of_a_diagnostic_leads_to_its_page():
     with open(page) as file:
         assert file.readlines()[int(line) - 1].startswith('## PS0203: ')
     assert client.end() == 0
+
+
+def other_texts_of_a_program_are_asked_for_again():
+    client = server()
+    client.initialize({**CAPABILITIES, 'textDocument': {**CAPABILITIES['textDocument'], 'diagnostic': {}}})
+    main = 'file:///nowhere/main.proskill'
+    client.open(main, '(include "lamp.proskill")\n(defevent e :effects (lamp Oon))\n')
+    client.open(URI, LAMP)
+    for change in (lambda: None, lambda: client.change(URI, 2, position(0, 22), position(0, 24), 'Oon'), lambda: client.close(URI)):
+        change()
+        for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens', 'diagnostic'):
+            client.asked(f'workspace/{what}/refresh')
+    client.change(main, 2, position(0, 0), position(0, 0), ';')  # a text alone is its client's own matter
+    client.result('proskill/status', None)
+    assert client.end() == 0
+    assert not [each for each in client.questions if each.endswith('/refresh')], client.questions
+
+
+def cells_of_a_notebook_are_one_program():
+    with tempfile.TemporaryDirectory() as folder:
+        notebook = f'file://{os.path.realpath(folder)}/mission.ipynb'
+        with open(os.path.join(folder, 'mission.ipynb'), 'w') as file:
+            file.write('{"cells": []}')  # no program
+        lamp, event = Cell(notebook, 'W0', LAMP), Cell(notebook, 'W1', '(defevent e :effects (lamp On))\n')
+        client = started()
+        client.open_notebook(notebook, [lamp, event])
+        assert client.diagnostics(event.uri, 1) == []
+        assert client.result('textDocument/definition', at(event.uri, 0, 22))[0]['uri'] == lamp.uri
+        edits = client.result('textDocument/rename', {**at(lamp.uri, 0, 8), 'newName': 'light'})['documentChanges']
+        assert {edit['textDocument']['uri']: len(edit['edits']) for edit in edits} == {lamp.uri: 1, event.uri: 1}
+        event.edit(client, 27, 29, 'Oon')
+        assert 'PS0203' in codes(client.diagnostics(event.uri, 2))
+        client.change_cells(notebook, 3, structure={'array': {'start': 0, 'deleteCount': 2, 'cells': [
+            {'kind': 2, 'document': cell.uri} for cell in (event, lamp)]}})
+        assert client.result('textDocument/definition', at(event.uri, 0, 22))[0]['uri'] == lamp.uri
+        for mistake in ({'structure': {'array': {'start': 3, 'deleteCount': 0}}}, {'textContent': [{'document': {'uri': URI, 'version': 1}, 'changes': []}]}):
+            client.change_cells(notebook, 4, **mistake)
+            assert client.note('window/logMessage')['type'] == 1
+        assert [each['uri'] for each in client.result('proskill/status', None)['documents']] == [lamp.uri, event.uri]
+        client.notify('notebookDocument/didSave', {'notebookDocument': {'uri': notebook}})
+        client.notify('notebookDocument/didClose', {'notebookDocument': {'uri': notebook}, 'cellTextDocuments': [{'uri': lamp.uri}]})
+        assert client.diagnostics(lamp.uri, None) == client.diagnostics(event.uri, None) == []
+        status = client.result('proskill/status', None)
+        assert (status['documents'], status['files'], status['errors']) == ([], 0, 0), status
+        assert client.end() == 0
 
 
 def mistaken_settings_are_told_at_their_file():
