@@ -1,6 +1,7 @@
 #include "analysis/deprecated.h"
 
 #include "syntax/codes.h"
+#include "syntax/quote.h"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ void reportDeprecated(const Program& program, const Index& index, Findings& find
       if (isWithin) continue;
       findings
           .report(syntax::Code::DeprecatedName, use.at, symbol.name,
-                  why.empty() ? std::string() : fmt::format(": {}", why))
+                  why.empty() ? std::string() : fmt::format(": {}", syntax::shortened(why)))
           .related(symbol.at, "defined here");
     }
   }

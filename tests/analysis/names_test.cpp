@@ -40,7 +40,7 @@ TEST_CASE("the uses of a name that its comment deprecates are told") {
   const std::string body = "(defskill mission :body ((old) (^ (= old.status success))))\n";
   const std::string old =
       "(defskill old :action (old) :invariant (i (:guard (/= old.status success))))\n";
-  CHECK(findings("; Deprecated: use new.\n" + old + body) == "PS0230 old, PS0230 old");
+  CHECK(findings("; Deprecated: use new.\n" + old + body) == "PS0230H old, PS0230H old");
   CHECK(messages(";; What it does.\n  ;; Deprecated: use new.\n; More.\n" + old +
                  "(defskill mission :body ((old)))") == "`old` is deprecated: use new.\n");
   CHECK(messages("; Deprecated:\r\n" + old + "(defskill mission :body ((old)))") ==
@@ -50,7 +50,7 @@ TEST_CASE("the uses of a name that its comment deprecates are told") {
   CHECK(findings("(defsv a :states (A B) :init A) ; Deprecated: use b.\n" + old + body) == "");
   CHECK(findings(old + body + "; Deprecated: use new.") == "");
   CHECK(findings("(defsv a\n  :states (A\n  ; Deprecated: use A.\n  B C)\n  :init B)\n(defevent e "
-                 ":effects (a C))") == "PS0230 B");
+                 ":effects (a C))") == "PS0230H B");
 }
 
 TEST_CASE("a result is compared with the tags of the skill that it is of") {
