@@ -70,7 +70,8 @@ void MovableJson::write(JsonWriter& json, std::uint32_t now) const {
 }
 
 Json written(std::string_view json) {
-  return Json::binary(Json::binary_t::container_type(json.begin(), json.end()));
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data()); // copied in one go
+  return Json::binary(Json::binary_t::container_type(bytes, bytes + json.size()));
 }
 
 std::size_t sizeOf(const Json& json) {
