@@ -52,7 +52,8 @@ void addDeprecations(const syntax::Document& document, FileId file, const Index&
     }
     if (line == lines.lineCount()) return;
     const auto symbol = definedIn(index, file, lines.line(line, text));
-    if (symbol != kNoSymbol) found.push_back({symbol, why});
+    const bool isKnown = !found.empty() && found.back().symbol == symbol;
+    if (symbol != kNoSymbol && !isKnown) found.push_back({symbol, why});
   }
 }
 

@@ -18,7 +18,8 @@ Saying sayingOf(const syntax::Diagnostic& diagnostic) {
 
 } // namespace
 
-/// The findings of a program that no feature looks into are wanted, and no more of its flow.
+/// Of a program that features look into they want the flow as well; of others only the findings
+/// are.
 std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem::path& file) {
   std::vector<Finding> result;
   if (snapshot.kindOf(file) == TextKind::Notebook) return result;
@@ -27,7 +28,10 @@ std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem
     for (const auto& diagnostic : view.owner->findings())
       if (diagnostic.location.file == view.file && said.insert(sayingOf(diagnostic)).second)
         result.push_back({view.owner, &diagnostic});
-    if (!snapshot.isLookedAt(*view.owner)) view.owner->forgetFlow();
+    if (snapshot.isLookedAt(*view.owner))
+      (void)view.owner->flow(); // which may have been forgotten while nobody looked
+    else
+      view.owner->forgetFlow();
   });
   return result;
 }

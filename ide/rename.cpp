@@ -133,30 +133,38 @@ void collect(Places& places, const Meaning& meaning) {
     places[files[place.at.file].path].insert(place.at.range.begin);
 }
 
+/// What tells a program from others; it may be analysed more than once.
+const fs::path& rootOf(const View& view) { return view.program().files.front().path; }
+
 /// The other programs in which a place of the name stands.
-void addPrograms(std::vector<Meaning>& known, const Snapshot& snapshot, const Meaning& meaning) {
-  auto isKnown = [&](const View& view) {
-    return std::ranges::any_of(known, [&](const auto& it) { return it.view.owner == view.owner; });
-  };
+/// \param looked the roots of those that were looked at
+void addPrograms(std::vector<Meaning>& known, std::set<fs::path>& looked, const Snapshot& snapshot,
+                 const Meaning& meaning) {
+  auto isLooked = [&](const fs::path& root) { return looked.contains(root); };
   std::set<analysis::FileId> seen;
   for (const auto& place : meaning.view.index().occurrencesOf(meaning.symbol)) {
     if (!seen.insert(place.at.file).second) continue;
-    for (auto& view : snapshot.views(meaning.view.program().files[place.at.file].path)) {
-      if (isKnown(view)) continue;
-      if (auto there = occurrenceAt(view, place.at.range.begin))
-        known.push_back({std::move(view), there->symbol});
-    }
+    const auto& path = meaning.view.program().files[place.at.file].path;
+    if (std::ranges::all_of(snapshot.includes()->rootsOf(path), isLooked)) continue;
+    snapshot.eachView(path, [&](const View& view) {
+      if (isLooked(rootOf(view))) return;
+      const auto there = occurrenceAt(view, place.at.range.begin);
+      if (!there) return;
+      looked.insert(rootOf(view));
+      known.push_back({view, there->symbol});
+    });
   }
 }
 
 /// All programs that must change together: where two of them share a file that uses the name, each
 /// may define it for itself.
 std::vector<Meaning> meaningsOf(const Snapshot& snapshot, Meaning first, Places& places) {
+  std::set<fs::path> looked{rootOf(first.view)};
   std::vector<Meaning> known{std::move(first)};
   for (std::size_t i = 0; i < known.size(); ++i) {
     const auto meaning = known[i];
     collect(places, meaning);
-    addPrograms(known, snapshot, meaning);
+    addPrograms(known, looked, snapshot, meaning);
   }
   return known;
 }

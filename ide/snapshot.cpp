@@ -149,7 +149,10 @@ std::shared_ptr<const KnownFlow> AnalysedProgram::flow() const {
   if (auto now = flowIfKnown()) return now;
   auto computed = std::make_shared<const KnownFlow>(shared);
   const std::lock_guard lock(mutex);
-  return knownFlow = std::move(computed);
+  knownFlow = std::move(computed);
+  if (known)
+    known = std::make_shared<const FlowMemory>(FlowMemory{shared, knownFlow, known->findings});
+  return knownFlow;
 }
 
 std::shared_ptr<const KnownFlow> AnalysedProgram::flowIfKnown() const {

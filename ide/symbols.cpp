@@ -101,7 +101,7 @@ private:
     if (all.size() >= 4 * kMostFound) cut();
     if (worst && score <= *worst) return;
     FoundSymbol found{std::string(names.wordOf(name)), name.kind, file, name.at};
-    if (name.isInner) found.owner = names.ownerOf(name);
+    if (name.isInner) found.owner.emplace(names.ownerOf(name));
     all.push_back({score, std::move(found)});
   }
 

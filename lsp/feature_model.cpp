@@ -151,11 +151,12 @@ Answer tests(const Request& request) {
     for (const auto& [path, text] : request.snapshot.open()) files.push_back(path);
   }
   Json programs = Json::array();
-  std::set<const ide::AnalysedProgram*> known;
+  std::set<std::filesystem::path> known; // the roots of programs
   for (const auto& file : files)
     for (const auto& view : request.snapshot.views(file)) {
       if (request.cancellation.isCancelled()) break;
-      if (known.insert(view.owner.get()).second) programs.push_back(programJson(view, request));
+      if (known.insert(view.program().files.front().path).second)
+        programs.push_back(programJson(view, request));
     }
   return Json{{"programs", programs}};
 }

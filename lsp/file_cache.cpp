@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace proskill::lsp {
@@ -13,7 +14,7 @@ bool isSettled(const FileStamp& stamp) {
   using std::chrono::nanoseconds;
   constexpr nanoseconds kCoarse = std::chrono::milliseconds(100);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return nanoseconds(stamp.modified) + kCoarse < now;
+  return nanoseconds(std::max(stamp.modified, stamp.changed)) + kCoarse < now;
 }
 
 } // namespace
@@ -21,10 +22,12 @@ bool isSettled(const FileStamp& stamp) {
 std::optional<FileStamp> stampOnDisk(const std::filesystem::path& path) {
   struct stat found {};
   if (stat(path.c_str(), &found) != 0) return std::nullopt;
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  return FileStamp{found.st_dev, found.st_ino,
-                   found.st_mtim.tv_sec * kSecond + found.st_mtim.tv_nsec,
-                   static_cast<std::uintmax_t>(found.st_size)};
+  auto nanoseconds = [](const timespec& time) {
+    constexpr std::int64_t kSecond = 1'000'000'000;
+    return time.tv_sec * kSecond + time.tv_nsec;
+  };
+  return FileStamp{found.st_dev, found.st_ino, nanoseconds(found.st_mtim),
+                   nanoseconds(found.st_ctim), static_cast<std::uintmax_t>(found.st_size)};
 }
 
 std::filesystem::path FileCache::canonical(const std::filesystem::path& path) const {

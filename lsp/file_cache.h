@@ -19,6 +19,7 @@ struct FileStamp {
   std::uint64_t device = 0;
   std::uint64_t inode = 0;
   std::int64_t modified = 0; ///< nanoseconds
+  std::int64_t changed = 0;  ///< likewise; whoever sets the other one sets this to the present
   std::uintmax_t size = 0;   ///< bytes
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };

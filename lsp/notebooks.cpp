@@ -34,13 +34,23 @@ std::vector<std::filesystem::path> cellsIn(const Json& list, Notebooks::Outcome&
   return result;
 }
 
+/// Whether the client has such a text open by itself, which is that then and nothing else.
+bool isText(const Workspace& workspace, const std::filesystem::path& path,
+            Notebooks::Outcome& outcome) {
+  const auto& open = workspace.snapshot()->open();
+  const auto found = open.find(path);
+  const bool isIt = found != open.end() && found->second.kind == ide::TextKind::File;
+  if (isIt) outcome.problems.push_back(path.filename().string() + " is open as a text already");
+  return isIt;
+}
+
 } // namespace
 
 Notebooks::Outcome Notebooks::open(const Json& params) {
   Outcome outcome;
   const auto& document = memberAt(params, {"notebookDocument"});
   const auto path = pathAt(params, {"notebookDocument", "uri"}, outcome);
-  if (!path) return outcome;
+  if (!path || isText(workspace, *path, outcome)) return outcome;
   drop(*path, outcome);
   auto& notebook = notebooks[*path];
   notebook.uri = document["uri"];
@@ -106,6 +116,7 @@ void Notebooks::openCell(Notebook& notebook, const Json& text, Outcome& outcome)
     notebook.unserved.insert(*path);
     return;
   }
+  if (isText(workspace, *path, outcome)) return;
   const auto opened = workspace.open({{"textDocument", text}}, ide::TextKind::Cell);
   if (!opened) {
     outcome.problems.push_back(opened.error());

@@ -64,6 +64,7 @@ void Refresher::refresh(const ide::Snapshot& now) {
 }
 
 void Refresher::ask(std::initializer_list<const char*> methods) {
+  if (stopped) return;
   for (const auto* method : methods)
     if (client.refreshes.contains(method)) peer.ask(method, nullptr);
 }

@@ -4,6 +4,7 @@
 #include "lsp/client.h"
 #include "lsp/peer.h"
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <set>
@@ -29,10 +30,10 @@ public:
   /// Findings are weighed otherwise, or those of closed files are others.
   void findingsChanged(std::chrono::milliseconds delay);
   /// When `refresh` is to be called next.
-  [[nodiscard]] std::optional<Time> due() const { return dueAt; }
+  [[nodiscard]] std::optional<Time> due() const { return stopped ? std::nullopt : dueAt; }
   void refresh(const ide::Snapshot& now);
-  /// What waits is given up.
-  void stop() { dueAt.reset(); }
+  /// For good: a client that leaves is asked nothing.
+  void stop() { stopped = true; }
 
   // Any thread's, at once:
   void verdictsChanged() { ask({"workspace/diagnostic/refresh", "workspace/codeLens/refresh"}); }
@@ -45,6 +46,7 @@ private:
 
   Peer& peer;
   const ClientFeatures& client;
+  std::atomic<bool> stopped = false;
   std::optional<Time> dueAt;
   bool all = false;
   bool findings = false;

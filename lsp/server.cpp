@@ -208,7 +208,7 @@ void Server::handleRequest(Received& received) {
     return refuse(ErrorCode::ServerNotInitialized, "`initialize` comes first");
   if (message.method == "shutdown") {
     phase = Phase::ShutDown;
-    refresher.stop(); // a client that leaves is asked nothing
+    refresher.stop();
     return give(nullptr);
   }
   auto method = registry.methods.find(message.method);

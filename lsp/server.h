@@ -80,6 +80,7 @@ private:
   void setSettings(const Json& settings);
   void changeFolders(const Json& params);
   void readFolders(std::vector<Path> folders);
+  void catchUp();
   void handleWatchedFiles(const Json& params);
   void showMistakes();
   void setTrace(const Json& value);
@@ -108,6 +109,9 @@ private:
   Phase phase = Phase::Fresh;
   std::atomic<Trace> trace = Trace::Off;
   std::vector<Path> folders;
+  unsigned readings = 0; ///< of folders, under way
+  std::vector<Path> changedMeanwhile;
+  std::vector<Path> removedMeanwhile;
   std::map<Path, SettingsMistake> mistakes; ///< in files of settings, as the client was told
   std::optional<int> parent;                ///< process whose end is ours
   std::optional<Time> parentDue;            ///< when to look for it

@@ -149,6 +149,7 @@ void Server::changeFolders(const Json& params) {
   auto added = pathsIn(memberAt(params, {"event", "added"}));
   std::erase_if(folders, [&](const Path& it) { return std::ranges::count(removed, it) > 0; });
   workspace.forget(removed, folders);
+  if (readings > 0) removedMeanwhile.insert(removedMeanwhile.end(), removed.begin(), removed.end());
   folders.insert(folders.end(), added.begin(), added.end());
   readFolders(std::move(added));
   changed();
@@ -164,6 +165,7 @@ void Server::readFolders(std::vector<Path> some) {
   if (client.workDoneProgress)
     peer.ask("window/workDoneProgress/create", {{"token", token}},
              [agreed](const Json&) { *agreed = true; });
+  ++readings;
   scheduler.post(Priority::Background, [this, some = std::move(some), agreed, token] {
     Progress progress([this](auto what, const Json& params) { peer.notify(what, params); }, token,
                       nullptr);
@@ -176,15 +178,26 @@ void Server::readFolders(std::vector<Path> some) {
         }));
     inbox.put([this, found] {
       workspace.add(std::move(*found));
+      catchUp();
       textsChanged();
       refresher.allChanged(debounce());
     });
   });
 }
 
+/// What was told while folders were read is newer than what was read.
+void Server::catchUp() {
+  if (!changedMeanwhile.empty()) workspace.readFiles(changedMeanwhile);
+  if (!removedMeanwhile.empty()) workspace.forget(removedMeanwhile, folders);
+  if (--readings > 0) return;
+  changedMeanwhile.clear();
+  removedMeanwhile.clear();
+}
+
 void Server::handleWatchedFiles(const Json& params) {
   const auto before = workspace.snapshot();
   const auto paths = pathsIn(memberAt(params, {"changes"}));
+  if (readings > 0) changedMeanwhile.insert(changedMeanwhile.end(), paths.begin(), paths.end());
   workspace.readFiles(paths);
   textsChanged();
   for (const auto& path : paths) {

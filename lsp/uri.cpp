@@ -77,7 +77,7 @@ std::optional<std::filesystem::path> toCellPath(std::string_view uri) {
   const auto path = std::filesystem::path("/" + decode(file)).lexically_normal();
   auto name = path.filename().string() + decode(file.empty() ? uri : rest.substr(file.size()));
   std::ranges::replace_if(
-      name, [](char c) { return std::string_view("/\"%\r\n").contains(c); }, '_');
+      name, [](char c) { return std::string_view("/\"\\%\r\n").contains(c); }, '_');
   return path.parent_path() / name;
 }
 

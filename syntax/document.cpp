@@ -124,9 +124,11 @@ struct Document::State {
     }
   }
 
+  /// Of several forms in a line the first has it.
   [[nodiscard]] Range commentAbove(Offset at, std::vector<Range>::const_iterator next) const {
     Range found;
-    std::uint32_t line = lines.position(at).line;
+    auto [line, column] = lines.position(at);
+    if (textOf({at - column, at}).find_first_not_of(" \t") != std::string_view::npos) return found;
     while (next != comments.begin()) {
       const Range& comment = *--next;
       Position place = lines.position(comment.begin);

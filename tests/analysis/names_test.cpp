@@ -45,6 +45,8 @@ TEST_CASE("the uses of a name that its comment deprecates are told") {
                  "(defskill mission :body ((old)))") == "`old` is deprecated: use new.\n");
   CHECK(messages("; Deprecated:\r\n" + old + "(defskill mission :body ((old)))") ==
         "`old` is deprecated\n");
+  CHECK(messages("; Deprecated: a.\n; Deprecated: b.\n" + old +
+                 "(defskill mission :body ((old)))") == "`old` is deprecated: a.\n");
   CHECK(findings("; Deprecated: use new.\n\n" + old + body) == "");
   CHECK(findings("; Not Deprecated: use it.\n" + old + body) == "");
   CHECK(findings("(defsv a :states (A B) :init A) ; Deprecated: use b.\n" + old + body) == "");

@@ -1,5 +1,6 @@
 #include "ide/rename.h"
 #include "tests/ide/marked_program.h"
+#include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>
 
@@ -81,6 +82,26 @@ TEST_CASE("a name that two programs define, and a file of both uses, is renamed 
     INFO(file);
     CHECK(renaming->places[file].size() == 1);
   }
+}
+
+TEST_CASE("a name of more programs than are kept is renamed in all of them") {
+  constexpr int kPrograms = 30;
+  const std::string shared = "(defsv lamp :states (On Off) :init On)\n";
+  std::map<std::string, std::string> files;
+  files["/w/shared.proskill"] = shared + ";" + std::string(50'000, 'x');
+  for (int i = 0; i < kPrograms; ++i)
+    files[fmt::format("/w/{}.proskill", i)] =
+        "(include \"shared.proskill\")\n(defevent e :effects (lamp On))\n";
+  const auto disk = std::make_shared<test::MemoryFiles>(files);
+  ide::OpenTexts texts; // all of them, for what includes what
+  for (const auto& [path, text] : files)
+    texts[path] = {"file://" + path, 1, syntax::Document::parse(text)};
+  const auto graph = ide::graphOf(*disk, texts);
+  const ide::Snapshot snapshot(disk, {}, graph);
+  REQUIRE(snapshot.views("/w/shared.proskill").size() == kPrograms);
+  const auto renaming = ide::rename(snapshot, snapshot.view("/w/shared.proskill"), 8, "light");
+  if (!renaming) FAIL(renaming.error());
+  CHECK(renaming->places.size() == kPrograms + 1);
 }
 
 TEST_CASE("what is no name, or stands where no name is, is refused") {

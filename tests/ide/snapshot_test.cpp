@@ -259,6 +259,21 @@ TEST_CASE("of the programs of which nothing is open those are kept that were use
   CHECK_FALSE(programs.back().expired());
 }
 
+TEST_CASE("the flow that was given back is there again when somebody looks at the program") {
+  const auto document = syntax::Document::parse(kText);
+  const auto snapshot = snapshotOf(document);
+  const auto owner = snapshot->view(kPath).owner;
+  REQUIRE(said(snapshot) != "");
+  REQUIRE(owner->flowIfKnown());
+  owner->forgetFlow();
+  CHECK_FALSE(owner->flowIfKnown());
+  CHECK(said(snapshot) == said(snapshotOf(document)));
+  CHECK(owner->flowIfKnown());
+  const auto next = after(snapshot, edited(document, "(defsv", "; a lamp\n"));
+  REQUIRE(said(next) != "");
+  CHECK(isSameFlow(snapshot, next));
+}
+
 TEST_CASE("a text that was opened by a link is the file that programs include") {
   const auto disk = std::make_shared<test::LinkedFiles>(
       std::map<std::string, std::string>{

@@ -131,6 +131,8 @@ TEST_CASE("a client that leaves is asked nothing") {
   editor.refresher.allChanged({});
   editor.refresher.stop();
   CHECK_FALSE(editor.refresher.due());
+  editor.refresher.allChanged({}); // by what was under way
+  CHECK_FALSE(editor.refresher.due());
 }
 
 TEST_CASE("settings weigh findings, and folders may join any texts") {

@@ -85,6 +85,19 @@ TEST_CASE("what an edit only moved is read no second time, and is in place when 
   CHECK(&back.forms()[1].node() == &before.forms()[1].node());
 }
 
+TEST_CASE("of several forms in a line the first has the comment above it, also after edits") {
+  const std::string comment = "; what it is\n";
+  const std::string forms = "(defsv a :init 1 :min 0 :max 2) (defsv b :init 1 :min 0 :max 2)\n";
+  const Document with = Document::parse(comment + forms);
+  REQUIRE(with.forms().size() == 2);
+  CHECK(with.forms()[0].comment == Range{0, 12});
+  CHECK(with.forms()[1].comment.empty());
+  const auto end = static_cast<syntax::Offset>(comment.size());
+  const Document without = with.edit({0, end}, "");
+  CHECK(everything(without) == everything(Document::parse(forms)));
+  CHECK(everything(without.edit({0, 0}, comment)) == everything(with));
+}
+
 TEST_CASE("the names of an edited document live as long as it does") {
   std::optional<Document> first = Document::parse("(defsv a :init 1 :min 0 :max 2)\n"
                                                   "(defevent gust :effects (a 2))\n");
