@@ -29,12 +29,8 @@ std::optional<std::string_view> commentIn(const syntax::Document& document, std:
 
 /// The first symbol that is defined in a line.
 SymbolId definedIn(const Index& index, FileId file, Range line) {
-  const auto places = index.occurrences();
-  auto it = std::ranges::lower_bound(
-      places, std::pair(file, line.begin), {},
-      [](const Occurrence& place) { return std::pair(place.at.file, place.at.range.begin); });
-  for (; it != places.end() && it->at.file == file && it->at.range.begin < line.end; ++it)
-    if (it->role == Role::Definition) return it->symbol;
+  for (const Occurrence& it : index.occurrences({file, line}))
+    if (it.role == Role::Definition) return it.symbol;
   return kNoSymbol;
 }
 

@@ -50,6 +50,15 @@ std::span<const std::uint32_t> Index::group(SymbolId symbol) const {
   return std::span(groups->bySymbol).subspan(begin, end - begin);
 }
 
+std::span<const Occurrence> Index::occurrences(Location within) const {
+  const auto from = [&](syntax::Offset at) {
+    return std::ranges::lower_bound(
+        places, std::pair(within.file, at), {},
+        [](const Occurrence& it) { return std::pair(it.at.file, it.at.range.begin); });
+  };
+  return {from(within.range.begin), from(within.range.end)};
+}
+
 const Occurrence* Index::at(FileId file, syntax::Offset offset) const {
   auto after =
       std::ranges::upper_bound(places, std::tuple(file, offset), {}, [](const Occurrence& it) {

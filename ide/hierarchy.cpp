@@ -41,13 +41,7 @@ std::vector<Link> incoming(const View& view, SymbolId symbol, Wanted wanted) {
 
 /// The occurrences within a definition.
 std::span<const Occurrence> occurrencesIn(const View& view, const analysis::Symbol& symbol) {
-  const auto all = view.index().occurrences();
-  auto begin = [&](syntax::Offset at) {
-    return std::ranges::lower_bound(
-        all, std::tuple(symbol.at.file, at), {},
-        [](const Occurrence& place) { return std::tuple(place.at.file, place.at.range.begin); });
-  };
-  return {begin(symbol.extent.begin), begin(symbol.extent.end)};
+  return view.index().occurrences({symbol.at.file, symbol.extent});
 }
 
 std::vector<Link> outgoing(const View& view, SymbolId symbol, Wanted wanted) {

@@ -174,21 +174,15 @@ std::vector<InlineVariable> inlineVariables(const View& view, syntax::Range rang
   const auto& symbols = view.index().symbols();
   const auto& lines = view.document().lines();
   auto lineOf = [&](syntax::Range at) { return lines.position(at.begin).line; };
-  const auto all = view.index().occurrences();
-  auto from = std::ranges::lower_bound(all, std::tuple(view.file, range.begin), {},
-                                       [](const analysis::Occurrence& place) {
-                                         return std::tuple(place.at.file, place.at.range.begin);
-                                       });
-  for (; from != all.end() && from->at.file == view.file && from->at.range.begin < range.end;
-       ++from) {
-    const auto& symbol = symbols[from->symbol];
+  for (const auto& place : view.index().occurrences({view.file, range})) {
+    const auto& symbol = symbols[place.symbol];
     if (symbol.kind != analysis::SymbolKind::StateVariable) continue;
-    const auto line = lineOf(from->at.range);
+    const auto line = lineOf(place.at.range);
     const bool isKnown = std::ranges::any_of(
         result | std::views::reverse |
             std::views::take_while([&](const auto& it) { return lineOf(it.range) == line; }),
         [&](const auto& it) { return it.name == symbol.name; });
-    if (!isKnown) result.push_back({from->at.range, std::string(symbol.name)});
+    if (!isKnown) result.push_back({place.at.range, std::string(symbol.name)});
   }
   return result;
 }

@@ -127,14 +127,8 @@ private:
 } // namespace
 
 std::vector<Token> nameTokens(const View& view, syntax::Range within) {
-  const auto names = view.index().occurrences();
-  auto from = [&](syntax::Offset at) {
-    return std::ranges::lower_bound(names, std::pair(view.file, at), {}, [](const Occurrence& it) {
-      return std::pair(it.at.file, it.at.range.begin);
-    });
-  };
   std::vector<Token> result;
-  for (const auto& name : std::ranges::subrange(from(within.begin), from(within.end)))
+  for (const auto& name : view.index().occurrences({view.file, within}))
     result.push_back(tokenOf(view.index(), name));
   return result;
 }

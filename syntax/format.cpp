@@ -66,6 +66,17 @@ bool endsAtName(char end, char begin) {
   return end == '-' && isWordCharacter(begin) && (begin < '0' || begin > '9');
 }
 
+/// So are a number and a minus; a name would take the minus for a part of itself.
+bool endsAtNumber(std::string_view tokens, char begin) {
+  if (begin != '-') return false;
+  const auto before = tokens.find_last_not_of("0123456789.");
+  const bool isFirst = before == std::string_view::npos;
+  const auto number = tokens.substr(isFirst ? 0 : before + 1);
+  const bool isPart = !isFirst && (isWordCharacter(tokens[before]) ||
+                                   std::string_view("$:").contains(tokens[before]));
+  return !number.empty() && number.front() != '.' && !isPart;
+}
+
 /// Behind the string that begins there.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at)
@@ -92,7 +103,7 @@ std::string tokensOf(const Document& document) {
     } else {
       if (text[at] == '"') end = endOfString(text, at);
       if (!tokens.empty() && wouldJoin(tokens.back(), text[at]) &&
-          (apart || endsAtName(tokens.back(), text[at])))
+          (apart || endsAtName(tokens.back(), text[at]) || endsAtNumber(tokens, text[at])))
         tokens += ' ';
       tokens += text.substr(at, end - at);
     }

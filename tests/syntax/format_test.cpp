@@ -230,6 +230,25 @@ TEST_CASE("a minus that touches a name stands apart from it afterwards") {
   CHECK(sameTokens(before, after));
 }
 
+TEST_CASE("a minus that touches a number stands apart from it afterwards") {
+  const auto same = [](const char* a, const char* b) {
+    return sameTokens(Document::parse(a), Document::parse(b));
+  };
+  for (const std::string text : {"(0-)", "(0-b)", "(0-1)", "(1.5- 0-)"}) {
+    INFO(text);
+    const auto before = Document::parse(text);
+    const auto after = Document::parse(applyEdits(text, format(before)));
+    CHECK(sameTokens(before, after));
+    CHECK(format(after).empty());
+  }
+  CHECK(same("(0-)", "(0 -)"));
+  CHECK_FALSE(same("(a-)", "(a -)"));
+  CHECK_FALSE(same("(a0-)", "(a0 -)"));
+  CHECK_FALSE(same("($0-)", "($0 -)"));
+  CHECK_FALSE(same("(- 1)", "(-1)"));
+  CHECK_FALSE(same("(0- 1)", "(0-1)"));
+}
+
 TEST_CASE("where a quote is missing at the end of a line, the lines stay as they are") {
   const auto text = "(())\n(\"\n((())))\n";
   const auto before = Document::parse(text);
