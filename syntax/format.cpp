@@ -55,10 +55,14 @@ bool isBlank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
+/// Of which operators are made, as many as follow each other.
+bool isSign(char c) { return std::string_view("=<>/&|~^+*!-").contains(c); }
+
 /// Whether two tokens would be others without space between them.
 bool wouldJoin(char end, char begin) {
-  return (isWordCharacter(begin) || begin == '-' || begin == '.') &&
-         (isWordCharacter(end) || std::string_view("$:.-").contains(end));
+  const bool words = (isWordCharacter(begin) || begin == '-' || begin == '.') &&
+                     (isWordCharacter(end) || std::string_view("$:.-").contains(end));
+  return words || (isSign(begin) && isSign(end));
 }
 
 /// A minus and a name are two tokens, with or without space between them; with a number it is one.
@@ -75,6 +79,12 @@ bool endsAtNumber(std::string_view tokens, char begin) {
   const bool isPart = !isFirst && (isWordCharacter(tokens[before]) ||
                                    std::string_view("$:").contains(tokens[before]));
   return !number.empty() && number.front() != '.' && !isPart;
+}
+
+/// And so are an operator of several signs and what follows; alone, a minus is part of a number.
+bool endsAtOperand(std::string_view tokens, char begin) {
+  return tokens.size() > 1 && isSign(tokens.back()) && isSign(tokens[tokens.size() - 2]) &&
+         isWordCharacter(begin);
 }
 
 /// Behind the string that begins there.
@@ -103,7 +113,8 @@ std::string tokensOf(const Document& document) {
     } else {
       if (text[at] == '"') end = endOfString(text, at);
       if (!tokens.empty() && wouldJoin(tokens.back(), text[at]) &&
-          (apart || endsAtName(tokens.back(), text[at]) || endsAtNumber(tokens, text[at])))
+          (apart || endsAtName(tokens.back(), text[at]) || endsAtNumber(tokens, text[at]) ||
+           endsAtOperand(tokens, text[at])))
         tokens += ' ';
       tokens += text.substr(at, end - at);
     }
