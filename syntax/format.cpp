@@ -70,23 +70,6 @@ bool endsAtName(char end, char begin) {
   return end == '-' && isWordCharacter(begin) && (begin < '0' || begin > '9');
 }
 
-/// So are a number and a minus; a name would take the minus for a part of itself.
-bool endsAtNumber(std::string_view tokens, char begin) {
-  if (begin != '-') return false;
-  const auto before = tokens.find_last_not_of("0123456789.");
-  const bool isFirst = before == std::string_view::npos;
-  const auto number = tokens.substr(isFirst ? 0 : before + 1);
-  const bool isPart = !isFirst && (isWordCharacter(tokens[before]) ||
-                                   std::string_view("$:").contains(tokens[before]));
-  return !number.empty() && number.front() != '.' && !isPart;
-}
-
-/// And so are an operator of several signs and what follows; alone, a minus is part of a number.
-bool endsAtOperand(std::string_view tokens, char begin) {
-  return tokens.size() > 1 && isSign(tokens.back()) && isSign(tokens[tokens.size() - 2]) &&
-         isWordCharacter(begin);
-}
-
 /// Behind the string that begins there.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at)
@@ -94,8 +77,10 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-/// The text with no more white space than keeps its tokens apart.
-std::string tokensOf(const Document& document) {
+enum class Spaces : std::uint8_t { None, BetweenWords };
+
+/// The text with no more white space than keeps its tokens apart, or with none.
+std::string tokensOf(const Document& document, Spaces spaces) {
   std::string tokens;
   std::string_view text = document.text();
   auto comment = document.comments().begin();
@@ -112,9 +97,8 @@ std::string tokensOf(const Document& document) {
       continue;
     } else {
       if (text[at] == '"') end = endOfString(text, at);
-      if (!tokens.empty() && wouldJoin(tokens.back(), text[at]) &&
-          (apart || endsAtName(tokens.back(), text[at]) || endsAtNumber(tokens, text[at]) ||
-           endsAtOperand(tokens, text[at])))
+      if (spaces == Spaces::BetweenWords && !tokens.empty() && wouldJoin(tokens.back(), text[at]) &&
+          (apart || endsAtName(tokens.back(), text[at])))
         tokens += ' ';
       tokens += text.substr(at, end - at);
     }
@@ -122,6 +106,24 @@ std::string tokensOf(const Document& document) {
     at = end;
   }
   return tokens;
+}
+
+/// Each word as it was read, a line each.
+std::string wordsOf(const Document& document) {
+  std::string words;
+  for (const Stretch& stretch : document.stretches()) {
+    const auto text =
+        std::string_view(document.text()).substr(stretch.range.begin, stretch.range.length());
+    if (stretch.tree->empty()) words += text;
+    for (const Node& node : *stretch.tree) {
+      if (node.size > 1 || node.kind == NodeKind::Comment) continue;
+      auto word = std::string(text.substr(node.range.begin, node.range.length()));
+      if (node.kind != NodeKind::StringContent)
+        std::erase_if(word, [](char c) { return isBlank({&c, 1}); });
+      if (!word.empty()) words.append(word) += '\n';
+    }
+  }
+  return words;
 }
 
 std::vector<TextEdit> editsOf(std::string_view text, const std::vector<Gap>& gaps) {
@@ -235,6 +237,11 @@ std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char t
   return {};
 }
 
-bool sameTokens(const Document& a, const Document& b) { return tokensOf(a) == tokensOf(b); }
+bool sameTokens(const Document& a, const Document& b) {
+  const auto same = [&](Spaces spaces) { return tokensOf(a, spaces) == tokensOf(b, spaces); };
+  if (same(Spaces::BetweenWords)) return true;
+  // Some words end where another begins, with or without space: `0-` are two.
+  return same(Spaces::None) && wordsOf(a) == wordsOf(b);
+}
 
 } // namespace proskill::syntax

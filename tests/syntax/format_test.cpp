@@ -230,12 +230,12 @@ TEST_CASE("a minus that touches a name stands apart from it afterwards") {
   CHECK(sameTokens(before, after));
 }
 
-TEST_CASE("signs that touch numbers stand apart from them afterwards") {
+TEST_CASE("signs that touch words stand apart from them afterwards") {
   const auto same = [](const char* a, const char* b) {
     return sameTokens(Document::parse(a), Document::parse(b));
   };
-  for (const std::string text :
-       {"(0-)", "(0-b)", "(0-1)", "(1.5- 0-)", "(!-2)", "(^-1 0--1)", "(a =-1 <--b)"}) {
+  for (const std::string text : {"(0-)", "(0-b)", "(0-1)", "(1.5- 0-)", "(!-2)", "(:i-)", "($x-)",
+                                 "(x.- a:b-)", "(^-1 0--1)", "(a =-1 <--b)"}) {
     INFO(text);
     const auto before = Document::parse(text);
     const auto after = Document::parse(applyEdits(text, format(before)));
@@ -245,7 +245,7 @@ TEST_CASE("signs that touch numbers stand apart from them afterwards") {
   CHECK(same("(0-)", "(0 -)"));
   CHECK_FALSE(same("(a-)", "(a -)"));
   CHECK_FALSE(same("(a0-)", "(a0 -)"));
-  CHECK_FALSE(same("($0-)", "($0 -)"));
+  CHECK(same("($0-)", "($0 -)"));
   CHECK_FALSE(same("(- 1)", "(-1)"));
   CHECK(same("(!-2)", "(!- 2)"));
   CHECK_FALSE(same("(!-2)", "(! -2)"));
