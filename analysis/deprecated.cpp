@@ -2,6 +2,7 @@
 
 #include "syntax/codes.h"
 #include "syntax/quote.h"
+#include "syntax/scan.h"
 
 #include <fmt/format.h>
 
@@ -17,14 +18,14 @@ using syntax::Range;
 
 constexpr std::string_view kMark = "Deprecated:";
 
-/// The line of the text, where it is nothing but a comment, without its semicolons.
 std::optional<std::string_view> commentIn(const syntax::Document& document, std::uint32_t line) {
   const auto range = document.lines().line(line, document.text());
-  const auto text = std::string_view(document.text()).substr(range.begin, range.length());
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos || text[begin] != ';') return std::nullopt;
-  const auto words = text.find_first_not_of("; \t", begin);
-  return words == std::string_view::npos ? std::string_view() : text.substr(words);
+  return syntax::commentLine(std::string_view(document.text()).substr(range.begin, range.length()));
+}
+
+/// Without the blanks in front.
+std::string_view trimmed(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
 }
 
 /// The first symbol that is defined in a line.
@@ -36,20 +37,22 @@ SymbolId definedIn(const Index& index, FileId file, Range line) {
 
 void addDeprecations(const syntax::Document& document, FileId file, const Index& index,
                      std::vector<Deprecation>& found) {
-  const auto& text = document.text();
+  const std::string_view text = document.text();
   const auto& lines = document.lines();
-  for (auto at = text.find(kMark); at != std::string::npos; at = text.find(kMark, at + 1)) {
+  for (auto at = text.find(kMark); at != std::string_view::npos; at = text.find(kMark, at)) {
     auto line = lines.position(static_cast<Offset>(at)).line;
     const auto comment = commentIn(document, line);
-    if (!comment || comment->data() != text.data() + at) continue;
-    const auto why =
-        comment->substr(std::min(comment->find_first_not_of(" \t", kMark.size()), comment->size()));
-    while (++line < lines.lineCount() && commentIn(document, line)) {
-    }
+    const bool begins = comment && trimmed(*comment).data() == text.data() + at;
+    at += kMark.size();
+    if (!begins) continue;
+    const auto why = trimmed(trimmed(*comment).substr(kMark.size()));
+    do ++line;
+    while (line < lines.lineCount() && commentIn(document, line));
     if (line == lines.lineCount()) return;
-    const auto symbol = definedIn(index, file, lines.line(line, text));
-    const bool isKnown = !found.empty() && found.back().symbol == symbol;
-    if (symbol != kNoSymbol && !isKnown) found.push_back({symbol, why});
+    const Range below = lines.line(line, text);
+    const auto symbol = definedIn(index, file, below);
+    if (symbol != kNoSymbol) found.push_back({symbol, why});
+    at = below.begin; // one word of the comment is enough
   }
 }
 

@@ -59,8 +59,7 @@ public:
     }
     for (const File& file : program.files)
       for (const syntax::Form& form : file.document.forms())
-        if (const auto* unread = form.as<syntax::UnknownForm>())
-          unreadNames.insert(unread->name.text);
+        if (form.is<syntax::UnknownForm>()) unreadNames.insert(form.name.text);
   }
 
   void report(const std::vector<UnknownName>& uses) {

@@ -1,6 +1,7 @@
 #include "ide/describe.h"
 
 #include "ide/uses.h"
+#include "syntax/scan.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -78,17 +79,6 @@ std::string codeOfSkill(const View& view, const Symbol& symbol) {
 std::string codeOf(const View& view, const Symbol& symbol) {
   if (symbol.kind == SymbolKind::Skill) return shortened(codeOfSkill(view, symbol));
   return shortened(std::string(textOf(view, symbol.at.file, symbol.extent)));
-}
-
-/// A line of comment without its semicolons, or nothing where the line is none.
-std::optional<std::string_view> commentLine(std::string_view line) {
-  const auto start = line.find_first_not_of(" \t");
-  if (start == std::string_view::npos || line[start] != ';') return std::nullopt;
-  auto content = line.substr(std::min(line.find_first_not_of(';', start), line.size()));
-  if (content.starts_with(' ')) content.remove_prefix(1);
-  while (!content.empty() && std::string_view(" \t\r").contains(content.back()))
-    content.remove_suffix(1);
-  return content;
 }
 
 void describeMoves(Markup& text, const syntax::StateVariable& variable) {
@@ -191,7 +181,7 @@ std::string commentAbove(const View& view, SymbolId id) {
   std::vector<std::string_view> lines;
   while (line-- > 0) {
     const auto range = document.lines().line(line, document.text());
-    const auto comment = commentLine(textOf(view, symbol.at.file, range));
+    const auto comment = syntax::commentLine(textOf(view, symbol.at.file, range));
     if (!comment) break;
     lines.push_back(*comment);
   }

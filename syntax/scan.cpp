@@ -129,6 +129,16 @@ std::vector<Range> cut(std::string_view text) {
   return stretches;
 }
 
+std::optional<std::string_view> commentLine(std::string_view line) {
+  const auto start = line.find_first_not_of(" \t");
+  if (start == std::string_view::npos || line[start] != ';') return std::nullopt;
+  auto content = line.substr(std::min(line.find_first_not_of(';', start), line.size()));
+  if (content.starts_with(' ')) content.remove_prefix(1);
+  while (!content.empty() && std::string_view(" \t\r").contains(content.back()))
+    content.remove_suffix(1);
+  return content;
+}
+
 Scan scan(std::string_view text) { return Scanning(text).run(); }
 
 } // namespace proskill::syntax

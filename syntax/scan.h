@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,9 @@ inline constexpr std::size_t kLongestRead = std::size_t{16} << 20;
 /// The stretches that are parsed each on its own: one from each line that begins with a definition,
 /// and one before the first. They cover the text; so an edit, or a mistake, stays in its stretch.
 [[nodiscard]] std::vector<Range> cut(std::string_view text);
+
+/// What a line of comment says, without its semicolons; nothing where the line is none.
+[[nodiscard]] std::optional<std::string_view> commentLine(std::string_view line);
 
 struct Parenthesis {
   Offset at;

@@ -47,6 +47,9 @@ TEST_CASE("the uses of a name that its comment deprecates are told") {
         "`old` is deprecated\n");
   CHECK(messages("; Deprecated: a.\n; Deprecated: b.\n" + old +
                  "(defskill mission :body ((old)))") == "`old` is deprecated: a.\n");
+  std::string endless; // each line is read once
+  for (int i = 0; i < 40'000; ++i) endless += "; Deprecated: again.\n";
+  CHECK(findings(endless + old + body) == "PS0230H old, PS0230H old");
   CHECK(findings("; Deprecated: use new.\n\n" + old + body) == "");
   CHECK(findings("; Not Deprecated: use it.\n" + old + body) == "");
   CHECK(findings("(defsv a :states (A B) :init A) ; Deprecated: use b.\n" + old + body) == "");
