@@ -8,7 +8,7 @@
 
 namespace proskill::lsp {
 
-Manual::Manual(std::filesystem::path file) : page(std::move(file)) {
+Manual::Manual(const std::filesystem::path& page) : uri(toUri(page)) {
   constexpr std::string_view kHeading = "## ";
   std::ifstream stream(page);
   unsigned number = 1;
@@ -19,7 +19,7 @@ Manual::Manual(std::filesystem::path file) : page(std::move(file)) {
 
 std::string Manual::linkTo(std::string_view code) const {
   const auto found = lines.find(code);
-  return found == lines.end() ? std::string() : fmt::format("{}#L{}", toUri(page), found->second);
+  return found == lines.end() ? std::string() : fmt::format("{}#L{}", uri, found->second);
 }
 
 } // namespace proskill::lsp

@@ -12,14 +12,14 @@ namespace proskill::lsp {
 class Manual {
 public:
   /// A page that cannot be read explains nothing.
-  explicit Manual(std::filesystem::path page);
+  explicit Manual(const std::filesystem::path& page);
 
   /// A URI of the page and the line of the code, `file:///…/diagnostics.md#L12`; empty where it
   /// explains no such code.
   [[nodiscard]] std::string linkTo(std::string_view code) const;
 
 private:
-  std::filesystem::path page;
+  std::string uri;
   std::map<std::string, unsigned, std::less<>> lines; ///< of the headings, counted from 1
 };
 
