@@ -49,7 +49,7 @@ export async function page(options = {}) {
   it.on('console', (message) => message.type() === 'error' && it.complaints.push(message.text()));
   it.on('pageerror', (error) => it.complaints.push(error.message));
   it.on('request', (request) => it.requests.push(request.url()));
-  it.setDefaultTimeout(15000);
+  it.setDefaultTimeout(60000);
   return it;
 }
 /** What a test that failed has left behind ends too. */
@@ -73,7 +73,7 @@ export async function marked(it) {
 
 /** Asks again and again for as long as a page may take. */
 export async function eventually(check) {
-  const end = Date.now() + 10000;
+  const end = Date.now() + 30000;
   for (;;) {
     try {
       return await check();
@@ -82,6 +82,37 @@ export async function eventually(check) {
       await new Promise((done) => setTimeout(done, 25));
     }
   }
+}
+
+/** Opens an address, and waits until a trace is there to be stepped through: before, its list takes no key. */
+export async function openTrace(it, url) {
+  await it.goto(url);
+  await it.locator('.step.current').waitFor();
+  await it.locator('.steps').focus();
+}
+
+/**
+ * Holds back the answers to a request of the page for which `isHeld` is true of its parameters. `arrived` resolves when one is
+ * held; `release` lets all go that are held, and holds no more.
+ */
+export async function hold(it, method, isHeld = () => true) {
+  let arrive, release;
+  const arrived = new Promise((done) => { arrive = done; });
+  const released = new Promise((done) => { release = done; });
+  await it.route(`**/api/${method}`, async (route) => {
+    if (isHeld(route.request().postDataJSON())) {
+      arrive();
+      await released;
+    }
+    await route.continue();
+  });
+  return { arrived, release };
+}
+
+/** Chooses a picture, and waits until it has taken the place of the former one. */
+export async function choosePicture(it, option) {
+  const [value] = await it.locator('select.pictures').selectOption(option);
+  await it.locator(`.stage[data-picture="${value}"] g.node`).first().waitFor();
 }
 
 export async function chooseFrom(it, opener, label) {

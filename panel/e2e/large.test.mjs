@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
-import { closeBrowser, eventually, page, shot, view, workspace } from './browser.mjs';
+import { choosePicture, closeBrowser, eventually, page, shot, view, workspace } from './browser.mjs';
 
 after(closeBrowser);
 
@@ -81,7 +81,7 @@ async function openPicture(context, name, body, check) {
   await it.goto(served.url);
   await it.locator('#tab-automaton').click();
   await it.locator('.stage g.node').first().waitFor();
-  await it.locator('select.pictures').selectOption('calls ');
+  await choosePicture(it, 'calls ');
   await eventually(async () => assert.ok((await it.locator('.stage g.node').count()) < 4));
   const began = Date.now();
   await it.locator('select.pictures').selectOption('body m');

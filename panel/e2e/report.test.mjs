@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { chooseFrom, closeBrowser, eventually, marked, page, proskill, report, shot, workspace } from './browser.mjs';
+import { chooseFrom, choosePicture, closeBrowser, eventually, marked, page, proskill, report, shot, workspace } from './browser.mjs';
 
 after(closeBrowser);
 
@@ -25,6 +25,7 @@ for (const [scheme, example, name] of [['light', 'rover', 'energy.no_forbidden_t
     await it.goto(url);
     await it.locator(`.verdict[data-name="${name}"]`).click();
     const { trace } = report(file).properties.find((property) => property.name === name);
+    await it.locator(`.trace-head h2[title="${name}"]`).waitFor();
     await it.locator('.steps').focus();
     for (const key of ['Home', 'ArrowDown', 'ArrowDown', 'PageDown', 'End', 'ArrowUp']) {
       await it.keyboard.press(key);
@@ -37,11 +38,8 @@ for (const [scheme, example, name] of [['light', 'rover', 'energy.no_forbidden_t
     await it.locator('#tab-automaton').click();
     await it.locator('.stage g.node').first().waitFor();
     const pictures = await it.locator('select.pictures option').count();
-    for (let i = 0; i < pictures; ++i) {
-      await it.locator('select.pictures').selectOption({ index: i });
-      await eventually(async () => assert.ok((await it.locator('.stage g.node').count()) > 0));
-    }
-    await it.locator('select.pictures').selectOption({ index: 1 });
+    for (let i = 0; i < pictures; ++i) await choosePicture(it, { index: i });
+    await choosePicture(it, { index: 1 });
     await it.locator('.stage g.node a').nth(1).click();
     await it.locator('.stage .ring.selected').waitFor();
     await shot(it, `report_${example}_automaton_${scheme}`);

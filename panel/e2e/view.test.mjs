@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { chooseFrom, closeBrowser, downloaded, eventually, marked, page, report, shot, view, workspace } from './browser.mjs';
+import { chooseFrom, choosePicture, closeBrowser, downloaded, eventually, marked, openTrace, page, report, shot, view, workspace } from './browser.mjs';
 
 after(closeBrowser);
 
@@ -14,8 +14,7 @@ describe('the lift, in which two skills want the doors', () => {
     property = report(file).properties.find((found) => found.name === 'doors_closed_when_moving');
     served = await view(file);
     it = await page();
-    await it.goto(served.url);
-    await it.locator('.trace-head h2').waitFor();
+    await openTrace(it, served.url);
   });
   after(async () => {
     assert.equal(await served.end(), 0);
@@ -152,8 +151,7 @@ describe('the lift, in which two skills want the doors', () => {
     await eventually(async () => assert.equal(await it.locator('.trace-head .badge').textContent(), 'violated'));
     const again = await view(json.path);
     const other = await page();
-    await other.goto(again.url);
-    await other.locator('.steps').focus();
+    await openTrace(other, again.url);
     await other.keyboard.press('Home');
     await eventually(async () => assert.equal((await marked(other)).lines[0], property.trace.steps[0].location.begin.line));
     assert.deepEqual(other.complaints, []);
@@ -162,7 +160,7 @@ describe('the lift, in which two skills want the doors', () => {
 
   test('a node of the automaton leads to its source, and a place in the source to its node', async () => {
     await it.locator('#tab-automaton').click();
-    await it.locator('select.pictures').selectOption('body run_lift');
+    await choosePicture(it, 'body run_lift');
     const node = it.locator('.stage g.node', { hasText: 'serve_call' });
     await node.click();
     await eventually(async () => assert.equal((await marked(it)).text, '(serve_call)'));

@@ -8,6 +8,7 @@ import { fileName, traceJson, traceText } from '../src/model/export.ts';
 import { everything, groups, search, select } from '../src/model/filter.ts';
 import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest } from '../src/model/lanes.ts';
 import { open } from '../src/model/parse.ts';
+import { continuation, tellsTheSame } from '../src/model/renew.ts';
 import { ticks, windowOf } from '../src/model/time.ts';
 import { Values } from '../src/model/values.ts';
 import { Rows } from '../src/model/virtual.ts';
@@ -295,4 +296,23 @@ test('what is wrong with a watch is said', () => {
   assert.equal(wrong('(and (battery Low) level)'), '`level` is no condition');
   assert.equal(wrong('()'), '`()` is no condition');
   assert.equal(wrong('nobody'), 'there is no variable `nobody` in this trace');
+});
+
+test('in a trace that takes the place of another, one goes on at the step that does the same', () => {
+  const former = trace({ n: '0' }, ['a: starts @0', 'b: starts @1', 'a: starts @2', 'a: succeeds @3']);
+  const longer = trace({ n: '0' }, ['c: occurs @0', ...['a: starts @0', 'b: starts @1', 'a: starts @2', 'a: succeeds @3']]);
+  assert.deepEqual([0, 1, 2, 3].map((at) => continuation(former, at, longer)), [1, 2, 3, 4].map((index) => ({ index, same: true })));
+  const other = trace({ n: '0' }, ['a: starts @0', 'd: occurs @1']);
+  assert.deepEqual(continuation(former, 2, other), { index: 0, same: true }, 'the last of those that do the same');
+  assert.deepEqual(continuation(former, 3, other), { index: 1, same: false }, 'else the nearest');
+  assert.deepEqual(continuation(former, -1, other), { index: 0, same: false });
+});
+
+test('a trace tells the same where only its places are others', () => {
+  const lines = ['a: starts @0', 'b: starts @1'];
+  const one = trace({ n: '0' }, lines);
+  const moved = trace({ n: '0' }, lines);
+  moved.steps[0]!.location = { uri: 'file:///p', range: { start: { line: 7, character: 0 }, end: { line: 7, character: 1 } } };
+  assert.equal(tellsTheSame(one, moved), true);
+  assert.equal(tellsTheSame(one, trace({ n: '0' }, ['a: starts @0', 'c: starts @1'])), false);
 });

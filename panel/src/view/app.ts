@@ -37,6 +37,8 @@ class App {
   private readonly opened = new Map<string, Trace>();
   private program: Program | null = null;
   private toastTimer = 0;
+  /** counts the traces that were asked for, so that a late answer does not replace a newer one */
+  private asked = 0;
 
   constructor(root: HTMLElement, host: Host, private readonly hello: Hello) {
     this.root = root;
@@ -46,7 +48,7 @@ class App {
     this.source = hello.can.source ? new SourceView(this.host, (location) => this.automaton.follows(location)) : null;
     this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }));
     this.trace = new TraceView(this.host, saver, {
-      stepped: () => this.stepped(), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
+      stepped: (byUser) => this.stepped(byUser), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
       watches: (watches) => this.remember({ watches }),
     });
     this.trace.pin(this.remembered.pinned ?? []);
@@ -127,7 +129,7 @@ class App {
   /** Where nothing was chosen yet, what a reader looks for: the first violated property. */
   private async showFirst(): Promise<void> {
     const first = this.program?.verdicts.find((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
-    if (this.hello.layout === 'all' && !this.trace.trace && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true);
+    if (this.hello.layout === 'all' && this.trace.name === null && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true);
   }
 
   private async show(show: Show): Promise<void> {
@@ -143,36 +145,50 @@ class App {
     else if (show.step !== undefined && this.trace.trace) this.trace.goTo(show.step);
   }
 
-  private async fetchTrace(name: string, step?: number): Promise<void> {
+  /** Whether it is shown now: something else may have been asked for since. */
+  private async fetchTrace(name: string, step?: number): Promise<boolean> {
+    const request = ++this.asked;
     try {
-      this.openTrace(this.opened.get(name) ?? (await this.host.request('trace', { name })), step);
+      const trace = this.opened.get(name) ?? (await this.host.request('trace', { name }));
+      if (request !== this.asked) return false;
+      this.openTrace(trace, step);
+      return true;
     } catch (error) {
-      this.say((error as Error).message);
+      if (request === this.asked) this.say((error as Error).message);
+      return false;
     }
   }
 
   private openTrace(trace: Trace, step?: number): void {
     this.select('trace');
     this.trace.show(trace, step);
-    this.trace.markStale(trace.stale ?? false);
+    this.trace.markStale(trace.stale ?? (this.program !== null && this.isStale(this.program)));
     this.verdicts.select(trace.name);
+  }
+
+  /** A trace of a file is what it is, whatever becomes of the program. */
+  private isStale(program: Program): boolean {
+    return program.stale && !this.opened.has(this.trace.name ?? '');
   }
 
   private async choose(verdict: Verdict, focus: boolean): Promise<void> {
     if (verdict.steps !== null) {
-      await this.fetchTrace(verdict.name);
-      if (focus) this.trace.focus();
+      const keyboard = document.activeElement;
+      const isShown = await this.fetchTrace(verdict.name);
+      // Whoever went elsewhere with the keyboard in the meantime keeps it.
+      if (isShown && focus && (document.activeElement === keyboard || document.activeElement === document.body)) this.trace.focus();
     } else {
       this.say(verdict.reason || `${verdict.verdict}: there is no trace for this verdict`);
       if (verdict.location) this.host.tell('reveal', { location: verdict.location, focus: false });
     }
   }
 
-  private stepped(): void {
+  private stepped(byUser: boolean): void {
     const { trace, current } = this.trace;
     this.remember({ trace: trace!.name, step: current });
-    const location = trace!.steps[current]?.location;
-    if (location && this.source) this.automaton.follows(location);
+    const location = trace!.steps[current]?.location ?? null;
+    if (!byUser) this.source?.mark(location);
+    else if (location && this.source) this.automaton.follows(location);
   }
 
   private remember(more: Remembered): void {
@@ -190,18 +206,29 @@ class App {
     enable(this.again, program.state === 'checking' ? 'It is being verified' : null, 'Verify again');
     this.verdicts.show(program);
     this.trace.setOthers(program.verdicts);
-    this.trace.markStale(program.stale || (this.trace.trace?.stale ?? false));
+    this.trace.markStale(this.isStale(program));
     if (program.pictures.length > 0) this.automaton.setProgram(program);
     void this.source?.setProgram(program);
-    if (former && former.state !== 'done' && program.state === 'done') this.refresh();
-    if (former && !this.trace.trace) void this.showFirst();
+    if (former && program.state === 'done' && !program.stale) void this.renewTrace(former);
+    if (former && this.trace.name === null) void this.showFirst();
   }
 
-  /** After another verification the trace may be another one. */
-  private refresh(): void {
-    const { trace } = this.trace;
-    if (trace && !this.opened.has(trace.name) && this.program!.verdicts.some((it) => it.name === trace.name && it.steps !== null))
-      void this.fetchTrace(trace.name);
+  /** After another verification the trace may be another one, or there is none any more. The step stays, nothing else moves. */
+  private async renewTrace(former: Program): Promise<void> {
+    const { name } = this.trace;
+    if (name === null || this.opened.has(name)) return;
+    const verdictOf = (program: Program): Verdict | undefined => program.verdicts.find((it) => it.name === name);
+    const verdict = verdictOf(this.program!);
+    if (former.state === 'done' && !former.stale && JSON.stringify(verdictOf(former)) === JSON.stringify(verdict)) return;
+    if (!verdict) return this.trace.markGone();
+    const request = ++this.asked;
+    if (verdict.steps === null) return this.trace.showVerdict(verdict);
+    try {
+      const trace = await this.host.request('trace', { name });
+      if (request === this.asked) this.trace.renew(trace);
+    } catch (error) {
+      if (request === this.asked) this.trace.markGone();
+    }
   }
 
   private news(news: NewsOf): void {

@@ -101,6 +101,7 @@ export class AutomatonView {
     this.picture = picture;
     this.parts = partsOf(picture);
     this.stage.show(readSvg(picture.content), keep);
+    this.stage.element.dataset['picture'] = `${picture.kind} ${picture.name}`;
     this.stage.element.setAttribute('aria-label', `${picture.title}: ${picture.nodes.length} nodes. Arrows walk, Enter goes to the source.`);
     this.boxes = new Map(picture.nodes.flatMap((node) => { const box = this.stage.box(node.id); return box ? [[node.id, box]] : []; }));
     this.label();

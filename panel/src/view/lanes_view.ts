@@ -51,19 +51,32 @@ export class LanesView {
   }
 
   show(trace: Trace): void {
+    this.take(trace);
+    this.fit();
+  }
+
+  /** Another trace; what is in view stays, but where all was. */
+  renew(trace: Trace): void {
+    const wasFitted = this.view[0] === 0 && this.view[1] === this.end;
+    this.take(trace);
+    if (wasFitted || this.view[1] > this.end) this.fit();
+    else this.draw();
+  }
+
+  private take(trace: Trace): void {
     this.trace = trace;
     this.lanes = lanesOf(trace);
     const timeless = (trace.steps.at(-1)?.date.seconds ?? 0) === 0;
     this.byStep.set(this.byStep.on || timeless);
     this.axis = this.makeAxis();
-    this.fit();
   }
 
-  select(index: number): void {
+  /** `reveal`: brings it into view, too. */
+  select(index: number, reveal = true): void {
     this.current = index;
     const at = this.axis[index];
     const [from, to] = this.view;
-    if (at !== undefined && (at < from || at > to)) this.move(at - (to - from) / 2 - from);
+    if (reveal && at !== undefined && (at < from || at > to)) this.move(at - (to - from) / 2 - from);
     else this.drawLine();
   }
 

@@ -16,6 +16,8 @@ export class SourceView {
   private rows = new Rows([]);
   private uri: string | null = null;
   private marked: Location | null = null;
+  /** the file that is to be shown: an answer that comes late shows no other */
+  private wanted: string | null = null;
   private readonly draw = onceAFrame(() => this.drawNow());
 
   constructor(private readonly host: Host, private readonly caret: (location: Location) => void) {
@@ -24,19 +26,25 @@ export class SourceView {
     new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
-  /** The files to choose from; texts are read anew. */
+  /** The files to choose from; texts are read anew. What is in view stays where it is. */
   async setProgram(program: Program): Promise<void> {
     this.texts.clear();
-    const before = this.uri;
+    const before = this.wanted;
     this.files.replaceChildren(...program.files.map((file) => h('option', { value: file.uri }, file.label)));
     const first = program.files.some((file) => file.uri === before) ? before : program.files[0]?.uri;
-    this.uri = null;
-    if (first) await this.open(first);
+    if (first) await this.load(first);
+  }
+
+  /** The mark alone, where the view goes with no step. */
+  mark(location: Location | null): void {
+    this.marked = location;
+    this.drawNow();
   }
 
   async reveal(location: Location, focus: boolean): Promise<void> {
     this.marked = location;
     await this.open(location.uri);
+    if (this.marked !== location || this.uri !== location.uri) return; // something else was asked for since
     const rows = this.rows;
     const { start, end } = location.range;
     const last = Math.min(end.line, rows.count - 1);
@@ -50,22 +58,32 @@ export class SourceView {
   }
 
   private async open(uri: string): Promise<void> {
-    if (uri === this.uri) return;
-    if (!this.texts.has(uri)) this.texts.set(uri, this.host.request('source', { uri }).then((it) => it.text));
-    let text = '';
-    try {
-      text = await this.texts.get(uri)!;
-    } catch (error) {
-      this.texts.delete(uri);
-      text = `; ${(error as Error).message}`;
-    }
+    if (uri !== this.uri || uri !== this.wanted) await this.load(uri);
+  }
+
+  private async load(uri: string): Promise<void> {
+    this.wanted = uri;
+    const text = await this.textOf(uri);
+    if (this.wanted !== uri) return;
+    const isOther = this.uri !== uri;
     this.uri = uri;
     this.files.value = uri;
     this.lines = highlight(text);
     this.rows = new Rows(new Float64Array(this.lines.length).fill(lineHeight));
     this.space.style.height = `${this.rows.height}px`;
-    this.scroller.scrollTop = 0;
+    if (isOther) this.scroller.scrollTop = 0;
     this.drawNow();
+  }
+
+  private async textOf(uri: string): Promise<string> {
+    if (!this.texts.has(uri)) this.texts.set(uri, this.host.request('source', { uri }).then((it) => it.text));
+    const asked = this.texts.get(uri)!;
+    try {
+      return await asked;
+    } catch (error) {
+      if (this.texts.get(uri) === asked) this.texts.delete(uri);
+      return `; ${(error as Error).message}`;
+    }
   }
 
   private drawNow(): void {

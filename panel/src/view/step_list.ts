@@ -58,12 +58,29 @@ export class StepList {
 
   show(shown: Shown): void {
     if (shown.trace !== this.shown?.trace) {
-      this.kinds = new Map(actorsOf(shown.trace).map((actor) => [actor.name, actor.kind]));
-      this.folded.clear();
+      this.begin(shown.trace);
       this.element.scrollTop = 0;
     }
     this.shown = shown;
     this.arrange();
+  }
+
+  /** Another trace: its step `index` becomes the current one, and stands where the former one stood. */
+  renew(shown: Shown, index: number): void {
+    const before = this.rowOf.get(this.current);
+    const offset = before === undefined ? 0 : this.layout.top(before) - this.element.scrollTop;
+    this.begin(shown.trace);
+    this.shown = shown;
+    this.current = index;
+    this.arrange();
+    const row = this.rowOf.get(index);
+    if (row !== undefined) this.element.scrollTop = Math.max(0, this.layout.top(row) - offset);
+    this.drawNow();
+  }
+
+  private begin(trace: Trace): void {
+    this.kinds = new Map(actorsOf(trace).map((actor) => [actor.name, actor.kind]));
+    this.folded.clear();
   }
 
   /** Makes a step the current one and brings it into view. */

@@ -1,8 +1,8 @@
 import type { Host, Trace, Verdict } from '../api.ts';
 import { actorsOf, hue } from '../model/actors.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
-import { fileName, traceJson, traceText } from '../model/export.ts';
 import { search, select } from '../model/filter.ts';
+import { continuation, tellsTheSame } from '../model/renew.ts';
 import { decimal } from '../model/time.ts';
 import { Values } from '../model/values.ts';
 import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
@@ -10,14 +10,15 @@ import { h, isTyping, plural, prose } from './dom.ts';
 import { button, enable, icon, toggle } from './icons.ts';
 import { LanesView } from './lanes_view.ts';
 import { menu, type Section } from './menu.ts';
-import { standalone, type Saver } from './save.ts';
+import type { Saver } from './save.ts';
 import { splitter } from './splitter.ts';
 import { StepList } from './step_list.ts';
+import { exportSections } from './trace_export.ts';
 import { ValuesView } from './values_view.ts';
 
 export interface TraceEvents {
-  /** the current step is another one */
-  stepped(): void;
+  /** The current step is another one, or is in another trace; `byUser`: the user went there. */
+  stepped(byUser: boolean): void;
   openFile(): void;
   pinned(names: string[]): void;
   watches(texts: string[]): void;
@@ -50,6 +51,13 @@ export class TraceView {
   trace: Trace | null = null;
   private watches: Watch[] = [];
   private watchTexts: string[] = [];
+  /** what was shown of the property before it had no trace any more */
+  private former: { trace: Trace; index: number } | null = null;
+  private gone = false;
+  private readonly renewed = h('span', { class: 'renewed', role: 'status' });
+  private readonly nothingOpen: Node[];
+  /** the property that the view is about, with a trace or without; null: none was chosen yet */
+  name: string | null = null;
   current = -1;
 
   constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents) {
@@ -73,9 +81,11 @@ export class TraceView {
     upper.insertBefore(splitter('vertical', this.values.element, 'values'), this.values.element);
     this.body = h('div', { class: 'trace-body', hidden: true }, this.head, this.toolbar(), this.comparing, upper,
       splitter('horizontal', this.lanes.element, 'lanes'), this.lanes.element);
-    this.empty = h('div', { class: 'empty' }, h('p', {}, 'No trace is open.'),
+    this.nothingOpen = [h('p', {}, 'No trace is open.'),
       h('p', { class: 'faint' }, 'Choose a property that has one, or open a file with a trace.'),
-      button({ icon: 'open', text: 'Open a file…', title: 'A trace or a report, as JSON', onclick: () => events.openFile() }));
+      button({ icon: 'open', text: 'Open a file…', title: 'A trace or a report, as JSON', onclick: () => events.openFile() })];
+    this.empty = h('div', { class: 'empty', role: 'status' });
+    this.empty.append(...this.nothingOpen);
     this.element = h('div', { class: 'trace-view', onkeydown: (event: KeyboardEvent) => this.key(event) }, this.empty, this.body);
   }
 
@@ -110,9 +120,9 @@ export class TraceView {
     this.filter.variables = new Set([...this.filter.variables].filter((name) => texts.includes(name) || name in this.given!.initial));
     this.events.watches(texts);
     this.ask();
-    this.lanes.show(this.trace!);
-    this.refresh();
-    this.goTo(this.current);
+    this.lanes.renew(this.trace!);
+    this.refresh(this.current);
+    this.moveTo(this.current, false);
   }
 
   /** What this trace cannot be asked waits for another one. */
@@ -130,7 +140,10 @@ export class TraceView {
 
   /** Opens a trace at a step; without one at its last, which shows what the property is about. */
   show(trace: Trace, step = trace.steps.length - 1): void {
+    this.name = trace.name;
     this.given = trace;
+    this.former = null;
+    this.gone = false;
     this.ask();
     this.filter = { actors: new Set(), variables: new Set(), changing: false };
     this.compared = null;
@@ -145,12 +158,58 @@ export class TraceView {
     this.goTo(this.current);
   }
 
+  /**
+   * Another trace of the same property, after another verification. The step stays: the one that does the same, else the nearest.
+   * So does what is in view; the source goes nowhere.
+   */
+  renew(trace: Trace): void {
+    const former = this.given ? { trace: this.given, index: this.current } : this.former;
+    if (!former) return this.show(trace);
+    const found = continuation(former.trace, former.index, trace);
+    const isNew = !this.given || !tellsTheSame(former.trace, trace);
+    this.given = trace;
+    this.former = null;
+    this.gone = false;
+    this.ask();
+    const names = new Set([...this.watches.map(({ text }) => text), ...Object.keys(trace.initial)]);
+    this.filter.variables = new Set([...this.filter.variables].filter((name) => names.has(name)));
+    if (this.compared) this.compared = { other: this.compared.other, pairs: compare(trace, this.compared.other) };
+    this.found = search(trace, this.field.value);
+    this.empty.hidden = true;
+    this.body.hidden = false;
+    this.drawHead();
+    this.markStale(false);
+    this.lanes.renew(this.trace!);
+    this.refresh(found.index);
+    this.moveTo(found.index, false);
+    if (isNew) this.renewed.textContent = found.same
+      ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`;
+  }
+
+  /** The property has a verdict without a trace now: what was shown is of the past. */
+  showVerdict(verdict: Verdict): void {
+    if (this.given) this.former = { trace: this.given, index: this.current };
+    this.given = null;
+    this.trace = null;
+    this.body.hidden = true;
+    this.empty.hidden = false;
+    this.empty.replaceChildren(h('p', {}, h('span', { class: `badge ${verdict.verdict}` }, verdict.verdict)),
+      h('p', {}, prose(verdict.words)), h('p', { class: 'faint' }, prose(verdict.reason || 'After the last change there is no trace of it any more.')));
+    this.host.tell('step', null);
+  }
+
+  /** The program has no such property any more. */
+  markGone(): void {
+    this.gone = true;
+    this.markStale(true);
+  }
+
   focus(): void {
     this.list.element.focus({ preventScroll: true });
   }
 
   markStale(stale: boolean): void {
-    this.body.classList.toggle('stale', stale);
+    this.body.classList.toggle('stale', stale || this.gone);
   }
 
   private drawHead(): void {
@@ -159,7 +218,8 @@ export class TraceView {
     this.head.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
       h('h2', { title: trace.name }, prose(trace.words)),
       h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), `, ${end ? decimal(end) : '0'} s`),
-      h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'));
+      h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'), this.renewed);
+    this.renewed.textContent = '';
   }
 
   private toolbar(): HTMLElement {
@@ -169,7 +229,7 @@ export class TraceView {
       menu({ icon: 'filter', title: 'Filter', content: () => this.filterSections() }), this.grouped.element,
       h('span', { class: 'push' }),
       menu({ icon: 'compare', title: 'Compare with another trace', content: () => this.compareSections() }),
-      menu({ icon: 'download', title: 'Export', content: () => this.exportSections() }),
+      menu({ icon: 'download', title: 'Export', content: () => exportSections(this.given!, this.lanes, this.element, this.saver) }),
       button({ icon: 'open', title: 'Open a trace from a file', onclick: () => this.events.openFile() }));
   }
 
@@ -233,33 +293,15 @@ export class TraceView {
     if (to !== undefined) this.goTo(to);
   }
 
-  private exportSections(): Section[] {
-    const trace = this.given!;
-    const save = (extension: string, type: string, text: () => string) => (): void => void this.saver.text(fileName(trace.name, extension), type, text());
-    return [{ title: 'Save', items: [
-      { label: 'Trace as JSON', hint: 'can be opened again', choose: save('json', 'application/json', () => traceJson(trace)) },
-      { label: 'Trace as text', choose: save('txt', 'text/plain', () => traceText(trace)) },
-      { label: 'Lanes as SVG', choose: save('svg', 'image/svg+xml', () => this.lanesText()) }] },
-    { title: 'Copy', items: [
-      { label: 'Trace as text', choose: () => void this.saver.copy(traceText(trace), 'The trace') },
-      { label: 'Trace as JSON', choose: () => void this.saver.copy(traceJson(trace), 'The trace') }] }];
-  }
-
-  private lanesText(): string {
-    const { svg, width, height } = this.lanes.picture();
-    const holder = h('div', { class: 'lanes off-screen' }, svg);
-    this.element.append(holder);
-    const text = standalone(svg, width, height, getComputedStyle(document.body).backgroundColor);
-    holder.remove();
-    return text;
-  }
-
-  private refresh(): void {
+  /** `renewedAt`: in another trace, of which this step is to be where the current one was. */
+  private refresh(renewedAt?: number): void {
     const trace = this.trace!;
     this.shown = select(trace, this.filter);
     this.nothing.hidden = this.shown.length > 0;
     this.comparing.hidden = !this.compared;
-    this.list.show({ trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.compared && { compared: this.compared }) });
+    const list = { trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.compared && { compared: this.compared }) };
+    if (renewedAt === undefined) this.list.show(list);
+    else this.list.renew(list, renewedAt);
     this.lanes.filter(this.filter.actors, this.filter.variables);
     this.update();
   }
@@ -276,19 +318,25 @@ export class TraceView {
     });
   }
 
+  /** The user goes to a step: the source follows. */
   goTo(index: number): void {
+    this.list.select(index);
+    this.renewed.textContent = '';
+    this.moveTo(index, true);
+  }
+
+  private moveTo(index: number, byUser: boolean): void {
     const trace = this.given!;
     const step = trace.steps[index];
     this.current = index;
-    this.list.select(index);
-    this.lanes.select(index);
+    this.lanes.select(index, byUser);
     this.update();
     if (!step) return this.host.tell('step', null);
     this.host.tell('step', {
       trace: trace.name, index, count: trace.steps.length, step, values: this.variablesAt(index),
     });
-    if (this.follow.on) this.reveal(index, false);
-    this.events.stepped();
+    if (this.follow.on && byUser) this.reveal(index, false);
+    this.events.stepped(byUser);
   }
 
   /** Without the watches, which are nothing of the program's. */

@@ -26,9 +26,12 @@ export class VerdictsView {
     this.list.addEventListener('keydown', (event) => this.key(event));
   }
 
+  /** What has the keyboard keeps it. */
   show(program: Program): void {
+    const focused = this.list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['name'] : undefined;
     this.program = program;
     this.draw();
+    if (focused !== undefined) this.options().find((option) => option.dataset['name'] === focused)?.focus({ preventScroll: true });
   }
 
   select(name: string | null): void {
