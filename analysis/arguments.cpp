@@ -40,7 +40,30 @@ Type Arguments::type(const Expr& argument, Type wanted) {
     if (wanted.kind != TypeKind::Value) break;
     names.use(SymbolKind::Value, argument.name, Role::Mention, wanted.of);
     return wanted;
-  default: break;
+  case ExprKind::Access:
+  case ExprKind::Test:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::And:
+  case ExprKind::Or:
+  case ExprKind::Not:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Value:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until:
+  case ExprKind::Implies: break;
   }
   context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
   return {};

@@ -6,6 +6,8 @@
 #include "analysis/walk.h"
 #include "syntax/codes.h"
 
+#include <utility>
+
 namespace proskill::analysis {
 
 using syntax::Code;
@@ -47,8 +49,20 @@ private:
       if (statement.effects.items.empty()) return true;
       expressions.condition(statement.condition);
       return refuse(Code::NotInEnvironment, {":effects", statement.effects.range});
-    default: return true;
+    case StatementKind::Unknown:
+    case StatementKind::Interrupt:
+    case StatementKind::WaitTime:
+    case StatementKind::If:
+    case StatementKind::While:
+    case StatementKind::DoUntil:
+    case StatementKind::Break:
+    case StatementKind::Label:
+    case StatementKind::Goto:
+    case StatementKind::Printf:
+    case StatementKind::Emit:
+    case StatementKind::Choose: return true;
     }
+    std::unreachable();
   }
 
   bool refuse(Code code, const syntax::Name& word) {
@@ -75,7 +89,13 @@ private:
     case StatementKind::Success: return outcome(SymbolKind::SuccessTag, statement.name);
     case StatementKind::Failure: return outcome(SymbolKind::FailureTag, statement.name);
     case StatementKind::Emit: names.use(SymbolKind::Event, statement.name, Role::Mention); return;
-    default: return;
+    case StatementKind::Unknown:
+    case StatementKind::WaitTime:
+    case StatementKind::Break:
+    case StatementKind::Label:
+    case StatementKind::Goto:
+    case StatementKind::Parallel:
+    case StatementKind::Choose: return;
     }
   }
 

@@ -3,7 +3,9 @@
 #include "syntax/suggest.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
+#include <utility>
 
 namespace proskill::analysis {
 
@@ -55,7 +57,12 @@ void Expressions::condition(const Expr& expr) {
   case ExprKind::At:
   case ExprKind::Value: return atom(expr);
   case ExprKind::Parameter: return parameter(expr);
-  default: return noCondition(expr);
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Access:
+  case ExprKind::Add:
+  case ExprKind::Subtract: return noCondition(expr);
   }
 }
 
@@ -132,8 +139,31 @@ Type Expressions::operand(const Expr& expr, Type expected) {
   case ExprKind::Add:
   case ExprKind::Subtract: naturals(expr.operands); return {TypeKind::Natural, kNoSymbol};
   case ExprKind::Parameter: parameter(expr); return {};
-  default: condition(expr); return {TypeKind::Boolean, kNoSymbol};
+  case ExprKind::True:
+  case ExprKind::False:
+  case ExprKind::Test:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::And:
+  case ExprKind::Or:
+  case ExprKind::Not:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Value:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until:
+  case ExprKind::Implies: condition(expr); return {TypeKind::Boolean, kNoSymbol};
   }
+  std::unreachable();
 }
 
 Type Expressions::word(const Expr& expr, Type expected) {
@@ -208,18 +238,29 @@ void Expressions::onlyInProperty(const Name& word) {
 
 void Expressions::atom(const Expr& expr) {
   if (atoms == Atoms::Program) return onlyInProperty(expr.head);
-  switch (expr.kind) {
-  case ExprKind::Ended: names.useStatus(expr.member, endedWords()); [[fallthrough]];
-  case ExprKind::Running:
-  case ExprKind::Called: names.use(SymbolKind::Skill, expr.name, Role::Read); return;
-  case ExprKind::Occurs: names.use(SymbolKind::Event, expr.name, Role::Mention); return;
-  case ExprKind::At: return names.useLabelAnywhere(expr.name);
-  default:
-    if (expr.operands.empty())
-      variable(expr.name, Role::Read);
-    else
-      valueOf(expr.name, expr.operands.front(), Role::Read);
-  }
+  if (expr.kind == ExprKind::Occurs)
+    names.use(SymbolKind::Event, expr.name, Role::Mention);
+  else if (expr.kind == ExprKind::At)
+    names.useLabelAnywhere(expr.name);
+  else if (expr.kind == ExprKind::Value)
+    valueAtom(expr);
+  else
+    skillAtom(expr);
+}
+
+void Expressions::valueAtom(const Expr& expr) {
+  if (expr.operands.empty())
+    variable(expr.name, Role::Read);
+  else
+    valueOf(expr.name, expr.operands.front(), Role::Read);
+}
+
+/// `(running x)`, `(called x)`, `(ended x status)`.
+void Expressions::skillAtom(const Expr& expr) {
+  assert(expr.kind == ExprKind::Running || expr.kind == ExprKind::Called ||
+         expr.kind == ExprKind::Ended);
+  if (expr.kind == ExprKind::Ended) names.useStatus(expr.member, endedWords());
+  names.use(SymbolKind::Skill, expr.name, Role::Read);
 }
 
 } // namespace proskill::analysis

@@ -36,6 +36,8 @@ private:
   void parameter(const syntax::Expr& expr);
   void onlyInProperty(const syntax::Name& word);
   void atom(const syntax::Expr& expr);
+  void valueAtom(const syntax::Expr& expr);
+  void skillAtom(const syntax::Expr& expr);
   void noCondition(const syntax::Expr& expr);
   void refuse(syntax::Code code, const syntax::Expr& expr, const std::string& found);
   void refuseRepeated(const syntax::Effects& effects);

@@ -5,6 +5,7 @@
 #include "syntax/codes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace proskill::analysis {
 
@@ -21,8 +22,13 @@ bool takes(char letter, TypeKind kind) {
   case TypeKind::Natural:
   case TypeKind::Integer: return letter == 'd' || letter == 'f';
   case TypeKind::Float: return letter == 'f';
-  default: return letter == 's';
+  case TypeKind::Boolean:
+  case TypeKind::String:
+  case TypeKind::Value:
+  case TypeKind::Status:
+  case TypeKind::Result: return letter == 's';
   }
+  std::unreachable();
 }
 
 std::string_view takenBy(char letter) {

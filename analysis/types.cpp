@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace proskill::analysis {
 
@@ -67,8 +68,13 @@ bool comparable(Type a, Type b) {
   case TypeKind::Status:
   case TypeKind::Result: return true;
   case TypeKind::Value: return a.of == b.of;
-  default: return false;
+  case TypeKind::Unknown:
+  case TypeKind::Boolean:
+  case TypeKind::Integer:
+  case TypeKind::Float:
+  case TypeKind::String: return false;
   }
+  std::unreachable();
 }
 
 std::string describe(Type type, const SymbolTable& symbols) {

@@ -75,3 +75,9 @@ function(proskill_library name)
   endif()
   proskill_use_precompiled(proskill_${name} ${ARG_PRECOMPILED})
 endfunction()
+
+# proskill_exhaustive(NAME): a switch of the folder names every value of its enumeration, even where it has a `default`:
+# a new kind of statement, property or node is then an error at each place that has to know it.
+function(proskill_exhaustive name)
+  target_compile_options(proskill_${name} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wswitch-enum>)
+endfunction()

@@ -19,8 +19,22 @@ bool neverGoesOn(const Statement& statement) {
   case StatementKind::Failure: return true;
   case StatementKind::While: return statement.condition.kind == syntax::ExprKind::True;
   case StatementKind::DoUntil: return statement.condition.kind == syntax::ExprKind::False;
-  default: return false;
+  case StatementKind::Unknown:
+  case StatementKind::Call:
+  case StatementKind::Interrupt:
+  case StatementKind::WaitCondition:
+  case StatementKind::WaitTime:
+  case StatementKind::If:
+  case StatementKind::Break:
+  case StatementKind::Label:
+  case StatementKind::Goto:
+  case StatementKind::Parallel:
+  case StatementKind::Set:
+  case StatementKind::Printf:
+  case StatementKind::Emit:
+  case StatementKind::Choose: return false;
   }
+  std::unreachable();
 }
 
 /// Names all states in the order of the text, then tells each where to go on.
@@ -86,7 +100,20 @@ private:
     case StatementKind::While: return nameInner(statement.branches[0], nextTest() + "T");
     case StatementKind::Choose: return nameChoices(statement);
     case StatementKind::Parallel: automaton.states[index].branches = branches(statement); return;
-    default: return;
+    case StatementKind::Unknown:
+    case StatementKind::Call:
+    case StatementKind::Interrupt:
+    case StatementKind::WaitCondition:
+    case StatementKind::WaitTime:
+    case StatementKind::DoUntil:
+    case StatementKind::Break:
+    case StatementKind::Label:
+    case StatementKind::Goto:
+    case StatementKind::Set:
+    case StatementKind::Printf:
+    case StatementKind::Success:
+    case StatementKind::Failure:
+    case StatementKind::Emit: return;
     }
   }
 

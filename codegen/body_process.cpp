@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace proskill::codegen {
 
 using fiacre::Statement;
@@ -59,8 +61,23 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
         process, state,
         sequence({wait(context.times.waiting(statement.duration)), at(words, to(state.next))}));
   }
-  default: addState(process, state.name, origin(statement.range), step(state), lineOf(state));
+  case StatementKind::Interrupt:
+  case StatementKind::If:
+  case StatementKind::While:
+  case StatementKind::DoUntil:
+  case StatementKind::Choose:
+  case StatementKind::Break:
+  case StatementKind::Goto:
+  case StatementKind::Set:
+  case StatementKind::Printf:
+  case StatementKind::Success:
+  case StatementKind::Failure:
+  case StatementKind::Emit:
+    return addState(process, state.name, origin(statement.range), step(state), lineOf(state));
+  case StatementKind::Unknown:      // a program with it has errors
+  case StatementKind::Label: break; // has no state of its own
   }
+  assert(false && "a statement without a state");
 }
 
 void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, Statement main) {
@@ -112,8 +129,15 @@ Statement BodyProcess::step(const BodyState& state) {
         {at(origin(statement.range, words), synchronise(context.names.event(statement.name.text))),
          to(state.next)});
   }
-  default: return sequence({atOnce(), to(state.next)});
+  case StatementKind::Unknown:
+  case StatementKind::Label:
+  case StatementKind::Call:
+  case StatementKind::Parallel:
+  case StatementKind::WaitCondition:
+  case StatementKind::WaitTime: break;
   }
+  assert(false && "not a single step");
+  return {};
 }
 
 // --- Calls

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace proskill::codegen {
 namespace {
@@ -195,8 +196,9 @@ private:
     switch (context.options.edition) {
     case Edition::Offline: return "a model for verification, compact";
     case Edition::Expanded: return "a model for verification, every state named";
-    default: return "a program for the executor, in H-Fiacre";
+    case Edition::Runtime: return "a program for the executor, in H-Fiacre";
     }
+    std::unreachable();
   }
 
   Context& context;

@@ -3,6 +3,7 @@
 #include "codegen/linear.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace proskill::codegen {
 namespace {
@@ -10,14 +11,8 @@ namespace {
 using fiacre::Op;
 using syntax::ExprKind;
 
-Op comparison(ExprKind kind) {
-  switch (kind) {
-  case ExprKind::Less: return Op::Less;
-  case ExprKind::LessEqual: return Op::LessEqual;
-  case ExprKind::Greater: return Op::Greater;
-  case ExprKind::GreaterEqual: return Op::GreaterEqual;
-  default: return Op::Equal;
-  }
+fiacre::Expr comparison(Context& context, Op op, const syntax::Expr& expr) {
+  return Linear::compare(op, Linear(context, expr.operands[0]), Linear(context, expr.operands[1]));
 }
 
 bool isEnumeration(const Context& context, const syntax::Expr& expr) {
@@ -138,10 +133,30 @@ fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
   case ExprKind::Value: return hasValue(context, expr.name, expr.operands[0]);
   case ExprKind::Equal: return equality(context, expr.operands[0], expr.operands[1]);
   case ExprKind::NotEqual: return negation(equality(context, expr.operands[0], expr.operands[1]));
-  default:
-    return Linear::compare(comparison(expr.kind), Linear(context, expr.operands[0]),
-                           Linear(context, expr.operands[1]));
+  case ExprKind::Less: return comparison(context, Op::Less, expr);
+  case ExprKind::LessEqual: return comparison(context, Op::LessEqual, expr);
+  case ExprKind::Greater: return comparison(context, Op::Greater, expr);
+  case ExprKind::GreaterEqual: return comparison(context, Op::GreaterEqual, expr);
+  case ExprKind::Missing:
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Parameter:
+  case ExprKind::Access:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until: break;
   }
+  assert(false && "not a condition of the program");
+  return boolean(false);
 }
 
 fiacre::Expr precondition(Context& context, const syntax::Skill& skill) {

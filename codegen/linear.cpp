@@ -1,6 +1,7 @@
 #include "codegen/linear.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace proskill::codegen {
@@ -25,13 +26,12 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
 }
 
 bool holds(Op op, std::int64_t a, std::int64_t b) {
-  switch (op) {
-  case Op::Less: return a < b;
-  case Op::LessEqual: return a <= b;
-  case Op::Greater: return a > b;
-  case Op::GreaterEqual: return a >= b;
-  default: return a == b;
-  }
+  if (op == Op::Less) return a < b;
+  if (op == Op::LessEqual) return a <= b;
+  if (op == Op::Greater) return a > b;
+  if (op == Op::GreaterEqual) return a >= b;
+  assert(op == Op::Equal);
+  return a == b;
 }
 
 } // namespace
@@ -46,17 +46,18 @@ std::pair<std::int64_t, std::int64_t> domainOf(const syntax::StateVariable& natu
 Linear::Linear(Context& context, const syntax::Expr& expr) { add(context, expr, 1); }
 
 void Linear::add(Context& context, const syntax::Expr& expr, std::int64_t sign) {
-  switch (expr.kind) {
-  case ExprKind::Number: constant = addUp(constant, times(sign, expr.number.numerator)); return;
-  case ExprKind::Symbol: {
+  if (expr.kind == ExprKind::Number) {
+    constant = addUp(constant, times(sign, expr.number.numerator));
+    return;
+  }
+  if (expr.kind == ExprKind::Symbol) {
     const auto [low, high] = domainOf(context.stateVariable(expr.name.text));
     return addTerm({context.names.variable(expr.name.text), sign, low, high});
   }
-  default:
-    for (std::size_t i = 0; i < expr.operands.size(); ++i) {
-      const bool taken = expr.kind == ExprKind::Subtract && (i > 0 || expr.operands.size() == 1);
-      add(context, expr.operands[i], taken ? -sign : sign);
-    }
+  assert(expr.kind == ExprKind::Add || expr.kind == ExprKind::Subtract);
+  for (std::size_t i = 0; i < expr.operands.size(); ++i) {
+    const bool taken = expr.kind == ExprKind::Subtract && (i > 0 || expr.operands.size() == 1);
+    add(context, expr.operands[i], taken ? -sign : sign);
   }
 }
 

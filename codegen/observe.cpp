@@ -4,6 +4,8 @@
 #include "codegen/conditions.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 
 namespace proskill::codegen {
 namespace {
@@ -19,14 +21,10 @@ template <class Visit> void forEachTag(const fiacre::Statement& statement, Visit
 
 /// Made of conditions alone, without the atoms of properties.
 bool isPlain(const syntax::Expr& expr) {
-  switch (expr.kind) {
-  case ExprKind::Running:
-  case ExprKind::Called:
-  case ExprKind::Ended:
-  case ExprKind::Occurs:
-  case ExprKind::At: return false;
-  default: return std::ranges::all_of(expr.operands, isPlain);
-  }
+  constexpr std::array kAtoms{ExprKind::Running, ExprKind::Called, ExprKind::Ended,
+                              ExprKind::Occurs, ExprKind::At};
+  return std::ranges::find(kAtoms, expr.kind) == kAtoms.end() &&
+         std::ranges::all_of(expr.operands, isPlain);
 }
 
 /// Any of several; never, where there is none.
@@ -88,13 +86,39 @@ Observable Observer::condition(const syntax::Expr& expr) {
   case ExprKind::Called: return called(expr.name.text);
   case ExprKind::Ended: return ended(expr);
   case ExprKind::At: return atLabel(expr.name.text);
-  default: {
-    Observable event;
-    event.kind = ObservableKind::Event;
-    event.name = context.names.event(expr.name.text);
-    return event;
+  case ExprKind::Occurs: return event(expr.name.text);
+  case ExprKind::Missing:
+  case ExprKind::True:
+  case ExprKind::False:
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Parameter:
+  case ExprKind::Access:
+  case ExprKind::Test:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Value:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until: break;
   }
-  }
+  assert(false && "not a condition of a property");
+  return value(boolean(false));
+}
+
+Observable Observer::event(std::string_view name) const {
+  Observable observable;
+  observable.kind = ObservableKind::Event;
+  observable.name = context.names.event(name);
+  return observable;
 }
 
 Observable Observer::compound(ObservableKind kind, const syntax::Expr& expr) {

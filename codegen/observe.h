@@ -21,6 +21,7 @@ public:
 
 private:
   [[nodiscard]] fiacre::Observable compound(fiacre::ObservableKind kind, const syntax::Expr& expr);
+  [[nodiscard]] fiacre::Observable event(std::string_view name) const;
   [[nodiscard]] fiacre::Observable running(std::string_view skill) const;
   [[nodiscard]] fiacre::Observable called(std::string_view skill) const;
   [[nodiscard]] fiacre::Observable ended(const syntax::Expr& expr) const;

@@ -1,5 +1,10 @@
 #include "codegen/properties.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
 namespace proskill::codegen {
 namespace {
 
@@ -17,8 +22,12 @@ PatternKind kindOf(PropertyKind kind) {
   case PropertyKind::Precedes: return PatternKind::Precedes;
   case PropertyKind::Present: return PatternKind::Present;
   case PropertyKind::Ltl: return PatternKind::Ltl;
-  default: return PatternKind::Absent;
+  case PropertyKind::Missing:
+  case PropertyKind::Never:
+  case PropertyKind::Reachable:
+  case PropertyKind::Absent: return PatternKind::Absent;
   }
+  std::unreachable();
 }
 
 LtlKind kindOf(ExprKind kind) {
@@ -31,21 +40,39 @@ LtlKind kindOf(ExprKind kind) {
   case ExprKind::And: return LtlKind::And;
   case ExprKind::Or: return LtlKind::Or;
   case ExprKind::Implies: return LtlKind::Implies;
-  default: return LtlKind::Atom;
+  case ExprKind::Missing:
+  case ExprKind::True:
+  case ExprKind::False:
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Parameter:
+  case ExprKind::Access:
+  case ExprKind::Test:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Value: break;
   }
+  assert(false && "not an operator of LTL");
+  return LtlKind::Atom;
 }
 
 bool isTemporal(const syntax::Expr& expr) {
-  switch (expr.kind) {
-  case ExprKind::Globally:
-  case ExprKind::Finally:
-  case ExprKind::Next:
-  case ExprKind::Until: return true;
-  default:
-    for (const auto& operand : expr.operands)
-      if (isTemporal(operand)) return true;
-    return false;
-  }
+  constexpr std::array kTemporal{ExprKind::Globally, ExprKind::Finally, ExprKind::Next,
+                                 ExprKind::Until};
+  return std::ranges::find(kTemporal, expr.kind) != kTemporal.end() ||
+         std::ranges::any_of(expr.operands, isTemporal);
 }
 
 fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace proskill::fiacre {
 namespace {
@@ -54,8 +55,20 @@ bool isPlain(StatementKind kind) {
   case StatementKind::Sequence:
   case StatementKind::While:
   case StatementKind::Foreach: return true;
-  default: return false;
+  case StatementKind::Any:
+  case StatementKind::On:
+  case StatementKind::Wait:
+  case StatementKind::To:
+  case StatementKind::Loop:
+  case StatementKind::Select:
+  case StatementKind::Send:
+  case StatementKind::Receive:
+  case StatementKind::Tag:
+  case StatementKind::Start:
+  case StatementKind::Sync:
+  case StatementKind::Return: return false;
   }
+  std::unreachable();
 }
 
 template <class Allowed>
@@ -115,8 +128,16 @@ Paths followOne(const Statement& s, Paths paths, const Report& report) {
     checkPlain(s.children[0], "a loop", report, [](auto) { return false; });
     return paths;
   case StatementKind::Return: report("`return` stands outside of a function"); return kNone;
-  default: return paths;
+  case StatementKind::Null:
+  case StatementKind::Comment:
+  case StatementKind::Assign:
+  case StatementKind::Any:
+  case StatementKind::On:
+  case StatementKind::Tag:
+  case StatementKind::Start:
+  case StatementKind::Sync: return paths;
   }
+  std::unreachable();
 }
 
 Paths follow(const Statement& s, Paths paths, const Report& report) {
@@ -135,8 +156,24 @@ bool alwaysReturns(const Statement& s) {
   case StatementKind::If:
     return s.children.size() == 2 && std::ranges::all_of(s.children, alwaysReturns);
   case StatementKind::Case: return std::ranges::all_of(s.children, alwaysReturns);
-  default: return false;
+  case StatementKind::Null:
+  case StatementKind::Comment:
+  case StatementKind::Assign:
+  case StatementKind::Any:
+  case StatementKind::On:
+  case StatementKind::Wait:
+  case StatementKind::To:
+  case StatementKind::Loop:
+  case StatementKind::Select:
+  case StatementKind::Send:
+  case StatementKind::Receive:
+  case StatementKind::Tag:
+  case StatementKind::Start:
+  case StatementKind::Sync:
+  case StatementKind::While:
+  case StatementKind::Foreach: return false;
   }
+  std::unreachable();
 }
 
 } // namespace

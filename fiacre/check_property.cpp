@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace proskill::fiacre {
 namespace {
@@ -52,18 +53,25 @@ public:
 
   void check(const Observable& o) const {
     for (const auto& operand : o.operands) check(operand);
-    if (o.kind > ObservableKind::Event) return;
-    const auto target = follow(o);
-    if (!target) return;
     switch (o.kind) {
-    case ObservableKind::State: return state(*target, o.name);
-    case ObservableKind::Value: return value(*target, o.value);
-    case ObservableKind::Tag: return tag(*target, o.name);
-    default: return event(*target, o.name);
+    case ObservableKind::State: return atTarget(o, [&](const auto& at) { state(at, o.name); });
+    case ObservableKind::Value: return atTarget(o, [&](const auto& at) { value(at, o.value); });
+    case ObservableKind::Tag: return atTarget(o, [&](const auto& at) { tag(at, o.name); });
+    case ObservableKind::Event: return atTarget(o, [&](const auto& at) { event(at, o.name); });
+    case ObservableKind::Enter:
+    case ObservableKind::Leave:
+    case ObservableKind::Not:
+    case ObservableKind::And:
+    case ObservableKind::Or:
+    case ObservableKind::Implies: return;
     }
   }
 
 private:
+  template <class Check> void atTarget(const Observable& o, Check&& check) const {
+    if (const auto target = follow(o)) check(*target);
+  }
+
   void operands(const Pattern& pattern) const {
     std::size_t wanted = 1;
     switch (pattern.kind) {
@@ -75,7 +83,11 @@ private:
     case PatternKind::Ltl: wanted = 0; break;
     case PatternKind::LeadsTo:
     case PatternKind::Precedes: wanted = 2; break;
-    default: break;
+    case PatternKind::InfinitelyOften:
+    case PatternKind::Mortal:
+    case PatternKind::Present:
+    case PatternKind::Absent:
+    case PatternKind::Always: break;
     }
     if (pattern.operands.size() != wanted)
       report(fmt::format("the pattern has {} operands, not {}", pattern.operands.size(), wanted));
@@ -149,8 +161,14 @@ bool watchesSteps(const Observable& observable) {
   case ObservableKind::Event:
   case ObservableKind::Enter:
   case ObservableKind::Leave: return true;
-  default: return std::ranges::any_of(observable.operands, watchesSteps);
+  case ObservableKind::State:
+  case ObservableKind::Value:
+  case ObservableKind::Not:
+  case ObservableKind::And:
+  case ObservableKind::Or:
+  case ObservableKind::Implies: return std::ranges::any_of(observable.operands, watchesSteps);
   }
+  std::unreachable();
 }
 
 void checkProbe(const Port& port, const Program& program, const Declarations& known,

@@ -31,7 +31,11 @@ public:
     case StatementKind::Foreach: return foreach ();
     case StatementKind::Return: return result();
     case StatementKind::Tag: return Names(report).add(s.name, "the tag");
-    default: return;
+    case StatementKind::Null:
+    case StatementKind::Comment:
+    case StatementKind::Loop:
+    case StatementKind::Select:
+    case StatementKind::Sequence: return;
     }
   }
 

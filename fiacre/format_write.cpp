@@ -134,7 +134,8 @@ public:
     case FormatLine::Shape::Type:
       if (writeType(line)) return;
       break;
-    default: break;
+    case FormatLine::Shape::Statement:
+    case FormatLine::Shape::Items: break;
     }
     writePieces(line, line.indent, line.hang);
   }

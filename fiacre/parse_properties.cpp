@@ -61,8 +61,11 @@ std::optional<Ltl> ofRuns(const Pattern& pattern) {
   case PatternKind::Precedes: // no second before the first
     return of(LtlKind::Or,
               {of(Until, {negated(atom(1)), atom(0)}), of(Globally, {negated(atom(1))})});
-  default: return std::nullopt;
+  case PatternKind::DeadlockFree:
+  case PatternKind::Progress:
+  case PatternKind::NoError: return std::nullopt;
   }
+  std::unreachable();
 }
 
 } // namespace

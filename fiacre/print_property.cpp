@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <utility>
 
 namespace proskill::fiacre {
 namespace {
@@ -30,8 +31,15 @@ std::string printAtom(const Observable& observable, const std::string& main) {
   case ObservableKind::State: return path + "state " + observable.name;
   case ObservableKind::Tag: return path + "tag " + observable.name;
   case ObservableKind::Event: return path + "event " + observable.name;
-  default: return path + "value " + printOperand(observable.value);
+  case ObservableKind::Value: return path + "value " + printOperand(observable.value);
+  case ObservableKind::Enter:
+  case ObservableKind::Leave:
+  case ObservableKind::Not:
+  case ObservableKind::And:
+  case ObservableKind::Or:
+  case ObservableKind::Implies: break;
   }
+  std::unreachable();
 }
 
 template <class Node, class Print>
@@ -53,8 +61,12 @@ std::string printObservable(const Observable& o, const std::string& main) {
   case ObservableKind::And: return printJoined(o.operands, "and", print);
   case ObservableKind::Or: return printJoined(o.operands, "or", print);
   case ObservableKind::Implies: return printJoined(o.operands, "=>", print);
-  default: return printAtom(o, main);
+  case ObservableKind::State:
+  case ObservableKind::Value:
+  case ObservableKind::Tag:
+  case ObservableKind::Event: return printAtom(o, main);
   }
+  std::unreachable();
 }
 
 namespace {
@@ -125,10 +137,15 @@ std::string printPattern(const Pattern& pattern, const std::string& main) {
     return fmt::format("{} {}{} {}{}", operand(operands[0], main), word(pattern.kind),
                        pattern.first ? " first" : "", operand(operands[1], main),
                        printScope(pattern, main));
-  default:
+  case PatternKind::InfinitelyOften:
+  case PatternKind::Mortal:
+  case PatternKind::Present:
+  case PatternKind::Absent:
+  case PatternKind::Always:
     return fmt::format("{} {}{}", word(pattern.kind), plain(operands[0], main),
                        printScope(pattern, main));
   }
+  std::unreachable();
 }
 
 void printProperty(Output& out, const Property& property, const std::string& main,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace proskill::fiacre {
 namespace {
@@ -56,8 +57,15 @@ std::string simpleText(const Statement& s) {
     return s.targets.empty() ? "sync " + s.name
                              : fmt::format("sync {} {}", s.name, printLvalue(s.targets[0]));
   case StatementKind::Return: return "return " + printExpr(s.values[0]);
-  default: assert(false); return {};
+  case StatementKind::Comment:
+  case StatementKind::If:
+  case StatementKind::Case:
+  case StatementKind::Select:
+  case StatementKind::Sequence:
+  case StatementKind::While:
+  case StatementKind::Foreach: assert(false); return {};
   }
+  std::unreachable();
 }
 
 /// The `if` that an else-part consists of, for `elsif`.
@@ -148,7 +156,20 @@ void print(Output& out, const Statement& s, std::size_t indent, Suffix suffix) {
   case StatementKind::Comment:
     out.writer.comment(indent, s.comment);
     return out.writer.line(indent, fmt::format("null{}", suffix));
-  default: return out.writer.line(indent, simpleText(s) + std::string(suffix), s.comment);
+  case StatementKind::Null:
+  case StatementKind::Assign:
+  case StatementKind::Any:
+  case StatementKind::On:
+  case StatementKind::Wait:
+  case StatementKind::To:
+  case StatementKind::Loop:
+  case StatementKind::Send:
+  case StatementKind::Receive:
+  case StatementKind::Tag:
+  case StatementKind::Start:
+  case StatementKind::Sync:
+  case StatementKind::Return:
+    return out.writer.line(indent, simpleText(s) + std::string(suffix), s.comment);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace proskill::fiacre {
 namespace {
@@ -199,8 +200,24 @@ std::optional<Type> Typing::inferUnary(const Expr& expr) const {
     const auto queue = queueOf(operand);
     return queue ? std::optional(canonical(queue->element[0], *declarations)) : std::nullopt;
   }
-  default: return queueOf(operand);
+  case Op::Dequeue: return queueOf(operand);
+  case Op::And:
+  case Op::Or:
+  case Op::Equal:
+  case Op::NotEqual:
+  case Op::Less:
+  case Op::LessEqual:
+  case Op::Greater:
+  case Op::GreaterEqual:
+  case Op::Add:
+  case Op::Subtract:
+  case Op::Multiply:
+  case Op::Divide:
+  case Op::Modulo:
+  case Op::Enqueue:
+  case Op::Append: break;
   }
+  std::unreachable();
 }
 
 void Typing::expectEqualTypes(const Expr& expr) const {
@@ -223,7 +240,22 @@ std::optional<Type> Typing::inferBinary(const Expr& expr) const {
     if (queue) expect(operands[1], queue->element[0]);
     return queue;
   }
-  default: break;
+  case Op::Not:
+  case Op::Negate:
+  case Op::Coerce:
+  case Op::Empty:
+  case Op::Full:
+  case Op::First:
+  case Op::Dequeue:
+  case Op::Less:
+  case Op::LessEqual:
+  case Op::Greater:
+  case Op::GreaterEqual:
+  case Op::Add:
+  case Op::Subtract:
+  case Op::Multiply:
+  case Op::Divide:
+  case Op::Modulo: break;
   }
   for (const auto& operand : operands) expectNumber(operand);
   if ((expr.op == Op::Divide || expr.op == Op::Modulo) && constant(operands[1]) == 0)

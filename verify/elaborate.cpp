@@ -314,7 +314,20 @@ private:
       system.cells[system.instances[id].location].initial = state - process->states.begin();
       return;
     }
-    default: unsupported("a statement in `init` that is not verified yet", statement.origin);
+    case StatementKind::Any:
+    case StatementKind::On:
+    case StatementKind::Wait:
+    case StatementKind::Loop:
+    case StatementKind::Case:
+    case StatementKind::Select:
+    case StatementKind::Send:
+    case StatementKind::Receive:
+    case StatementKind::Start:
+    case StatementKind::Sync:
+    case StatementKind::While:
+    case StatementKind::Foreach:
+    case StatementKind::Return:
+      unsupported("a statement in `init` that is not verified yet", statement.origin);
     }
   }
 

@@ -4,6 +4,7 @@
 #include "verify/unsupported.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -73,8 +74,27 @@ Value Expressions::unary(const Expr& expr, const Scope& scope) {
   case Op::Not: return {&kBool, {maker.negation(a)}};
   case Op::Negate: return {&kInt, {maker.unary(NodeOp::Negate, a)}};
   case Op::Coerce: return {&kInt, {a}};
-  default: unsupported("an unknown operator");
+  case Op::Empty:
+  case Op::Full:
+  case Op::First:
+  case Op::Dequeue:
+  case Op::And:
+  case Op::Or:
+  case Op::Equal:
+  case Op::NotEqual:
+  case Op::Less:
+  case Op::LessEqual:
+  case Op::Greater:
+  case Op::GreaterEqual:
+  case Op::Add:
+  case Op::Subtract:
+  case Op::Multiply:
+  case Op::Divide:
+  case Op::Modulo:
+  case Op::Enqueue:
+  case Op::Append: unsupported("an unknown operator");
   }
+  std::unreachable();
 }
 
 bool Expressions::isBareConstructor(const Expr& expr, const Scope& scope) const {
@@ -111,8 +131,19 @@ Value Expressions::binary(const Expr& expr, const Scope& scope) {
   case Op::Multiply: return {&kInt, {maker.binary(NodeOp::Multiply, a, b)}};
   case Op::Divide: return {&kInt, {maker.binary(NodeOp::Divide, a, b)}};
   case Op::Modulo: return {&kInt, {maker.binary(NodeOp::Modulo, a, b)}};
-  default: unsupported("an unknown operator");
+  case Op::Not:
+  case Op::Negate:
+  case Op::Coerce:
+  case Op::Empty:
+  case Op::Full:
+  case Op::First:
+  case Op::Dequeue:
+  case Op::Equal:
+  case Op::NotEqual:
+  case Op::Enqueue:
+  case Op::Append: unsupported("an unknown operator");
   }
+  std::unreachable();
 }
 
 Value Expressions::choose(NodeId condition, const Value& then, const Value& otherwise) {

@@ -165,7 +165,18 @@ Value Expressions::run(Statements rest, Scope scope, const Type& result) {
       --turns;
       return choose(condition, more, run(rest, scope, result));
     }
-    default: unsupported("a statement that functions do not have", statement.origin);
+    case StatementKind::Any:
+    case StatementKind::On:
+    case StatementKind::Wait:
+    case StatementKind::To:
+    case StatementKind::Loop:
+    case StatementKind::Select:
+    case StatementKind::Send:
+    case StatementKind::Receive:
+    case StatementKind::Tag:
+    case StatementKind::Start:
+    case StatementKind::Sync:
+      unsupported("a statement that functions do not have", statement.origin);
     }
   }
   unsupported("a function may end without `return`");

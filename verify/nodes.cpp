@@ -1,6 +1,7 @@
 #include "verify/nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -32,8 +33,20 @@ std::optional<std::int64_t> calculate(NodeOp op, std::int64_t a, std::int64_t b)
   case NodeOp::Multiply: return within(static_cast<Wide>(a) * b);
   case NodeOp::Divide: return b == 0 ? std::nullopt : std::optional(a / b);
   case NodeOp::Modulo: return b == 0 ? std::nullopt : std::optional(a % b);
-  default: return std::nullopt;
+  case NodeOp::Number:
+  case NodeOp::Cell:
+  case NodeOp::Test:
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Conditional:
+  case NodeOp::Happens:
+  case NodeOp::Entered:
+  case NodeOp::Left:
+  case NodeOp::Received:
+  case NodeOp::Require:
+  case NodeOp::Fails: return std::nullopt;
   }
+  std::unreachable();
 }
 
 } // namespace
@@ -148,8 +161,18 @@ NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
   case NodeOp::Conditional:
     return conditional(substitute(node.a, leaf), substitute(node.b, leaf),
                        substitute(node.c, leaf));
-  default: return binary(node.op, substitute(node.a, leaf), substitute(node.b, leaf));
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual:
+  case NodeOp::Add:
+  case NodeOp::Subtract:
+  case NodeOp::Multiply:
+  case NodeOp::Divide:
+  case NodeOp::Modulo: return binary(node.op, substitute(node.a, leaf), substitute(node.b, leaf));
   }
+  std::unreachable();
 }
 
 namespace {
@@ -208,8 +231,20 @@ ValueBounds valueBounds(const System& system, NodeId id) {
     return {std::clamp(value.low, node.low, node.high),
             std::clamp(value.high, node.low, node.high)};
   }
-  default: return {0, 1};
+  case NodeOp::Test:
+  case NodeOp::Not:
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual:
+  case NodeOp::Happens:
+  case NodeOp::Entered:
+  case NodeOp::Left:
+  case NodeOp::Received:
+  case NodeOp::Fails: return {0, 1};
   }
+  std::unreachable();
 }
 
 namespace {
@@ -230,7 +265,17 @@ template <class Visit> void eachNode(const System& system, NodeId id, Visit& vis
   case NodeOp::Entered:
   case NodeOp::Left: return eachNode(system, node.a, visit);
   case NodeOp::Conditional: eachNode(system, node.c, visit); [[fallthrough]];
-  default: eachNode(system, node.a, visit); eachNode(system, node.b, visit);
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual:
+  case NodeOp::Add:
+  case NodeOp::Subtract:
+  case NodeOp::Multiply:
+  case NodeOp::Divide:
+  case NodeOp::Modulo:
+  case NodeOp::Require: eachNode(system, node.a, visit); eachNode(system, node.b, visit);
   }
 }
 
@@ -263,8 +308,13 @@ bool mayFail(const System& system, NodeId id) {
     const auto bounds = valueBounds(system, id);
     return bounds.low <= -kHuge || bounds.high >= kHuge || inside(node.a, node.b);
   }
-  default: return inside(node.a, node.b);
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual: return inside(node.a, node.b);
   }
+  std::unreachable();
 }
 
 void addReads(const System& system, NodeId id, Bits& cells) {

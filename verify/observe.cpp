@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -56,8 +57,14 @@ std::optional<Goal> Observer::goalOfStates(const fiacre::Pattern& pattern) {
   }
   case PatternKind::Progress: return Goal{.kind = GoalKind::Stuck};
   case PatternKind::NoError: return Goal{.kind = GoalKind::Error};
-  default: return std::nullopt;
+  case PatternKind::InfinitelyOften:
+  case PatternKind::Mortal:
+  case PatternKind::Present:
+  case PatternKind::LeadsTo:
+  case PatternKind::Precedes:
+  case PatternKind::Ltl: return std::nullopt;
   }
+  std::unreachable();
 }
 
 Goal Observer::reach(const Observable& observable) {
@@ -85,8 +92,14 @@ bool Observer::simple(const Observable& observable, Goal& goal) {
   case ObservableKind::Or:
     return std::ranges::all_of(observable.operands,
                                [&](const auto& part) { return simple(part, goal); });
-  default: return false;
+  case ObservableKind::Value:
+  case ObservableKind::Enter:
+  case ObservableKind::Leave:
+  case ObservableKind::Not:
+  case ObservableKind::And:
+  case ObservableKind::Implies: return false;
   }
+  std::unreachable();
 }
 
 NodeId Observer::node(const Observable& observable) {

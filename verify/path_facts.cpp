@@ -34,7 +34,10 @@ std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCel
       if (!first) meet(end->second, written);
       continue;
     }
-    default: break;
+    case InstructionKind::On:
+    case InstructionKind::Tag:
+    case InstructionKind::Origin:
+    case InstructionKind::Fail: break;
     }
     if (i + 1 < path.code.size()) meet(before[i + 1], written);
   }

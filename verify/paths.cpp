@@ -33,8 +33,18 @@ bool isPlain(const Statement& statement) {
   case StatementKind::Case:
   case StatementKind::While:
   case StatementKind::Sequence: return std::ranges::all_of(statement.children, isPlain);
-  default: return false;
+  case StatementKind::Any:
+  case StatementKind::On:
+  case StatementKind::Wait:
+  case StatementKind::Select:
+  case StatementKind::Send:
+  case StatementKind::Receive:
+  case StatementKind::Start:
+  case StatementKind::Sync:
+  case StatementKind::Foreach:
+  case StatementKind::Return: return false;
   }
+  std::unreachable();
 }
 
 bool endsPath(const Statement& statement) {
@@ -183,8 +193,16 @@ bool Writer::step(const Statement& statement, Draft& draft, Rest& rest) {
   case StatementKind::Tag:
     emit(draft, InstructionKind::Tag).event = context.tag(statement.name);
     return true;
-  default: unsupported("a statement that is not verified yet", statement.origin);
+  case StatementKind::Any:
+  case StatementKind::If:
+  case StatementKind::Case:
+  case StatementKind::Select:
+  case StatementKind::Start:
+  case StatementKind::Sync:
+  case StatementKind::While:
+  case StatementKind::Return: unsupported("a statement that is not verified yet", statement.origin);
   }
+  std::unreachable();
 }
 
 void Writer::require(NodeId condition, Draft& draft, fiacre::OriginId origin) {

@@ -2,6 +2,8 @@
 
 #include "verify/timing.h"
 
+#include <utility>
+
 namespace proskill::verify {
 
 using fiacre::Interval;
@@ -178,8 +180,12 @@ private:
       start(idle);
       return true;
     }
-    default: return false;
+    case PatternKind::DeadlockFree:
+    case PatternKind::Ltl:
+    case PatternKind::Progress:
+    case PatternKind::NoError: return false;
     }
+    std::unreachable();
   }
 
   /// From a point on where `when` holds, nothing good comes in time.
@@ -264,8 +270,14 @@ private:
       step(none, lost, both(begun, both(b, no(a))));
       return true;
     }
-    default: return false;
+    case PatternKind::DeadlockFree:
+    case PatternKind::InfinitelyOften:
+    case PatternKind::Mortal:
+    case PatternKind::Ltl:
+    case PatternKind::Progress:
+    case PatternKind::NoError: return false;
     }
+    std::unreachable();
   }
 
   /// Before the first point at which what `before` names is seen; where it never is, all is well.
@@ -319,8 +331,14 @@ private:
       go(wrong, lost, end);
       return true;
     }
-    default: return false;
+    case PatternKind::DeadlockFree:
+    case PatternKind::InfinitelyOften:
+    case PatternKind::Mortal:
+    case PatternKind::Ltl:
+    case PatternKind::Progress:
+    case PatternKind::NoError: return false;
     }
+    std::unreachable();
   }
 
   /// From each point where `after` is seen to the next where `until` is.
@@ -370,8 +388,14 @@ private:
       step(idle, bad, both(begun, wrong));
       return true;
     }
-    default: return false;
+    case PatternKind::DeadlockFree:
+    case PatternKind::InfinitelyOften:
+    case PatternKind::Mortal:
+    case PatternKind::Ltl:
+    case PatternKind::Progress:
+    case PatternKind::NoError: return false;
     }
+    std::unreachable();
   }
 
   /// Waits in vain within a part of a run: up to its end, too.

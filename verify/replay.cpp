@@ -133,7 +133,9 @@ std::string replay(const System& system, const Goal& goal, const Evidence& evide
     if (!evidence.monitor) return "it is not known what of the run shows the violation";
     return Following(system, evidence, dating, now.since.empty()).run(states, events);
   case GoalKind::Error: return "nothing fails";
-  default: break;
+  case GoalKind::Events:
+  case GoalKind::Condition:
+  case GoalKind::Unsupported: break;
   }
   if (steps.empty() && goal.initially) return {};
   return shows(system, goal, before, now, log) ? "" : "the end does not show what was asked for";

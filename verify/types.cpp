@@ -2,6 +2,8 @@
 
 #include "verify/unsupported.h"
 
+#include <utility>
+
 namespace proskill::verify {
 
 using fiacre::Type;
@@ -49,7 +51,11 @@ void Types::flatten(const Type& named, std::vector<const Type*>& all) const {
     for (const auto& member : type.members)
       if (!member.type.empty()) flatten(member.type[0], all);
     return;
-  default: break;
+  case TypeKind::Bool:
+  case TypeKind::Nat:
+  case TypeKind::Int:
+  case TypeKind::Range:
+  case TypeKind::Named: break;
   }
   all.push_back(&type);
 }
@@ -93,8 +99,12 @@ Types::Bounds Types::bounds(const Type& scalar) const {
   case TypeKind::Int: return {-kMost - 1, kMost};
   case TypeKind::Range: return {type.low, type.high};
   case TypeKind::Union: return {0, static_cast<std::int64_t>(type.members.size()) - 1};
-  default: unsupported("a value of several parts stands where one number is needed");
+  case TypeKind::Record:
+  case TypeKind::Array:
+  case TypeKind::Queue:
+  case TypeKind::Named: unsupported("a value of several parts stands where one number is needed");
   }
+  std::unreachable();
 }
 
 } // namespace proskill::verify

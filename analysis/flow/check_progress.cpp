@@ -3,6 +3,8 @@
 #include "analysis/flow/loops.h"
 #include "syntax/codes.h"
 
+#include <utility>
+
 /// Loops in which no time passes, and waits that take none.
 namespace proskill::analysis::flow {
 
@@ -22,8 +24,19 @@ bool takesNoTime(const Node& node) {
     const auto& upper = node.statement->duration.upper;
     return upper && upper->numerator == 0;
   }
-  default: return false;
+  case NodeKind::Start:
+  case NodeKind::Refused:
+  case NodeKind::Run:
+  case NodeKind::Call:
+  case NodeKind::Wait:
+  case NodeKind::Fork:
+  case NodeKind::Leave:
+  case NodeKind::Outcome:
+  case NodeKind::InvariantFailure:
+  case NodeKind::Interrupted:
+  case NodeKind::End: return false;
   }
+  std::unreachable();
 }
 
 class Progress {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 /// Statements that nothing leads to, and outcomes that no way through a body returns.
 namespace proskill::analysis::flow {
@@ -108,8 +109,16 @@ private:
     case StatementKind::Choose: return "no way through this leads on";
     case StatementKind::Parallel: return "not all of these branches can end";
     case StatementKind::Call: return fmt::format("`{}` never returns", before.name.text);
-    default: return std::nullopt;
+    case StatementKind::Unknown:
+    case StatementKind::Interrupt:
+    case StatementKind::WaitCondition:
+    case StatementKind::WaitTime:
+    case StatementKind::Label:
+    case StatementKind::Set:
+    case StatementKind::Printf:
+    case StatementKind::Emit: return std::nullopt;
     }
+    std::unreachable();
   }
 
   /// An outcome that some statement names is that statement's matter.

@@ -33,7 +33,13 @@ public:
       case SymbolKind::Event:
         reportUnless(isNamed(id) || report.system().hasFreeEvents(), Code::UnusedEvent, symbol);
         break;
-      default: break;
+      case SymbolKind::Property:
+      case SymbolKind::Environment:
+      case SymbolKind::Value:
+      case SymbolKind::PreconditionTag:
+      case SymbolKind::InvariantTag:
+      case SymbolKind::SuccessTag:
+      case SymbolKind::FailureTag: break;
       }
     }
   }

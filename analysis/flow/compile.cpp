@@ -87,7 +87,19 @@ void addBookkeeping(const System& system, const Process& process, const Node& no
     keep.end(Status::FailedInvariant, node.invariant->tag.text);
     return;
   case NodeKind::Interrupted: keep.end(Status::Interrupted, kNoResult); return;
-  default: return;
+  case NodeKind::Run:
+  case NodeKind::Call:
+  case NodeKind::Interrupt:
+  case NodeKind::Wait:
+  case NodeKind::Delay:
+  case NodeKind::Test:
+  case NodeKind::Choose:
+  case NodeKind::Fork:
+  case NodeKind::Set:
+  case NodeKind::Emit:
+  case NodeKind::Step:
+  case NodeKind::Leave:
+  case NodeKind::End: return;
   }
 }
 

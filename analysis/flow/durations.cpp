@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
 
 namespace proskill::analysis::flow {
 
@@ -128,8 +129,21 @@ Duration Durations::ofNode(ProcessId process, NodeId id) {
     if (solver.mayFail(process, id, system[process].actions[id].conditions.front()))
       return {{0, 1}, std::nullopt};
     return {{0, 1}, Rational{0, 1}};
-  default: return {{0, 1}, Rational{0, 1}};
+  case NodeKind::Start:
+  case NodeKind::Refused:
+  case NodeKind::Interrupt:
+  case NodeKind::Test:
+  case NodeKind::Choose:
+  case NodeKind::Set:
+  case NodeKind::Emit:
+  case NodeKind::Step:
+  case NodeKind::Leave:
+  case NodeKind::Outcome:
+  case NodeKind::InvariantFailure:
+  case NodeKind::Interrupted:
+  case NodeKind::End: return {{0, 1}, Rational{0, 1}};
   }
+  std::unreachable();
 }
 
 /// The shortest way; nothing where there is none. By relaxation: bodies are almost acyclic, so that

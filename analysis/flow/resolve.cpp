@@ -2,6 +2,8 @@
 
 #include "analysis/flow/numbers.h"
 
+#include <utility>
+
 namespace proskill::analysis::flow {
 
 namespace {
@@ -53,8 +55,10 @@ Comparison mirrored(Comparison comparison) {
   case Comparison::LessEqual: return Comparison::GreaterEqual;
   case Comparison::Greater: return Comparison::Less;
   case Comparison::GreaterEqual: return Comparison::LessEqual;
-  default: return comparison;
+  case Comparison::Equal:
+  case Comparison::NotEqual: return comparison;
   }
+  std::unreachable();
 }
 
 /// Whether it holds between some number of the span, and the number.
@@ -87,15 +91,16 @@ Condition withNumber(Comparison comparison, const Term& variable, std::int64_t n
 }
 
 std::optional<Comparison> comparisonOf(ExprKind kind) {
-  switch (kind) {
-  case ExprKind::Equal: return Comparison::Equal;
-  case ExprKind::NotEqual: return Comparison::NotEqual;
-  case ExprKind::Less: return Comparison::Less;
-  case ExprKind::LessEqual: return Comparison::LessEqual;
-  case ExprKind::Greater: return Comparison::Greater;
-  case ExprKind::GreaterEqual: return Comparison::GreaterEqual;
-  default: return std::nullopt;
-  }
+  constexpr std::array<std::pair<ExprKind, Comparison>, 6> kComparisons{
+      {{ExprKind::Equal, Comparison::Equal},
+       {ExprKind::NotEqual, Comparison::NotEqual},
+       {ExprKind::Less, Comparison::Less},
+       {ExprKind::LessEqual, Comparison::LessEqual},
+       {ExprKind::Greater, Comparison::Greater},
+       {ExprKind::GreaterEqual, Comparison::GreaterEqual}}};
+  const auto* found =
+      std::ranges::find(kComparisons, kind, &std::pair<ExprKind, Comparison>::first);
+  return found == kComparisons.end() ? std::nullopt : std::optional(found->second);
 }
 
 } // namespace
@@ -198,8 +203,33 @@ Condition Resolver::condition(const Expr& expr, const Slots& slots) const {
   case ExprKind::Not:
     if (expr.operands.size() != 1) return {};
     return connective(Condition::Kind::Not, expr, slots);
-  default: return {};
+  case ExprKind::Missing:
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Parameter:
+  case ExprKind::Access:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Value:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until:
+  case ExprKind::Implies: return {};
   }
+  std::unreachable();
 }
 
 std::vector<Assignment> Resolver::assignments(const syntax::Effects& effects,
