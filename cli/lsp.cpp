@@ -74,8 +74,7 @@ std::filesystem::path manual() {
 }
 
 int serve(lsp::Connection& connection, lsp::ServerOptions options) {
-  lsp::Server server(connection, std::make_shared<DiskFileSystem>(DiskFileSystem::Reads::OnlyFiles),
-                     std::move(options));
+  lsp::Server server(connection, std::make_shared<DiskFileSystem>(), std::move(options));
   return server.run();
 }
 

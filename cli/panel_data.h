@@ -57,8 +57,8 @@ struct ViewOptions {
 /// A program, verified in the background, and again whenever one of its files changes.
 [[nodiscard]] std::unique_ptr<PanelData> liveProgram(ViewOptions options, NewsBoard& news);
 
-/// A report or a trace in a file. What is wrong with it is the error.
+/// A report or a trace that was saved in a file. What is wrong with its text is the error.
 [[nodiscard]] std::expected<std::unique_ptr<PanelData>, std::string>
-savedReport(const std::string& file);
+savedReport(const std::string& file, const std::string& text);
 
 } // namespace proskill::cli

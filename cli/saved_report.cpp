@@ -102,10 +102,9 @@ private:
 
 } // namespace
 
-std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file) {
-  const auto text = DiskFileSystem().read(file);
-  if (!text) return std::unexpected("cannot read `" + file + "`: " + text.error());
-  auto json = Json::parse(*text, nullptr, false);
+std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file,
+                                                                   const std::string& text) {
+  auto json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return std::unexpected("`" + file + "` is no JSON");
   const bool trace = json.is_object() && json.contains("steps") && json["steps"].is_array();
   const bool report =

@@ -1,5 +1,6 @@
 #include "cli/view.h"
 
+#include "cli/disk.h"
 #include "cli/http_server.h"
 #include "cli/panel_routes.h"
 
@@ -7,7 +8,6 @@
 
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <spawn.h>
@@ -48,19 +48,18 @@ void openBrowser(const std::string& url) {
 }
 
 /// By its name, or by its first character, which no program has.
-bool isJson(const std::filesystem::path& path) {
+bool isJson(const std::filesystem::path& path, const std::string& text) {
   if (path.extension() == ".json") return true;
-  char first = 0;
-  return std::ifstream(path) >> first && first == '{';
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '{';
 }
 
 std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& arguments,
                                                               NewsBoard& news) {
   const std::filesystem::path path(arguments.file);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    return std::unexpected("there is no file `" + arguments.file + "`");
-  if (isJson(path)) return savedReport(arguments.file);
+  const auto text = DiskFileSystem().read(path);
+  if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());
+  if (isJson(path, *text)) return savedReport(arguments.file, *text);
   verify::Limits limits;
   limits.seconds = arguments.timeLimit;
   limits.bytes = arguments.memoryLimit * 1024 * 1024;

@@ -169,7 +169,7 @@ class Files(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stdout), (2, ""), name)
                 self.assertRegex(done.stderr, "^error: .*json")
         done = subprocess.run([PROGRAM, "view", "--no-open", "nowhere.proskill"], capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr), (2, "error: there is no file `nowhere.proskill`\n"))
+        self.assertEqual((done.returncode, done.stderr), (2, "error: cannot read `nowhere.proskill`: no such file or directory\n"))
 
     def test_saved_traces_and_reports_are_shown(self):
         with tempfile.TemporaryDirectory() as directory:

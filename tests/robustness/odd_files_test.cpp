@@ -1,0 +1,110 @@
+#include "tests/support/run.h"
+#include "tests/where.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include <sys/stat.h>
+
+using namespace proskill;
+using test::Finished;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kLamp = "(defsv lamp :states (On Off) :init Off :transitions :all)\n";
+
+/// Ended by a signal of its own where it would wait for ever.
+Finished soon(std::vector<std::string> words) {
+  words.insert(words.begin(), {"/usr/bin/timeout", "20", PROSKILL_PROGRAM});
+  return test::run(words);
+}
+
+/// What is at each path is no file, with the reason that users are given.
+struct Odd {
+  std::string path;
+  std::string reason;
+};
+
+std::vector<Odd> oddPaths(const test::TemporaryDirectory& files) {
+  REQUIRE(mkfifo(files.path("pipe").c_str(), 0600) == 0);
+  fs::create_directory(files.path("folder"));
+  fs::create_symlink("/dev/zero", files.path("endless"));
+  fs::create_symlink("round", files.path("round"));
+  std::ofstream(files.path("huge")).put(' ');
+  fs::resize_file(files.path("huge"), std::uintmax_t{1} << 40);
+  return {{files.path("pipe"), "it is a pipe, and only regular files are read"},
+          {files.path("folder"), "is a directory"},
+          {files.path("endless"), "it is a device, and only regular files are read"},
+          {"/dev/tty", "it is a device, and only regular files are read"},
+          {files.path("round"), "too many levels of symbolic links"},
+          {files.path("huge"), "it is larger than 256 MiB"}};
+}
+
+} // namespace
+
+TEST_CASE("a root that is no file, or too large, is refused at once with the reason") {
+  const test::TemporaryDirectory files;
+  for (const auto& [path, reason] : oddPaths(files))
+    for (const auto& words : std::vector<std::vector<std::string>>{{"check"},
+                                                                   {"check", "--fix"},
+                                                                   {"fmt"},
+                                                                   {"emit", "fiacre"},
+                                                                   {"verify"},
+                                                                   {"graph"},
+                                                                   {"view", "--no-open"}}) {
+      INFO(words.front() << " " << path);
+      auto command = words;
+      command.push_back(path);
+      const auto done = soon(command);
+      CHECK(done.exitCode == 2);
+      CHECK(done.err.find(path) != std::string::npos);
+      CHECK(done.err.find(reason) != std::string::npos);
+      CHECK(done.peakKiB < 1024 * 1024); // this process, from which it was forked, counts as well
+    }
+}
+
+TEST_CASE("an include that is no file, or too large, is an error at its place") {
+  const test::TemporaryDirectory files;
+  for (const auto& [path, reason] : oddPaths(files)) {
+    INFO(path);
+    const auto root = files.write("main.proskill", kLamp + ("(include \"" + path + "\")\n"));
+    const auto done = soon({"check", "--format", "short", root});
+    CHECK(done.exitCode == 1);
+    CHECK(done.out == root + ":2:11: error[PS0006]: cannot read `" + path + "`: " + reason + "\n");
+  }
+}
+
+TEST_CASE("models, environments, properties and traces that are no files are refused") {
+  const test::TemporaryDirectory files;
+  const auto root = files.write("main.proskill", kLamp);
+  REQUIRE(mkfifo(files.path("pipe.fcr").c_str(), 0600) == 0);
+  REQUIRE(mkfifo(files.path("pipe.json").c_str(), 0600) == 0);
+  for (const auto& words : std::vector<std::vector<std::string>>{
+           {"check", files.path("pipe.fcr")},
+           {"fmt", files.path("pipe.fcr")},
+           {"verify", files.path("pipe.fcr")},
+           {"verify", "--environment", files.path("pipe.fcr"), root},
+           {"verify", "--properties", files.path("pipe.fcr"), root},
+           {"view", "--no-open", files.path("pipe.json")}}) {
+    INFO(words.front() << " " << words[1]);
+    const auto done = soon(words);
+    CHECK(done.exitCode == 2);
+    CHECK(done.err.find("it is a pipe") != std::string::npos);
+  }
+}
+
+TEST_CASE("settings that are no file are none, and those that are too large a mistake") {
+  const test::TemporaryDirectory files;
+  const auto root = files.write("main.proskill", kLamp);
+  REQUIRE(mkfifo(files.path(".proskill.json").c_str(), 0600) == 0);
+  CHECK(soon({"check", root}).exitCode == 0);
+  fs::remove(files.path(".proskill.json"));
+  files.write(".proskill.json", "{}");
+  fs::resize_file(files.path(".proskill.json"), std::uintmax_t{1} << 40);
+  const auto done = soon({"check", root});
+  CHECK(done.exitCode == 2);
+  CHECK(done.err.find("it is larger than 256 MiB") != std::string::npos);
+}
