@@ -1,7 +1,8 @@
 #include "cli/fix.h"
 
+#include "cli/output.h"
+
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <vector>
 
@@ -56,10 +57,7 @@ std::expected<FixCount, std::string> applyFixes(std::span<const CheckedProgram> 
     }
   for (auto& [path, edited] : files) {
     std::ranges::sort(edited.edits, {}, [](const Edit& edit) { return edit.range.begin; });
-    std::ofstream out(path, std::ios::binary | std::ios::trunc);
-    out << apply(edited);
-    out.close();
-    if (!out) return std::unexpected("cannot write `" + path.generic_string() + "`");
+    if (auto failed = writeFile(path, apply(edited))) return std::unexpected(std::move(*failed));
     ++count.files;
   }
   return count;

@@ -52,7 +52,7 @@ int writeBack(const std::string& file, const std::string& text) {
     auto failure = writeOutput({}, text);
     return failure ? fail(*failure) : kDone;
   }
-  auto failure = replaceFile(file, text);
+  auto failure = writeFile(file, text);
   return failure ? fail(*failure) : kDone;
 }
 

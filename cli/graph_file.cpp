@@ -1,12 +1,11 @@
 #include "cli/graph_file.h"
 
+#include "cli/output.h"
 #include "tina/graph_text.h"
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace proskill::cli {
@@ -43,27 +42,14 @@ int count(const codegen::Model& model, const verify::Options& options) {
   return counted->complete ? kWritten : failIncomplete(*counted);
 }
 
-/// Whole or not at all: a file beside it takes its place when all of it is written.
-std::string writeFile(const std::filesystem::path& path, const verify::StateGraph& graph,
-                      const std::string& name) {
-  const std::filesystem::path partial = path.string() + ".partial";
-  {
-    std::ofstream out(partial, std::ios::binary);
+std::optional<std::string> writeGraph(const std::filesystem::path& path,
+                                      const verify::StateGraph& graph, const std::string& name) {
+  return writeFile(path, [&](std::ostream& out) {
     if (path.extension() == ".aut")
       tina::writeAut(out, graph);
     else
       tina::writeKtzText(out, graph, name);
-    out.close();
-    if (!out) {
-      const std::string reason = std::strerror(errno);
-      std::error_code ignored;
-      std::filesystem::remove(partial, ignored);
-      return fmt::format("{} cannot be written: {}", path.string(), reason);
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(partial, path, error);
-  return error ? fmt::format("{} cannot be written: {}", path.string(), error.message()) : "";
+  });
 }
 
 } // namespace
@@ -82,8 +68,7 @@ int exploreGraph(const std::string& target, verify::GraphKind kind, const codege
     return failIncomplete(graph->counts);
   }
   if (isFile)
-    if (auto problem = writeFile(path, *graph, tina::netName(model.fiacre)); !problem.empty())
-      return fail(problem);
+    if (auto problem = writeGraph(path, *graph, tina::netName(model.fiacre))) return fail(*problem);
   printCounts(graph->counts);
   if (kind != verify::GraphKind::Classes)
     fmt::print("{} state(s), {} edge(s)\n", graph->markingOf.size(), graph->edges.size());

@@ -1,23 +1,15 @@
 #include "cli/save_traces.h"
 
+#include "cli/output.h"
 #include "cli/verify_report.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
 namespace proskill::cli {
 
 namespace {
-
-std::optional<std::string> writeFile(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (out) return std::nullopt;
-  return fmt::format("{} could not be written", path.string());
-}
 
 std::string json(const VerifyReport& report, const ide::VerdictRow& row) {
   using Json = nlohmann::ordered_json;

@@ -1,0 +1,148 @@
+#include "tests/support/run.h"
+#include "tests/where.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using proskill::test::Finished;
+using proskill::test::run;
+using proskill::test::TemporaryDirectory;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kDock = PROSKILL_SOURCE_DIR "/docs/tour/dock.proskill";
+const std::string kOld = "what was there before\n";
+
+std::string contentOf(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::size_t filesIn(const std::string& directory) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+}
+
+Finished runWords(const std::string& words, const std::string& before = "") {
+  return run({"/bin/sh", "-c", before + " " PROSKILL_PROGRAM " " + words});
+}
+
+/// As on a disk with room for some hundred bytes.
+Finished onFullDisk(const std::string& words) {
+  return runWords(words, "ulimit -f 1; trap '' XFSZ; exec");
+}
+
+/// A program that is laid out badly, longer than the full disk has room for.
+std::string untidy() {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "(defevent   event_number_" + std::to_string(i) + ")\n";
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("a full disk leaves every earlier output as it was, and nothing beside it") {
+  const TemporaryDirectory files;
+  const auto old = files.path("old");
+  const std::vector<std::pair<std::string, std::string>> commands{
+      {"emit fiacre -o " + old + "/model.fcr " + kDock, "model.fcr"},
+      {"graph --kind calls -o " + old + "/calls.svg " + kDock, "calls.svg"},
+      {"graph --kind calls --out-dir " + old + " " + kDock, "calls.svg"},
+      {"verify --report " + old + " " + kDock, "index.html"},
+      {"verify --save-traces " + old + " " + kDock, "recharge_min_time.json"},
+      {"verify --graph " + old + "/graph.aut " + kDock, "graph.aut"}};
+  for (const auto& [command, name] : commands) {
+    INFO(command);
+    fs::create_directory(old);
+    const auto path = files.write("old/" + name, kOld);
+    const auto done = onFullDisk(command);
+    CHECK(done.exitCode == 2);
+    CHECK(done.err.find(" cannot be written: ") != std::string::npos);
+    CHECK(contentOf(path) == kOld);
+    CHECK(filesIn(old) == 1);
+    fs::remove_all(old);
+  }
+}
+
+TEST_CASE("a full disk leaves a program that was to be laid out or fixed as it was") {
+  const TemporaryDirectory files;
+  const auto path = files.write("main.proskill", untidy());
+  CHECK(onFullDisk("fmt " + path).exitCode == 2);
+  CHECK(contentOf(path) == untidy());
+  const auto open = untidy() + "(defevent last\n"; // `--fix` writes the parenthesis
+  files.write("main.proskill", open);
+  CHECK(onFullDisk("check --fix " + path).exitCode == 2);
+  CHECK(contentOf(path) == open);
+  CHECK(filesIn(files.path()) == 1);
+}
+
+TEST_CASE("an output keeps the permissions of the file that it replaces, and follows links") {
+  const TemporaryDirectory files;
+  const auto file = files.write("model.fcr", kOld);
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("model.fcr", files.path("link"));
+  fs::create_symlink("below/fresh.fcr", files.path("to_nothing_yet"));
+  fs::create_directory(files.path("below"));
+  CHECK(runWords("emit fiacre -o " + files.path("link") + " " + kDock).exitCode == 0);
+  CHECK(fs::is_symlink(files.path("link")));
+  CHECK(contentOf(file).find("process ") != std::string::npos);
+  CHECK(fs::status(file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(runWords("emit fiacre -o " + files.path("to_nothing_yet") + " " + kDock).exitCode == 0);
+  CHECK(fs::is_symlink(files.path("to_nothing_yet")));
+  CHECK(contentOf(files.path("below/fresh.fcr")) == contentOf(file));
+}
+
+TEST_CASE("a new output has the permissions that the user's mask leaves") {
+  const TemporaryDirectory files;
+  const auto file = files.path("model.fcr");
+  CHECK(runWords("emit fiacre -o " + file + " " + kDock, "umask 027;").exitCode == 0);
+  struct stat found {};
+  REQUIRE(stat(file.c_str(), &found) == 0);
+  CHECK((found.st_mode & 0777) == 0640);
+}
+
+TEST_CASE("pipes, devices and the standard streams are outputs that nothing replaces") {
+  const TemporaryDirectory files;
+  const auto model = runWords("emit fiacre " + kDock).out;
+  CHECK(runWords("emit fiacre -o /dev/stdout " + kDock).out == model);
+  CHECK(runWords("emit fiacre -o - " + kDock).out == model);
+  CHECK(runWords("emit fiacre -o /dev/stderr " + kDock).err == model);
+  CHECK(runWords("emit fiacre -o /dev/fd/5 " + kDock + " 5>&1 >/dev/null").out == model);
+  const auto fifo = files.path("pipe");
+  REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
+  const auto piped = run(
+      {"/bin/sh", "-c",
+       "cat " + fifo + " & " PROSKILL_PROGRAM " emit fiacre -o " + fifo + " " + kDock + "; wait"});
+  CHECK(piped.out == model);
+  CHECK(fs::is_fifo(fifo));
+  CHECK(runWords("emit fiacre -o /dev/null " + kDock).exitCode == 0);
+  CHECK(fs::is_character_file("/dev/null"));
+}
+
+TEST_CASE("what a shell writes into the file that is /dev/stdout stays before and behind it") {
+  const TemporaryDirectory files;
+  const auto all = files.path("all");
+  const auto done = run({"/bin/sh", "-c",
+                         "{ echo before; " PROSKILL_PROGRAM " emit fiacre -o /dev/stdout " + kDock +
+                             "; echo behind; } >" + all});
+  CHECK(done.exitCode == 0);
+  CHECK(contentOf(all) == "before\n" + runWords("emit fiacre " + kDock).out + "behind\n");
+}
+
+TEST_CASE("a file that may not be written is not replaced either") {
+  const TemporaryDirectory files;
+  const auto file = files.write("model.fcr", kOld);
+  fs::permissions(file, fs::perms::owner_read);
+  if (access(file.c_str(), W_OK) == 0) return; // root may write everything
+  const auto done = runWords("emit fiacre -o " + file + " " + kDock);
+  CHECK(done.exitCode == 2);
+  CHECK(contentOf(file) == kOld);
+}
