@@ -17,8 +17,14 @@ ROOT = HERE.parents[1]
 
 program = os.environ.get("PROSKILL_EMACS") or shutil.which("emacs")
 if not program:
-    print("skipped: emacs is not installed")
+    print("skipped: emacs is not installed (apt-get install emacs-nox)")
     sys.exit(77)
+
+
+def has_eglot():
+    return subprocess.run([program, "-q", "--no-site-file", "--batch", "--eval",
+                           "(progn (require 'package) (package-initialize) (require 'eglot))"], capture_output=True).returncode == 0
+
 
 with tempfile.TemporaryDirectory() as directory:
     done = subprocess.run([program, "-q", "--no-site-file", "--batch", "-L", ROOT / "editors/emacs",
@@ -31,4 +37,7 @@ with tempfile.TemporaryDirectory() as directory:
         mode = shutil.copy(ROOT / "editors/emacs/proskill-mode.el", directory)
         done = subprocess.run([program, "-Q", "--batch", "--eval", "(setq byte-compile-error-on-warn t)",
                                "-f", "batch-byte-compile", mode], stdin=subprocess.DEVNULL)
+if done.returncode == 0 and not has_eglot():
+    print("skipped: Emacs has no eglot (apt-get install elpa-eglot); all but the session with the server was tried")
+    sys.exit(77)
 sys.exit(done.returncode)

@@ -18,7 +18,7 @@ ROOT = HERE.parents[1]
 
 program = os.environ.get("PROSKILL_NVIM") or shutil.which("nvim")
 if not program:
-    print("skipped: nvim is not installed")
+    print("skipped: nvim is not installed (apt-get install neovim)")
     sys.exit(77)
 
 with tempfile.TemporaryDirectory() as directory:

@@ -47,15 +47,19 @@ def missing(page):
 
 def warnings():
     """What man has to say about the manual page."""
-    if not shutil.which("man"):
-        return []
     done = subprocess.run(["man", "--warnings", "-l", "-Tutf8", "man/proskill.1"], cwd=ROOT,
                           capture_output=True, text=True, env={"LC_ALL": "C.UTF-8", "MANWIDTH": "80",
                                                                "PATH": "/usr/bin:/bin"})
     return done.stderr.splitlines()
 
 
-found = [complaint for page in PAGES for complaint in missing(page)] + warnings()
+found = [complaint for page in PAGES for complaint in missing(page)]
+has_man = shutil.which("man")
+if has_man:
+    found += warnings()
 if not subcommands():
     found.append("`proskill --help` shows no subcommands")
+if not found and not has_man:
+    print("skipped: man is not installed (apt-get install man-db); that the manual page has no errors was not tried")
+    sys.exit(77)
 finish(found, f"{len(PAGES)} pages know {', '.join(subcommands())}")

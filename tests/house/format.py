@@ -11,7 +11,7 @@ SKIPPED = 77  # as ctest is told
 
 program = shutil.which("clang-format")
 if not program:
-    print("skipped: clang-format is not installed")
+    print("skipped: clang-format is not installed (apt-get install clang-format)")
     sys.exit(SKIPPED)
 
 sources = [name for name in files(".cpp", ".h") if not name.startswith("tree-sitter-proskill/")]

@@ -41,7 +41,7 @@ def run(*command):
 
 
 if not shutil.which("dpkg-deb") or not shutil.which("dpkg-shlibdeps"):
-    print("skipped: dpkg-dev is not installed")
+    print("skipped: dpkg-dev is not installed (apt-get install dpkg-dev)")
     sys.exit(77)
 
 with tempfile.TemporaryDirectory() as directory:

@@ -63,7 +63,7 @@ if schema["properties"]["severity"]["properties"] != codes():
 try:
     import jsonschema
 except ImportError:
-    print("skipped: python3-jsonschema is not installed; the codes alone were compared")
+    print("skipped: python3-jsonschema is not installed (apt-get install python3-jsonschema); the codes alone were compared")
     sys.exit(SKIPPED)
 
 jsonschema.Draft202012Validator.check_schema(schema)

@@ -5,9 +5,8 @@ import pathlib
 import sys
 import tempfile
 
-from npm import PANEL, install, run
+from packages import PANEL, run
 
-install()
 with tempfile.TemporaryDirectory() as scratch:
     ended = run("node", "build.mjs", "--out", scratch)
     names = sorted(path.name for path in pathlib.Path(scratch).iterdir())

@@ -2,7 +2,6 @@
 
 import sys
 
-from npm import install, run
+from packages import run
 
-install()
 sys.exit(run("npm", "test", "--silent"))

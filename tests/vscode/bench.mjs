@@ -24,7 +24,7 @@ function run(cwd, program, ...args) {
 
 function chromium() {
   const found = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
-  if (!found) throw new Missing('there is no Chromium (apt-get install chromium)');
+  if (!found) throw new Missing('chromium is not installed (apt-get install chromium)');
   return found;
 }
 

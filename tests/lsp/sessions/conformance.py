@@ -3,7 +3,6 @@ recorded and handed to ../conformance/check.mjs. Usage: conformance.py PROSKILL"
 
 import json
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -11,6 +10,9 @@ import tempfile
 from client import CAPABILITIES, Cell, Client, Text
 
 HERE = pathlib.Path(__file__).resolve()
+sys.path.insert(0, str(HERE.parents[2]))
+import npm  # noqa: E402
+
 ROOT = HERE.parents[3]
 CHECKER = HERE.parents[1] / 'conformance'
 PLACES = 40  # in the text that each request about a place asks about
@@ -170,9 +172,7 @@ def session(program):
 
 
 def main():
-    if not shutil.which('node') or not (CHECKER / 'node_modules').is_dir():
-        print('skipped: node or the protocol\'s types are missing; `./dev test` gets them with npm')
-        sys.exit(77)
+    npm.install(CHECKER)
     record = session(sys.argv[1])
     with tempfile.NamedTemporaryFile('w', suffix='.json') as file:
         json.dump(record, file)

@@ -1,0 +1,48 @@
+"""Of what is skipped nothing stays unsaid, and with CI=true nothing that is not listed passes."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from house import ROOT, finish
+
+SUITE = """<testsuite>
+  <testcase name="editors: emacs" status="notrun"><skipped/><system-out>{said}</system-out></testcase>
+  <testcase name="cli: all is well" status="run"><system-out>skipped: of another test</system-out></testcase>
+</testsuite>"""
+CTEST = "1/2 Test #1: editors: emacs ...***Skipped\n\n100% tests passed, 0 tests failed out of 2\nTotal Test time\n"
+LISTED = "# why\neditors: * | emacs is * | there is no Emacs\n"
+
+
+def run(said, ci, *more):
+    """How it ends, and what it prints."""
+    with tempfile.TemporaryDirectory() as directory:
+        junit, listed = pathlib.Path(directory, "junit.xml"), pathlib.Path(directory, "skips.txt")
+        junit.write_text(SUITE.format(said=said), encoding="utf-8")
+        listed.write_text(LISTED, encoding="utf-8")
+        done = subprocess.run([sys.executable, "-B", ROOT / "scripts/skips.py", junit, "--listed", listed, *more],
+                              input=CTEST, capture_output=True, text=True, env=dict(os.environ, CI=ci))
+    return done.returncode, done.stdout
+
+
+GOOD, ODD = "begin\nskipped: emacs is not installed\n", "skipped: the moon is full\n"
+found = []
+
+
+def expect(what, holds):
+    if not holds:
+        found.append(f"not so: {what}")
+
+
+code, text = run(GOOD, "true")
+expect("a listed skip passes", code == 0)
+expect("it is named with its reason", "editors: emacs\n      emacs is not installed\n" in text)
+expect("what another test prints is no skip", "all is well" not in text)
+expect("ctest's closing lines come last", text.endswith(CTEST.split("\n\n")[1]) and text.startswith("1/2 Test"))
+expect("another reason fails in CI", run(ODD, "true")[0] == 1)
+expect("another reason passes elsewhere, and is said", run(ODD, "")[0] == 0 and "the moon is full" in run(ODD, "")[1])
+expect("no reason fails in CI", run("nothing", "true")[0] == 1)
+expect("what was not tried at all counts", run(GOOD, "true", "--not-tried", "random bytes", "no libFuzzer")[0] == 1)
+finish(found, "8 cases")
