@@ -19,15 +19,6 @@ public:
   void update(TransitionId fired, const Word* state, TransitionSet& enabled) const;
   /// Looks again at `changed`, after something that their guards read was written.
   void refresh(const TransitionSet& changed, const Word* state, TransitionSet& enabled) const;
-  /// Calls `visit` with each transition whose instances are where it needs them.
-  template <class Visit> void eachHere(const Word* state, Visit visit) const {
-    for (std::size_t k = 0; k < urgent.size(); ++k) visitWord(k, here(k, state), visit);
-  }
-  /// The same for urgent ones.
-  template <class Visit> void eachUrgentHere(const Word* state, Visit visit) const {
-    for (std::size_t k = 0; k < urgent.size(); ++k)
-      if (urgent[k] != 0) visitWord(k, here(k, state) & urgent[k], visit);
-  }
   [[nodiscard]] SignatureId signature(const TransitionSet& enabled, Timing& timing) const {
     return signature(enabled, isUrgent(enabled), timing);
   }
@@ -43,20 +34,26 @@ public:
   [[nodiscard]] const TransitionSet& urgentOnes() const { return urgent; }
 
 private:
-  template <class Visit> static void visitWord(std::size_t k, Word set, Visit& visit) {
-    for (; set != 0; set &= set - 1)
-      visit(static_cast<TransitionId>(k * 64 + static_cast<std::size_t>(std::countr_zero(set))));
-  }
-  [[nodiscard]] Word here(std::size_t k, const Word* state) const;
-  void evaluate(std::size_t k, Word candidates, const Word* state, TransitionSet& enabled) const;
+  /// Transitions of one word of a set.
+  struct Slice {
+    std::uint32_t word = 0;
+    Word bits = 0;
+  };
+
+  void findPlaces(const Bits& dropped);
+  void findAffected(const Bits& dropped);
+  void look(TransitionId transition, const Word* state, TransitionSet& enabled) const;
   [[nodiscard]] std::size_t locationOf(InstanceId instance, const Word* state) const;
 
   const System& system;
   TransitionSet urgent;
   TransitionSet clocked;
-  std::vector<TransitionSet> affected; ///< by transition
-  /// By instance and location: transitions that are not excluded by the instance being there.
-  std::vector<std::vector<TransitionSet>> possible;
+  /// By transition: those whose guards read what it writes, other than where their own instances
+  /// are.
+  std::vector<std::vector<Slice>> affected;
+  using ByPlace = std::vector<std::vector<std::vector<TransitionId>>>; ///< instance and location
+  ByPlace takingPart; ///< transitions with a part there
+  ByPlace starting;   ///< those of them whose first part it is
 };
 
 } // namespace proskill::verify

@@ -83,7 +83,7 @@ SignatureId Explorer::signatureOf(const Current& current) {
   bool urgent = graph.enabling.isUrgent(current.enabled);
   if (urgent && reductions.openVariables) {
     trial = current.state;
-    urgent = !reductions.openVariables->calm(trial.data(), current.enabled, graph.enabling);
+    urgent = !reductions.openVariables->calm(trial.data(), current.enabled);
   }
   return graph.enabling.signature(current.enabled, urgent, graph.timing);
 }
@@ -122,14 +122,13 @@ void Explorer::expandOpen(NodeIndex index) {
   const OpenVariables& open = *reductions.openVariables;
   std::vector<Word> state = loaded.state;
   const bool ends = fails(loaded.enabled);
-  graph.enabling.eachHere(loaded.state.data(), [&](TransitionId transition) {
+  eachIn(open.candidates(state.data(), loaded.enabled), [&](TransitionId transition) {
     if (ends && !system.transitions[transition].fails) return;
     const bool within = open.staysWithin(transition, loaded.state.data());
     if (within && open.isSilent(transition)) return;
     std::uint32_t choice = 0;
-    open.eachChoice(open.readBy(transition), state.data(), [&] {
-      if (isEnabled(system, transition, state.data())) stepWith(index, transition, state, choice);
-      ++choice;
+    open.eachFiring(transition, state.data(), [&] {
+      stepWith(index, transition, state, choice++);
       return false;
     });
   });
@@ -251,8 +250,7 @@ Steps Explorer::pathTo(NodeIndex index) const {
     std::copy(stored, stored + system.storedWords, state.begin());
     graph.enabling.compute(state.data(), enabled);
     const std::vector<Word> here = state;
-    if (open && graph.enabling.isUrgent(enabled) &&
-        open->calm(state.data(), enabled, graph.enabling)) {
+    if (open && graph.enabling.isUrgent(enabled) && open->calm(state.data(), enabled)) {
       append(open->between(here.data(), state.data()));
       append(open->between(state.data(), here.data()));
       state = here;
@@ -261,8 +259,7 @@ Steps Explorer::pathTo(NodeIndex index) const {
     const ZoneNode& next = graph.nodes[line[i - 1]];
     if (open) {
       std::uint32_t choice = 0;
-      open->eachChoice(open->readBy(next.transition), state.data(),
-                       [&] { return choice++ == next.choice; });
+      open->eachFiring(next.transition, state.data(), [&] { return choice++ == next.choice; });
       append(open->between(here.data(), state.data()));
       graph.enabling.compute(state.data(), enabled);
     }

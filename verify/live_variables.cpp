@@ -44,9 +44,13 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
     tells.insert(system.instances[i].location);
     findNeeded(paths, i);
-    findLive(paths[i], places[i]);
-    for (const auto& place : places[i])
+    findWays(paths, i);
+    findLive(places[i]);
+    for (const auto& place : places[i]) {
       for (auto node : place.needed) addReads(system, node, tells);
+      for (const auto& way : place.ways)
+        for (const auto& need : way.needs) addReads(system, need.condition, tells);
+    }
   }
   tells.each([&](CellId id) {
     const Cell& cell = system.cells[id];
@@ -68,46 +72,65 @@ void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
       return cells.count() != 1 || std::ranges::find(conjuncts, node) == conjuncts.end();
     });
   }
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i)
     if (common[i]) all[i].needed = *common[i];
-    findRewritten(paths, instance, all[i]);
+}
+
+/// The paths of each location, with those conditions that say which cells will be written anew.
+void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
+  for (auto id : paths[instance]) {
+    const Path& path = system.paths[id];
+    Way& way = places[instance][path.location].ways.emplace_back(Way{id, {}, path.guardReads});
+    way.live |= path.reads;
+    Bits conditions;
+    for (auto node : conjunctsOf(system, path.guard)) {
+      Bits cells;
+      addReads(system, node, cells);
+      if (cells.count() != 1) continue;
+      conditions |= cells;
+      way.needs.push_back({node, rewrittenFor(paths, instance, node)});
+    }
+    std::erase_if(way.needs, [&](Need& need) {
+      need.rewritten -= conditions;
+      return need.rewritten.empty();
+    });
   }
 }
 
-void LiveVariables::findRewritten(const PathsOf& paths, InstanceId instance, Place& place) {
-  Bits conditions;
-  for (auto node : place.needed) addReads(system, node, conditions);
-  for (auto node : place.needed) {
-    Bits& cells = place.rewritten.emplace_back();
-    for (CellId i = 0; i < system.cells.size(); ++i) cells.insert(i);
-    cells -= conditions;
-    for (InstanceId other = 0; other < system.instances.size(); ++other)
-      for (auto id : paths[other])
-        if (other != instance && mayMakeTrue(system, system.paths[id], node))
-          for (const auto& [_, sure] : written[id]) intersect(cells, sure);
-  }
+/// What every path of another instance surely writes that may make the condition true.
+Bits LiveVariables::rewrittenFor(const PathsOf& paths, InstanceId instance,
+                                 NodeId condition) const {
+  Bits cells;
+  for (CellId i = 0; i < system.cells.size(); ++i) cells.insert(i);
+  for (InstanceId other = 0; other < system.instances.size(); ++other)
+    for (auto id : paths[other])
+      if (other != instance && mayMakeTrue(system, system.paths[id], condition))
+        for (const auto& [_, sure] : written[id]) intersect(cells, sure);
+  return cells;
 }
 
-void LiveVariables::findLive(const std::vector<PathId>& own, std::vector<Place>& all) {
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (auto id : own) {
-      const Path& path = system.paths[id];
-      Bits live = path.guardReads;
-      live |= path.reads;
-      Bits later = path.writes;
-      for (const auto& [target, sure] : written[id]) {
-        const Place& next = all[target];
+void LiveVariables::findLive(std::vector<Place>& all) {
+  const auto follow = [&](Place& from, Way& way) {
+    const Path& path = system.paths[way.path];
+    Bits live = way.live;
+    Bits later = path.writes;
+    for (const auto& [target, sure] : written[way.path]) {
+      for (const auto& next : all[target].ways) {
         Bits beyond = next.live;
         beyond -= sure;
-        for (std::size_t i = 0; i < next.needed.size(); ++i)
-          if (makesFalse(system, path, sure, next.needed[i])) beyond -= next.rewritten[i];
+        for (const auto& need : next.needs)
+          if (makesFalse(system, path, sure, need.condition)) beyond -= need.rewritten;
         live |= beyond;
-        later |= next.later;
       }
-      changed = grow(all[path.location].live, live) || changed;
-      changed = grow(all[path.location].later, later) || changed;
+      later |= all[target].later;
     }
+    const bool grew = grow(way.live, live);
+    return grow(from.later, later) || grew;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto& place : all)
+      for (auto& way : place.ways) changed = follow(place, way) || changed;
   }
 }
 
@@ -156,10 +179,16 @@ std::vector<Word> LiveVariables::maskOf(const Word* state) const {
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
     auto location = static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
     const Place& place = places[i][location];
-    Bits own = needs[i].empty() ? place.live : needs[i];
-    for (std::size_t k = 0; k < place.needed.size() && needs[i].empty(); ++k)
-      if (!holds(system, place.needed[k], state)) own -= place.rewritten[k];
-    live |= own;
+    if (!needs[i].empty()) {
+      live |= needs[i];
+      continue;
+    }
+    for (const auto& way : place.ways) {
+      Bits own = way.live;
+      for (const auto& need : way.needs)
+        if (!holds(system, need.condition, state)) own -= need.rewritten;
+      live |= own;
+    }
   }
   std::vector<Word> mask(system.storedWords);
   live.each([&](CellId id) {

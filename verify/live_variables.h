@@ -20,21 +20,33 @@ public:
   void clean(Word* state) const;
 
 private:
+  /// A condition on one cell, without which a path cannot be taken.
+  struct Need {
+    NodeId condition = 0;
+    Bits rewritten; ///< what whoever makes it true surely writes, apart from cells of conditions
+  };
+
+  /// What an instance may do by one path out of a location.
+  struct Way {
+    PathId path = 0;
+    std::vector<Need> needs;
+    Bits live; ///< cells that it may read before it writes them, on this path or behind it
+  };
+
   /// What an instance in a location has to do with cells.
   struct Place {
-    Bits live;                  ///< it may read them before it writes them
+    std::vector<Way> ways;
     Bits later;                 ///< it may write them, now or later
-    std::vector<NodeId> needed; ///< conditions on one cell each; no path goes on where one is false
-    /// By needed condition: what whoever makes it true surely writes, apart from cells of
-    /// conditions.
-    std::vector<Bits> rewritten;
+    std::vector<NodeId> needed; ///< conditions that all paths need
   };
 
   using PathsOf = std::vector<std::vector<PathId>>; ///< by instance
 
   void findNeeded(const PathsOf& paths, InstanceId instance);
-  void findRewritten(const PathsOf& paths, InstanceId instance, Place& place);
-  void findLive(const std::vector<PathId>& own, std::vector<Place>& all);
+  void findWays(const PathsOf& paths, InstanceId instance);
+  [[nodiscard]] Bits rewrittenFor(const PathsOf& paths, InstanceId instance,
+                                  NodeId condition) const;
+  void findLive(std::vector<Place>& all);
   [[nodiscard]] std::vector<Word> maskOf(const Word* state) const;
   [[nodiscard]] std::vector<Bits> frozenNeeds(const Word* state) const;
 

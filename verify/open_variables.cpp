@@ -12,16 +12,17 @@ namespace proskill::verify {
 
 namespace {
 
-/// The choices of values for all open variables together are at most this many.
+/// The values that the code of one transition reads are chosen in at most this many ways.
 constexpr std::size_t kMostChoices = 1024;
 
-/// Cells that may not be open: a goal's condition sees them, or a clock starts and stops with them.
+/// Cells that may not be open: a goal's condition sees them, a clock starts and stops with them, or
+/// a run ends with them.
 Bits closedCells(const System& system, const std::vector<Goal>& goals) {
   Bits closed;
   for (const auto& goal : goals)
     if (goal.kind == GoalKind::Condition) addReads(system, goal.condition, closed);
   for (const auto& transition : system.transitions)
-    if (transition.clock != kNone) closed |= transition.guardReads;
+    if (transition.clock != kNone || transition.fails) closed |= transition.guardReads;
   return closed;
 }
 
@@ -51,9 +52,9 @@ bool isWatched(const System& system, const std::vector<Goal>& goals, const Trans
 } // namespace
 
 OpenVariables::OpenVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
-    : system(&of), setters((of.transitions.size() + 63) / 64), silent(setters) {
+    : system(&of), setters((of.transitions.size() + 63) / 64), silent(setters), evaluation(of) {
   findSetters(goals, dropped);
-  forgetMany();
+  forgetMany(dropped);
   variableOf.assign(system->transitions.size(), kNone);
   for (std::uint32_t v = 0; v < variables.size(); ++v)
     for (auto setter : variables[v].setters) {
@@ -61,18 +62,42 @@ OpenVariables::OpenVariables(const System& of, const std::vector<Goal>& goals, c
       variableOf[setter] = v;
       if (!isWatched(*system, goals, system->transitions[setter])) insert(silent, setter);
     }
+  findReads(dropped);
+  findPlaces(dropped);
+}
+
+void OpenVariables::findReads(const Bits& dropped) {
   for (TransitionId i = 0; i < system->transitions.size(); ++i) {
     const auto& transition = system->transitions[i];
     auto& read = reads.emplace_back();
     auto& guard = guardReads.emplace_back();
+    auto& code = codeReads.emplace_back();
     for (std::uint32_t v = 0; v < variables.size(); ++v) {
       const CellId cell = variables[v].cell;
       const bool guarded = transition.guardReads.contains(cell);
+      const bool inCode = transition.reads.contains(cell);
       if (guarded) guard.push_back(v);
-      if (guarded || transition.reads.contains(cell)) read.push_back(v);
+      if (inCode || (guarded && transition.tentative)) code.push_back(v);
+      if (guarded || inCode) read.push_back(v);
       if (guarded && !dropped.contains(i)) insert(variables[v].readers, i);
     }
   }
+}
+
+void OpenVariables::findPlaces(const Bits& dropped) {
+  guarded = urgent = TransitionSet(setters.size());
+  std::map<InstanceId, std::vector<std::vector<TransitionId>>> places;
+  for (TransitionId i = 0; i < system->transitions.size(); ++i) {
+    const auto& transition = system->transitions[i];
+    if (transition.urgent && !dropped.contains(i)) insert(urgent, i);
+    if (guardReads[i].empty() || dropped.contains(i)) continue;
+    insert(guarded, i);
+    const Path& first = system->paths[transition.parts[0]];
+    auto& byLocation = places[first.instance];
+    byLocation.resize(system->instances[first.instance].locations.size());
+    byLocation[first.location].push_back(i);
+  }
+  guardedAt.assign(places.begin(), places.end());
 }
 
 bool OpenVariables::isAlwaysPossible(const Transition& transition) const {
@@ -129,15 +154,23 @@ void OpenVariables::findSetters(const std::vector<Goal>& goals, const Bits& drop
     if (variable.values.size() > 1) variables.push_back(std::move(variable));
 }
 
-/// Those with the most values are kept, as long as there are not too many choices in all.
-void OpenVariables::forgetMany() {
+/// Those with the most values are kept, as long as no transition's code has too many choices.
+void OpenVariables::forgetMany(const Bits& dropped) {
   std::ranges::stable_sort(variables, std::greater{},
                            [](const auto& variable) { return variable.values.size(); });
-  std::size_t choices = 1;
+  std::vector<std::size_t> choices(system->transitions.size(), 1);
+  const auto reads = [&](TransitionId i, CellId cell) {
+    const auto& transition = system->transitions[i];
+    return !dropped.contains(i) && (transition.reads.contains(cell) ||
+                                    (transition.tentative && transition.guardReads.contains(cell)));
+  };
   std::erase_if(variables, [&](const Variable& variable) {
-    if (choices * variable.values.size() > kMostChoices) return true;
-    choices *= variable.values.size();
-    return false;
+    std::vector<std::size_t> more = choices;
+    for (TransitionId i = 0; i < more.size(); ++i)
+      if (reads(i, variable.cell)) more[i] *= variable.values.size();
+    const bool tooMany = std::ranges::any_of(more, [](auto count) { return count > kMostChoices; });
+    if (!tooMany) choices = std::move(more);
+    return tooMany;
   });
 }
 
@@ -184,26 +217,88 @@ std::vector<TransitionId> OpenVariables::between(const Word* from, const Word* t
   return steps;
 }
 
-bool OpenVariables::calm(Word* state, const TransitionSet& enabled,
-                         const Enabling& enabling) const {
+std::vector<Word> OpenVariables::unknownIn(std::span<const std::uint32_t> which,
+                                           const Word* state) const {
+  std::vector<Word> unknown(system->words);
+  for (auto v : which) {
+    const Cell& cell = system->cells[variables[v].cell];
+    if (valueOf(v, state)) unknown[cell.word] |= cell.mask;
+  }
+  return unknown;
+}
+
+std::uint32_t OpenVariables::variableAt(const BitField& bits) const {
+  const auto found = std::ranges::find_if(variables, [&](const Variable& variable) {
+    const Cell& cell = system->cells[variable.cell];
+    return cell.word == bits.word && (cell.mask & bits.mask) != 0;
+  });
+  return static_cast<std::uint32_t>(found - variables.begin());
+}
+
+PartialTruth OpenVariables::truth(TransitionId id, const Word* state,
+                                  const std::vector<Word>& unknown, BitField& undecided) const {
+  const Transition& transition = system->transitions[id];
+  const auto known = evaluation.guard(*system, transition, {state, unknown.data()}, undecided);
+  if (known != PartialTruth::True || !transition.tentative) return known;
+  for (auto v : guardReads[id]) { // an `on` in its code may read any of them
+    const Cell& cell = system->cells[variables[v].cell];
+    if ((unknown[cell.word] & cell.mask) == 0) continue;
+    undecided = {cell.word, cell.mask};
+    return PartialTruth::Unknown;
+  }
+  return isEnabled(*system, id, state) ? PartialTruth::True : PartialTruth::False;
+}
+
+/// Sets values of unknown variables so that the transition is enabled; false, and the state as
+/// before, where there are none.
+bool OpenVariables::satisfy(TransitionId id, Word* state, std::vector<Word>& unknown) const {
+  BitField undecided;
+  switch (truth(id, state, unknown, undecided)) {
+  case PartialTruth::False: return false;
+  case PartialTruth::True: return true;
+  case PartialTruth::Unknown: break;
+  }
+  return tryValues(variableAt(undecided), state, unknown,
+                   [&] { return satisfy(id, state, unknown); });
+}
+
+/// The same so that none of the transitions is enabled.
+bool OpenVariables::disable(std::span<const TransitionId> all, Word* state,
+                            std::vector<Word>& unknown) const {
+  BitField undecided;
   std::vector<TransitionId> unsure;
-  Bits which;
-  bool firm = false;
-  enabling.eachUrgentHere(state, [&](TransitionId id) {
-    if (guardReads[id].empty()) {
-      firm = firm || contains(enabled, id);
-      return;
-    }
+  for (auto id : all) {
+    BitField open;
+    const PartialTruth known = truth(id, state, unknown, open);
+    if (known == PartialTruth::False) continue;
+    if (known == PartialTruth::True) return false;
     unsure.push_back(id);
-    for (auto v : guardReads[id]) which.insert(v);
+    undecided = open;
+  }
+  if (unsure.empty()) return true;
+  return tryValues(variableAt(undecided), state, unknown,
+                   [&] { return disable(unsure, state, unknown); });
+}
+
+TransitionSet OpenVariables::candidates(const Word* state, const TransitionSet& enabled) const {
+  TransitionSet all = enabled;
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] &= ~guarded[k];
+  eachGuardedHere(state, [&](TransitionId id) { insert(all, id); });
+  return all;
+}
+
+bool OpenVariables::calm(Word* state, const TransitionSet& enabled) const {
+  for (std::size_t k = 0; k < enabled.size(); ++k)
+    if ((enabled[k] & urgent[k] & ~guarded[k]) != 0) return false;
+  std::vector<TransitionId> unsure;
+  std::vector<std::uint32_t> which;
+  eachGuardedHere(state, [&](TransitionId id) {
+    if (!contains(urgent, id)) return;
+    unsure.push_back(id);
+    which.insert(which.end(), guardReads[id].begin(), guardReads[id].end());
   });
-  if (firm) return false;
-  std::vector<std::uint32_t> tried;
-  which.each([&](std::uint32_t v) { tried.push_back(v); });
-  return eachChoice(tried, state, [&] {
-    return std::ranges::none_of(unsure,
-                                [&](TransitionId id) { return isEnabled(*system, id, state); });
-  });
+  std::vector<Word> unknown = unknownIn(which, state);
+  return disable(unsure, state, unknown);
 }
 
 } // namespace proskill::verify

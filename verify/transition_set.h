@@ -15,6 +15,8 @@ using TransitionSet = std::vector<Word>;
 
 inline void insert(TransitionSet& set, TransitionId id) { set[id / 64] |= Word{1} << (id % 64); }
 
+inline void erase(TransitionSet& set, TransitionId id) { set[id / 64] &= ~(Word{1} << (id % 64)); }
+
 template <class Visit> void eachIn(const TransitionSet& set, Visit visit) {
   for (std::size_t i = 0; i < set.size(); ++i)
     for (Word rest = set[i]; rest != 0; rest &= rest - 1)

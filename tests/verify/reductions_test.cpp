@@ -73,6 +73,29 @@ TEST_CASE("Live variables: a process that can never go on reads nothing") {
   CHECK(classes(model, never, {Reduction::LiveVariables}) == 1);
 }
 
+TEST_CASE("Live variables: what one way out of a state reads is forgotten until that way is open") {
+  Model model;
+  model.variable("busy", boolean(), truth(false)).variable("stop", boolean(), truth(false));
+  model.variable("status", range(0, 3), number(0));
+  std::vector<fiacre::Statement> outcomes;
+  for (std::int64_t value = 1; value <= 3; ++value)
+    outcomes.push_back(
+        sequence({wait(1, 1), on(name("busy")), assign(name("status"), number(value)),
+                  assign(name("busy"), truth(false)), to("idle")}));
+  model.add(process("callee", {"idle"}, {from("idle", {select(outcomes)})}));
+  model.add(
+      process("caller", {"call", "wait", "stopping"},
+              {from("call", {now(), assign(name("busy"), truth(true)), to("wait")}),
+               from("wait", {select({sequence({now(), on(unary(fiacre::Op::Not, name("busy"))),
+                                               ifElse(equals(name("status"), number(1)), to("call"),
+                                                      to("stopping"))}),
+                                     sequence({now(), on(name("stop")), to("stopping")})})})}));
+  model.add(process("stopper", {"a"}, {from("a", {assign(name("stop"), truth(true)), to("a")})}));
+  const auto never = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, never, {Reduction::LiveVariables}) == 13);
+  CHECK(classes(model, never, {}) > 20);
+}
+
 TEST_CASE("Safe steps: independent chains of urgent steps are run one after the other") {
   Model model;
   for (const char* text : {"p", "q", "r"})
@@ -158,6 +181,46 @@ TEST_CASE("Open variables: time passes if it may for one of the values") {
   CHECK(model.reaches(5, "b"));
   auto trace = model.answer(absentState(5, "b")).trace.value();
   CHECK(trace.steps.size() == 1); // the weather may stay as it is
+}
+
+TEST_CASE(
+    "Open variables: a condition over many inputs is decided without trying all their values") {
+  Model model;
+  auto all = truth(true);
+  for (int i = 0; i < 24; ++i) {
+    const std::string text = "w" + std::to_string(i);
+    model.variable(text, range(0, 2), number(0));
+    std::vector<fiacre::Statement> values;
+    for (std::int64_t value = 0; value < 3; ++value)
+      values.push_back(sequence({assign(name(text), number(value)), to("a")}));
+    model.add(process("sets_" + text, {"a"}, {from("a", {select(values)})}));
+    all = binary(fiacre::Op::And, all, equals(name(text), number(i % 3)));
+  }
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {now(), on(all), to("b")}),
+                     from("b", {now(), on(unary(fiacre::Op::Not, all)), to("c")})}));
+  CHECK(model.answer(absentState(25, "c")).truth == verify::Truth::False);
+  CHECK(classes(model, plain(fiacre::PatternKind::Progress), {Reduction::OpenVariables}) == 3);
+}
+
+TEST_CASE("Open variables: what one value of an input breaks does not hide what others lead to") {
+  Model model;
+  model.variable("w", range(0, 2), number(0));
+  std::vector<fiacre::Statement> values;
+  for (std::int64_t value = 0; value < 3; ++value)
+    values.push_back(sequence({assign(name("w"), number(value)), to("a")}));
+  model.add(process("sets", {"a"}, {from("a", {select(values)})}));
+  const auto quotient = binary(fiacre::Op::Divide, number(2), name("w"));
+  model.add(
+      process("p", {"start", "a", "b", "c"},
+              {from("start", {on(equals(name("w"), number(1))), to("a")}),
+               from("a", {now(), on(binary(fiacre::Op::Less, number(1), quotient)), to("b")})}));
+  model.ask(absentState(2, "b")).ask(plain(fiacre::PatternKind::NoError));
+  for (const auto& options : reductionChoices()) {
+    const auto answers = model.answers(options).answers;
+    CHECK(answers[0].truth == verify::Truth::False);
+    CHECK(answers[1].truth == verify::Truth::False);
+  }
 }
 
 TEST_CASE("Open variables: a trace sets what it needs, and no more") {
