@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace proskill::cli {
 
@@ -33,6 +34,41 @@ std::string_view reasonPhrase(int status) {
   }
 }
 
+/// The next line, without its end, taken off the text.
+std::string_view takeLine(std::string_view& text) {
+  const auto end = std::min(text.find("\r\n"), text.size());
+  const auto line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 2, text.size()));
+  return line;
+}
+
+/// A lone CR or LF would end the line for others who read it.
+bool hasControls(std::string_view line) {
+  return std::ranges::any_of(line, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t') || byte == 0x7f;
+  });
+}
+
+/// `GET /path HTTP/1.1`
+bool takeRequestLine(std::string_view line, HttpRequest& request) {
+  const auto space = line.find(' ');
+  const auto version = line.rfind(" HTTP/1.");
+  if (hasControls(line) || space == 0 || space == line.npos || version == line.npos ||
+      version <= space)
+    return false;
+  request.method = line.substr(0, space);
+  request.target = line.substr(space + 1, version - space - 1);
+  return request.target.starts_with('/');
+}
+
+/// Two of one name, such as two hosts, are a trick.
+bool takeHeader(std::string_view line, HttpRequest& request) {
+  const auto colon = line.find(':');
+  if (hasControls(line) || colon == 0 || colon == line.npos) return false;
+  return request.headers.emplace(small(line.substr(0, colon)), trim(line.substr(colon + 1))).second;
+}
+
 } // namespace
 
 std::string_view HttpRequest::header(const std::string& name) const {
@@ -42,29 +78,21 @@ std::string_view HttpRequest::header(const std::string& name) const {
 
 std::optional<HttpRequest> parseHead(std::string_view head) {
   HttpRequest request;
-  bool first = true;
-  while (!head.empty()) {
-    const auto end = std::min(head.find("\r\n"), head.size());
-    const auto line = head.substr(0, end);
-    head.remove_prefix(std::min(end + 2, head.size()));
-    if (first) {
-      const auto space = line.find(' ');
-      const auto version = line.rfind(" HTTP/1.");
-      if (space == std::string_view::npos || version == std::string_view::npos || version <= space)
-        return std::nullopt;
-      request.method = line.substr(0, space);
-      request.target = line.substr(space + 1, version - space - 1);
-      first = false;
-      continue;
-    }
-    const auto colon = line.find(':');
-    if (colon == 0 || colon == std::string_view::npos) return std::nullopt;
-    // Two of one name, such as two hosts, are a trick.
-    if (!request.headers.emplace(small(line.substr(0, colon)), trim(line.substr(colon + 1))).second)
-      return std::nullopt;
-  }
-  if (first || request.target.empty() || request.target.front() != '/') return std::nullopt;
+  if (!takeRequestLine(takeLine(head), request)) return std::nullopt;
+  while (!head.empty())
+    if (!takeHeader(takeLine(head), request)) return std::nullopt;
   return request;
+}
+
+std::optional<std::size_t> bodySize(const HttpRequest& request) {
+  if (!request.header("transfer-encoding").empty()) return std::nullopt;
+  const auto text = request.header("content-length");
+  if (text.empty()) return 0;
+  std::size_t size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  if (error != std::errc() || end != text.data() + text.size() || size > kLargestBody)
+    return std::nullopt;
+  return size;
 }
 
 std::string toBytes(const HttpResponse& response) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +28,12 @@ struct HttpResponse {
 
 /// The request line and the headers, up to but without the empty line. Nothing where it is none.
 [[nodiscard]] std::optional<HttpRequest> parseHead(std::string_view head);
+
+/// Larger bodies are refused.
+constexpr std::size_t kLargestBody = std::size_t{1} << 20;
+
+/// The length of the body in bytes; nothing where it is too large or the request does not say.
+[[nodiscard]] std::optional<std::size_t> bodySize(const HttpRequest& request);
 
 /// With its length, and with headers that keep it out of caches and of other pages.
 [[nodiscard]] std::string toBytes(const HttpResponse& response);

@@ -3,7 +3,6 @@
 #include <asio.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 
@@ -14,23 +13,10 @@ namespace {
 using asio::ip::tcp;
 
 constexpr std::size_t kLargestHead = std::size_t{1} << 14;
-constexpr std::size_t kLargestBody = std::size_t{1} << 20;
 /// Each request for news keeps one until there is some.
 constexpr std::size_t kThreads = 16;
 /// For a client to send or take what is due; browsers open connections that they do not use.
 constexpr std::chrono::seconds kPatience{10};
-
-/// How long the body is; nothing where it is too long or the request does not say.
-std::optional<std::size_t> bodySize(const HttpRequest& request) {
-  if (!request.header("transfer-encoding").empty()) return std::nullopt;
-  const auto text = request.header("content-length");
-  if (text.empty()) return 0;
-  std::size_t size = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  if (error != std::errc() || end != text.data() + text.size() || size > kLargestBody)
-    return std::nullopt;
-  return size;
-}
 
 /// One request and its response; then the connection is closed. Reads and writes on the thread of
 /// its context, where it waits for nobody; the handler runs on a worker.

@@ -14,6 +14,11 @@ void fiacre(std::string_view bytes);
 /// rest is cut.
 void protocol(std::string_view bytes);
 
+/// As what a browser sends to `proskill view`.
+void http(std::string_view bytes);
+/// As what the tools of the Tina toolbox write.
+void tina(std::string_view bytes);
+
 /// \throws std::logic_error where something is not as it must be
 void expect(bool condition, std::string_view what);
 

@@ -33,6 +33,8 @@ TEST_CASE("what the fuzzers have found stays mended") {
   CHECK(tryAll("fuzz/corpus/proskill", fuzz::proskill) > 0);
   CHECK(tryAll("fuzz/corpus/fiacre", fuzz::fiacre) > 0);
   CHECK(tryAll("fuzz/corpus/protocol", fuzz::protocol) > 0);
+  CHECK(tryAll("fuzz/corpus/http", fuzz::http) > 5);
+  CHECK(tryAll("fuzz/corpus/tina", fuzz::tina) > 8);
 }
 
 TEST_CASE("what is fuzzed holds for the examples") {

@@ -125,6 +125,8 @@ class Protocol(unittest.TestCase):
     def test_odd_bytes_are_refused(self):
         self.assertIn(b" 400 ", self.raw(b"hello\r\n\r\n"))
         self.assertIn(b" 400 ", self.raw(b"GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n"))
+        self.assertIn(b" 400 ", self.raw(b"GET / HTTP/1.1\r\nHost: a\nX: b\r\n\r\n"))
+        self.assertIn(b" 400 ", self.raw(b" / HTTP/1.1\r\n\r\n"))
         self.assertIn(b" 413 ", self.raw(b"GET / HTTP/1.1\r\nX: " + b"x" * 20000))
         self.assertIn(b" 413 ", self.raw(b"POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n"))
         self.assertIn(b" 413 ", self.raw(b"POST / HTTP/1.1\r\nContent-Length: 1048577\r\n\r\n"))
