@@ -229,6 +229,8 @@ export interface CurrentStep {
   count: number;
   step: Step;
   values: { [variable: string]: string };
+  /** The user went there; else the trace is another one, and views stay where they are. */
+  byUser: boolean;
 }
 export interface Remembered {
   picture?: PictureName;

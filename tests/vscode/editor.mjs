@@ -105,6 +105,11 @@ export class Editor {
     return this.page.locator('.markers-panel .monaco-list-row, .markers-panel-container .monaco-list-row');
   }
 
+  /** Where the caret of the text with the keyboard is, as the status bar says it. */
+  async caret() {
+    return (await this.page.locator('[id="status.editor.selection"]').textContent()).trim();
+  }
+
   /** The lines that a decoration with this border or background stands on, as the gutter numbers them. */
   markedLines(uriEnd) {
     return this.page.evaluate((end) => {

@@ -54,6 +54,8 @@ export const scenarios = {
   async trace(world) {
     const { editor, page } = world;
     const { trace } = verified(world, kProgram, failing);
+    await editor.openFile(kProgram);
+    const before = await editor.caret();
     const property = row(page, world.failingRow).first();
     await property.hover();
     await property.locator('.codicon-list-ordered').first().click();
@@ -77,16 +79,15 @@ export const scenarios = {
       await page.keyboard.press('ArrowDown');
     }
     console.log(`        ${compared} of ${trace.steps.length} steps compared with their lines`);
-    // Where it is not to follow, the text stays where it is.
-    const caret = () => page.locator('.monaco-editor[data-uri$="drone.proskill"] .active-line-number').first().textContent();
-    const line = await caret();
-    await page.keyboard.press('f');
+    await editor.press('Control+1');
+    equal('the caret, which is the user\'s', await editor.caret(), before);
+    // Enter goes to the step's text.
+    await frame.locator('.step.current').first().click();
     await page.keyboard.press('Home');
     await frame.locator('#step-0.current').waitFor();
-    await expect('the mark at the first step', async () => (await editor.markedLines('drone.proskill'))[0] === trace.steps[0].location.begin.line);
-    equal('the caret', await caret(), line);
-    await page.keyboard.press('f');
-    await expect('the text at the first step', async () => (await caret()) === String(trace.steps[0].location.begin.line));
+    await page.keyboard.press('Enter');
+    const { line, column } = trace.steps[0].location.begin;
+    await expect('the caret at the first step', async () => (await editor.caret()) === `Ln ${line}, Col ${column}`);
   },
 
   /** The Fiacre text beside it: the transition of the step is marked. */

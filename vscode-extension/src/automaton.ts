@@ -5,6 +5,7 @@ import { currentText } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import type { panel } from './protocol';
+import type { Typing } from './typing';
 
 const kTyping = 150;
 const kMoving = 60;
@@ -13,10 +14,15 @@ const kMoving = 60;
 export class AutomatonPreview implements vscode.Disposable {
   private host: PanelHost | undefined;
   private readonly subscriptions: vscode.Disposable[];
-  private typing: NodeJS.Timeout | undefined;
+  private editing: NodeJS.Timeout | undefined;
   private moving: NodeJS.Timeout | undefined;
 
-  constructor(private readonly client: Client, private readonly programs: Programs, private readonly extension: vscode.Uri) {
+  constructor(
+    private readonly client: Client,
+    private readonly programs: Programs,
+    private readonly typing: Typing,
+    private readonly extension: vscode.Uri,
+  ) {
     this.subscriptions = [
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
         if (document.languageId === 'proskill' && contentChanges.length) this.edited();
@@ -27,7 +33,7 @@ export class AutomatonPreview implements vscode.Disposable {
 
   dispose(): void {
     this.host?.dispose();
-    clearTimeout(this.typing);
+    clearTimeout(this.editing);
     clearTimeout(this.moving);
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
@@ -46,7 +52,7 @@ export class AutomatonPreview implements vscode.Disposable {
       return;
     }
     this.host?.dispose();
-    const host = new PanelHost(this.client, this.programs, this.extension, 'automaton', document.uri, show);
+    const host = new PanelHost(this.client, this.programs, this.typing, this.extension, 'automaton', document.uri, show);
     host.onEnd(() => {
       if (this.host === host) this.host = undefined;
     });
@@ -72,8 +78,8 @@ export class AutomatonPreview implements vscode.Disposable {
   }
 
   private edited(): void {
-    clearTimeout(this.typing);
-    this.typing = setTimeout(() => this.host?.tell('edited', {}), kTyping);
+    clearTimeout(this.editing);
+    this.editing = setTimeout(() => this.host?.tell('edited', {}), kTyping);
   }
 
   private moved(editor: vscode.TextEditor): void {

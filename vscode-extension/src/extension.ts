@@ -11,6 +11,7 @@ import { showReferences } from './show_references';
 import { Status } from './status';
 import { Testing } from './testing';
 import { TraceView } from './trace';
+import { Typing } from './typing';
 import { verify } from './verify_command';
 
 let client: Client | undefined;
@@ -20,11 +21,12 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const server = client;
   const programs = new Programs(server);
   const fiacre = new FiacreView(server);
-  const automaton = new AutomatonPreview(server, programs, context.extensionUri);
-  const trace = new TraceView(server, programs, context.extensionUri, fiacre);
+  const typing = new Typing();
+  const automaton = new AutomatonPreview(server, programs, typing, context.extensionUri);
+  const trace = new TraceView(server, programs, typing, context.extensionUri, fiacre);
   const debugging = new Debugging(server, programs);
   context.subscriptions.push(
-    server, programs, new Status(server, programs), new Testing(server, programs), fiacre, automaton, trace, debugging);
+    server, programs, typing, new Status(server, programs), new Testing(server, programs), fiacre, automaton, trace, debugging);
 
   /** An error of a command is a message to the user, and never a stack of calls. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {

@@ -76,9 +76,9 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.De
     return model.text;
   }
 
-  follow(step: panel.Step | null): void {
-    this.origins = step?.origins ?? [];
-    this.draw(true);
+  follow(current: panel.CurrentStep | null): void {
+    this.origins = current?.step.origins ?? [];
+    this.draw(current?.byUser ?? false);
   }
 
   private refresh(): void {

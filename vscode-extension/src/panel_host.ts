@@ -1,11 +1,12 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
 import { page } from './page';
-import { reveal } from './places';
+import { bringIntoView, goTo } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
 import type { panel } from './protocol';
+import type { Typing } from './typing';
 
 type Layout = 'trace' | 'automaton';
 
@@ -27,6 +28,7 @@ export class PanelHost implements vscode.Disposable {
   constructor(
     private readonly client: Client,
     private readonly programs: Programs,
+    private readonly typing: Typing,
     extension: vscode.Uri,
     readonly layout: Layout,
     readonly uri: vscode.Uri,
@@ -85,12 +87,15 @@ export class PanelHost implements vscode.Disposable {
   }
 
   private told(method: keyof panel.Told, params: unknown): void {
-    if (method === 'reveal') {
-      const { location, focus } = params as panel.Told['reveal'];
-      void reveal(location, focus);
-    }
+    if (method === 'reveal') void this.follow(params as panel.Told['reveal']);
     if (method === 'step') this.steps.fire(params as panel.Told['step']);
     if (method === 'remember') this.remembered = params as panel.Remembered;
+  }
+
+  /** The text goes with a trace's steps by scrolling alone, and not at all while somebody types in it. */
+  private async follow({ location, focus }: panel.Told['reveal']): Promise<void> {
+    if (focus || this.layout === 'automaton') await goTo(location, focus);
+    else if (!this.typing.goesOn) await bringIntoView(location);
   }
 
   private answer(method: panel.Method, params: never): Promise<unknown> | unknown {

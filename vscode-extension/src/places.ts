@@ -18,13 +18,24 @@ function columnOf(uri: vscode.Uri): vscode.ViewColumn {
   return text?.viewColumn ?? vscode.ViewColumn.One;
 }
 
-/** Shows a place in its text, with the caret there; scrolls only where it is out of sight. */
-export async function reveal(location: panel.Location, focus: boolean): Promise<void> {
+/** The user goes to a place: the caret too, and with `focus` the keyboard. Scrolls only where it is out of sight. */
+export async function goTo(location: panel.Location, focus: boolean): Promise<void> {
   const { uri, range } = locationOf(location);
   const editor = await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !focus });
   editor.selection = new vscode.Selection(range.start, range.start);
-  editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+  editor.revealRange(linesOf(range), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
+
+/** Brings a place into view. Caret, selection and keyboard stay where the user has them. */
+export async function bringIntoView(location: panel.Location): Promise<void> {
+  const { uri, range } = locationOf(location);
+  const shown = vscode.window.visibleTextEditors.find((it) => it.viewColumn && it.document.uri.toString() === uri.toString());
+  const editor = shown ?? (await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: true, preview: true }));
+  editor.revealRange(linesOf(range), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+}
+
+/** From the beginning of its first line, so that nothing scrolls sideways. */
+const linesOf = ({ start, end }: vscode.Range): vscode.Range => new vscode.Range(start.line, 0, end.line, 0);
 
 /** A program, or a model that is written by hand; a model that is only shown is neither. */
 export const isVerified = (document: vscode.TextDocument): boolean =>

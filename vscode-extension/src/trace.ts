@@ -8,6 +8,7 @@ import type { Programs } from './programs';
 import type { panel } from './protocol';
 import { StepMarks } from './step_marks';
 import { readTrace } from './trace_file';
+import type { Typing } from './typing';
 
 /** The trace view: one for each window; the editors and the Fiacre text go with its current step. */
 export class TraceView implements vscode.Disposable {
@@ -19,6 +20,7 @@ export class TraceView implements vscode.Disposable {
   constructor(
     private readonly client: Client,
     private readonly programs: Programs,
+    private readonly typing: Typing,
     private readonly extension: vscode.Uri,
     private readonly fiacre: FiacreView,
   ) {}
@@ -53,7 +55,7 @@ export class TraceView implements vscode.Disposable {
     this.host?.dispose();
     // The view stands beside the program: were no text in view, the first one would come to lie over it.
     if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await vscode.window.showTextDocument(uri);
-    const host = new PanelHost(this.client, this.programs, this.extension, 'trace', uri, show);
+    const host = new PanelHost(this.client, this.programs, this.typing, this.extension, 'trace', uri, show);
     host.onStep((step) => this.step(step));
     host.onEnd(() => {
       if (this.host !== host) return;
@@ -75,6 +77,6 @@ export class TraceView implements vscode.Disposable {
     this.current = current;
     void vscode.commands.executeCommand('setContext', 'proskill.traceOpen', current !== null);
     this.marks.show(current);
-    this.fiacre.follow(current?.step ?? null);
+    this.fiacre.follow(current);
   }
 }

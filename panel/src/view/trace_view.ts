@@ -333,7 +333,7 @@ export class TraceView {
     this.update();
     if (!step) return this.host.tell('step', null);
     this.host.tell('step', {
-      trace: trace.name, index, count: trace.steps.length, step, values: this.variablesAt(index),
+      trace: trace.name, index, count: trace.steps.length, step, values: this.variablesAt(index), byUser,
     });
     if (this.follow.on && byUser) this.reveal(index, false);
     this.events.stepped(byUser);

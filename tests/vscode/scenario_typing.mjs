@@ -1,0 +1,61 @@
+// Typing while a trace is open: the text, the caret and the tabs are the user's.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { equal, expect } from './expect.mjs';
+
+const kFile = 'lift/bug.proskill';
+const kProperty = 'doors_closed_when_moving';
+const kComment = '; typed while it is verified again and again';
+const kRepair = ['(^ (cabin Idle) :effects (cabin Doors)) ', ' (set (cabin Idle))'];
+
+const current = (frame) => frame.locator('.step.current .number').textContent();
+const lineOf = (root, text) => readFileSync(join(root, kFile), 'utf8').split('\n').findIndex((line) => line.includes(text)) + 1;
+
+export const scenarios = {
+  /** Each word is verified before the next one is typed, with a trace open whose steps are in another file. */
+  async typing({ editor, page, root }) {
+    await editor.openFile(kFile);
+    await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
+    await editor.command('ProSkill: Open Trace');
+    await editor.answer(kProperty);
+    const frame = await editor.panel('.trace-view');
+    await frame.locator('#step-0.current').waitFor();
+    await frame.locator('.steps').press('ArrowDown');
+    await frame.locator('#step-1.current').waitFor();
+    await editor.openFile(kFile);
+    await editor.goTo(2);
+    for (const word of kComment.split(/(?<= )/)) {
+      for (const key of word) {
+        await editor.type(key);
+        equal('the keyboard', await page.evaluate(() => !!document.activeElement?.closest('.monaco-editor[data-uri$="bug.proskill"]')), true);
+      }
+      await editor.statusSays(/outdated|verifying/);
+      await editor.statusSays(/\d+ bad(?!.*outdated)/);
+    }
+    equal('the caret', await editor.caret(), `Ln 2, Col ${kComment.length + 1}`);
+    equal('the tab', await editor.tab('bug.proskill').count() > 0, true);
+    equal('the step', await current(frame), '2');
+    await editor.save();
+    equal('the text', readFileSync(join(root, kFile), 'utf8').split('\n')[1], kComment);
+  },
+
+  /** The bug is repaired in the text: the panel shows the verdict, and no step is marked any more. Undone, the step is back. */
+  async repaired({ editor, page, root }) {
+    const frame = await editor.panel('.trace-view');
+    const line = lineOf(root, '(open_doors)');
+    await editor.openFile(kFile);
+    await editor.goTo(line, 9);
+    await page.keyboard.insertText(kRepair[0]);
+    await editor.goTo(line, 9 + kRepair[0].length + '(open_doors)'.length);
+    await page.keyboard.insertText(kRepair[1]);
+    await frame.locator('.badge.holds:visible').waitFor();
+    equal('steps', await frame.locator('.step:visible').count(), 0);
+    await editor.picture('repaired-holds');
+    await expect('the text as it was', async () => {
+      await editor.press('Control+z');
+      return !(await page.locator('.tab.active.dirty').count());
+    });
+    await frame.locator('#step-1.current').waitFor();
+    await editor.command('View: Close All Editors');
+  },
+};
