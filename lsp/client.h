@@ -13,7 +13,7 @@ namespace proskill::lsp {
 /// What the client said that it can do, as far as the server asks.
 struct ClientFeatures {
   Encoding encoding = Encoding::Utf16;
-  bool pullDiagnostics = false;
+  bool pullDiagnostics = false; ///< asks for diagnostics; else it is told
   bool relatedInformation = false;
   bool watchedFiles = false; ///< may be registered dynamically
   bool workDoneProgress = false;
@@ -43,8 +43,9 @@ struct ClientFeatures {
 };
 
 /// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension
-/// included.
-[[nodiscard]] ClientFeatures readClientFeatures(const Json& capabilities);
+/// included. \param name the client's, as `clientInfo` has it
+[[nodiscard]] ClientFeatures readClientFeatures(const Json& capabilities,
+                                                const Json& name = nullptr);
 
 /// The encoding's name in the protocol.
 [[nodiscard]] std::string_view nameOf(Encoding encoding);

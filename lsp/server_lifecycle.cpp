@@ -86,7 +86,8 @@ Json notebookSync() {
 
 Json Server::initialize(const Json& params) {
   phase = Phase::Running;
-  client = readClientFeatures(memberAt(params, {"capabilities"}));
+  client = readClientFeatures(memberAt(params, {"capabilities"}),
+                              memberAt(params, {"clientInfo", "name"}));
   if (client.codeDescription) client.manual = std::make_shared<const Manual>(options.manual);
   workspace.setEncoding(client.encoding);
   folders = foldersOf(params);
@@ -97,6 +98,7 @@ Json Server::initialize(const Json& params) {
   verification.start(client, initialSettings(first));
   if (first.is_object()) setSettings(first);
   Json capabilities = registry.capabilities;
+  if (!client.pullDiagnostics) capabilities.erase("diagnosticProvider"); // what is told, nobody asks for
   capabilities["positionEncoding"] = nameOf(client.encoding);
   capabilities["textDocumentSync"] = {
       {"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}};

@@ -195,3 +195,12 @@ TEST_CASE("hints of a large program are asked for again when its flow is known")
     (void)session.notified("workspace/inlayHint/refresh");
   CHECK(session.result("textDocument/inlayHint", all).size() == 2);
 }
+
+TEST_CASE("Neovim is told diagnostics: it does not ask again for those of other open texts") {
+  auto capabilities = ableToRefresh();
+  capabilities["textDocument"]["diagnostic"] = Json::object();
+  const auto neovim = lsp::readClientFeatures(capabilities, "Neovim");
+  CHECK_FALSE(neovim.pullDiagnostics);
+  CHECK_FALSE(neovim.refreshes.contains("workspace/diagnostic/refresh"));
+  CHECK(lsp::readClientFeatures(capabilities, "another").pullDiagnostics);
+}

@@ -32,6 +32,25 @@ return {
     child:wait('return not (function() ' .. has_diagnostic('unknown skill `takeof`') .. ' end)()')
   end },
 
+  { 'an edit tells its mistakes in the other texts that are open, and forgets them there', function(child)
+    local directory = child:copy('rover')
+    child:open(directory .. '/mission.proskill')
+    child:open(directory .. '/skills.proskill')
+    child:lua("mission = vim.fn.bufnr('mission.proskill')")
+    local told = [[
+      for _, it in ipairs(vim.diagnostic.get(mission)) do
+        if it.message:find('unknown skill `drive_to`', 1, true) then return true end
+      end
+      return false
+    ]]
+    child:wait('return #vim.diagnostic.get(mission) >= 0 and not (function() ' .. told .. ' end)()')
+    child:at('(defskill |drive_to')
+    child:keys('cwdrive<Esc>')
+    child:wait(told)
+    child:keys('u')
+    child:wait('return not (function() ' .. told .. ' end)()')
+  end },
+
   { 'what is told stands where it should, whatever comes before it', function(child)
     local text = '(defskill a :body ((printf "😀é€") (b)))'
     child:open(child:file('wide.proskill', text))
