@@ -15,6 +15,11 @@ bool isOpen(const analysis::Program& program, const ide::OpenTexts& open) {
                              [&](const auto& file) { return open.contains(file.path); });
 }
 
+bool isRoot(const std::filesystem::path& file, const ide::IncludeGraph& includes) {
+  const auto roots = includes.rootsOf(file);
+  return std::ranges::find(roots, file) != roots.end();
+}
+
 } // namespace
 
 bool hasChanged(const analysis::Program& program,
@@ -85,15 +90,21 @@ void VerdictBoard::setVerified(const std::shared_ptr<const ide::AnalysedProgram>
   tell(state);
 }
 
-bool VerdictBoard::noticeEdit(const ide::OpenTexts& open) {
+/// \pre the mutex is held
+void VerdictBoard::forget(ProgramState& state, std::string why) {
+  state.state = VerificationState::Off;
+  state.message = std::move(why);
+  tell(state);
+}
+
+bool VerdictBoard::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes) {
   const std::lock_guard lock(mutex);
   bool changed = false;
   for (auto it = entries.begin(); it != entries.end();) {
     auto& state = it->second;
-    if (!isOpen(state.program->program, open)) {
-      state.state = VerificationState::Off;
-      state.message = "the program is not open any more";
-      tell(state);
+    const bool isGone = !isOpen(state.program->program, open);
+    if (isGone || !isRoot(it->first, includes)) {
+      forget(state, isGone ? "the program is not open any more" : "the file is part of a program");
       it = entries.erase(it);
       changed = true;
       continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ide/include_graph.h"
 #include "lsp/run_worker.h"
 #include "lsp/verified.h"
 
@@ -46,12 +47,13 @@ public:
 
   /// After an edit: verdicts become stale where a text of theirs has another content, and current
   /// again where it is undone. Says whether any did. Programs of which no text is open are
-  /// forgotten.
-  bool noticeEdit(const ide::OpenTexts& open);
+  /// forgotten, and files that are parts of other programs now.
+  bool noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes);
 
 private:
   using Entries = std::map<std::filesystem::path, ProgramState>;
 
+  void forget(ProgramState& state, std::string why);
   ProgramState& entry(const std::shared_ptr<const ide::AnalysedProgram>& program);
   void publish();
 

@@ -88,7 +88,7 @@ void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
   {
     const std::lock_guard lock(mutex);
     snapshot = std::move(now);
-    if (inView && snapshot->open().contains(*inView)) view = inView;
+    if (inView) view(*inView);
     edited = true;
     due = std::chrono::steady_clock::now() + settings.delay;
     if (runningOn && hasChanged(runningOn->program, runningVersions, snapshot->open()))
@@ -101,10 +101,24 @@ void Verification::setView(const std::filesystem::path& path) {
   {
     const std::lock_guard lock(mutex);
     if (!snapshot || !snapshot->open().contains(path)) return;
-    view = path;
+    view(path);
     due = std::chrono::steady_clock::now() + settings.delay;
   }
   wake.notify_all();
+}
+
+/// \pre the mutex is held
+void Verification::view(const std::filesystem::path& path) {
+  viewed.remove(path);
+  viewed.push_front(path);
+}
+
+/// Where the last one has been closed, as an editor does with a file that a refactoring changed, the
+/// one before. \pre the mutex is held
+std::optional<std::filesystem::path> Verification::inView() {
+  if (!snapshot) return std::nullopt;
+  viewed.remove_if([&](const auto& path) { return !snapshot->open().contains(path); });
+  return viewed.empty() ? std::nullopt : std::optional(viewed.front());
 }
 
 VerificationSettings Verification::settingsNow() const {
@@ -126,17 +140,17 @@ void Verification::live(const std::stop_token& stop) {
     const auto now = snapshot;
     if (std::exchange(edited, false)) {
       lock.unlock();
-      noticeEdit(now->open());
+      noticeEdit(*now);
     } else {
       due.reset();
-      if (!started || !now || !view || !now->open().contains(*view)) continue;
+      const auto path = inView();
+      if (!started || !now || !path) continue;
       running = Cancellation();
-      const auto path = *view;
       const auto chosen = settings;
       const auto cancellation = running;
       lock.unlock();
       try {
-        checkLive(*now, path, chosen, cancellation);
+        checkLive(*now, *path, chosen, cancellation);
       } catch (const std::exception& error) {
         log(fmt::format("live verification failed: {}", error.what()));
       }
@@ -145,8 +159,8 @@ void Verification::live(const std::stop_token& stop) {
   }
 }
 
-void Verification::noticeEdit(const ide::OpenTexts& open) {
-  if (board.noticeEdit(open)) outside.changed();
+void Verification::noticeEdit(const ide::Snapshot& now) {
+  if (board.noticeEdit(now.open(), *now.includes())) outside.changed();
 }
 
 void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,

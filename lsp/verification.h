@@ -6,6 +6,7 @@
 #include "lsp/verification_settings.h"
 
 #include <condition_variable>
+#include <list>
 #include <thread>
 
 namespace proskill::lsp {
@@ -54,7 +55,7 @@ private:
   run(const Programs& program, const ide::OpenTexts& open, const WorkerJob& job,
       const Cancellation& cancellation, const std::function<void(const WorkerProgress&)>& progress);
   void record(const Programs& program, Verified verified);
-  void noticeEdit(const ide::OpenTexts& open);
+  void noticeEdit(const ide::Snapshot& now);
   void announce(const ProgramState& state);
   void log(std::string_view line) const {
     if (outside.log) outside.log(line);
@@ -63,6 +64,8 @@ private:
   [[nodiscard]] Answer verifyRequested(const Request& request);
   [[nodiscard]] Answer traceRequested(const Request& request) const;
   [[nodiscard]] VerificationSettings settingsNow() const;
+  void view(const std::filesystem::path& path);
+  [[nodiscard]] std::optional<std::filesystem::path> inView();
 
   Outside outside;
   VerdictBoard board;
@@ -72,8 +75,8 @@ private:
   Encoding encoding = Encoding::Utf16;
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
-  std::optional<std::filesystem::path> view; ///< what a user looks at
-  bool edited = false;                       ///< since `noticeEdit`
+  std::list<std::filesystem::path> viewed; ///< open texts that a user looked at, the last one first
+  bool edited = false;                     ///< since `noticeEdit`
   std::optional<Time> due;                   ///< of live verification
   Cancellation running;                      ///< of live verification
   Programs runningOn;

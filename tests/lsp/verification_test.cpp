@@ -245,6 +245,37 @@ TEST_CASE("an edit makes verdicts stale at once; what is taken back makes them c
   CHECK(diagnosticsWith(session, kLamp, true).size() == 1);
 }
 
+TEST_CASE("a file that a refactoring opens and closes leaves no outdated verdicts") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.disk = std::make_shared<test::MemoryFiles>(
+      std::map<std::string, std::string>{{"/w/lamp.proskill", kLampText}});
+  Session session(options);
+  session.initialize();
+  session.open(kMain, kGood);
+  verdictsIn(session, "done");
+  session.open(kLamp, kLampText);
+  session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
+  CHECK(verdictsIn(session, "done")["stale"] == false);
+  session.close(kLamp); // nothing was saved
+  CHECK(verdictsIn(session, "waiting")["stale"] == true);
+  CHECK(verdictsIn(session, "done")["stale"] == false);
+}
+
+TEST_CASE("a file that turns out to be part of a program has no verification of its own any more") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  Session session(options);
+  session.initialize();
+  const std::string part = "file:///w/part.proskill";
+  session.open(part, "(defevent off :effects (lamp Off))\n");
+  verdictsIn(session, "errors", part);
+  session.open(kLamp, kLampText);
+  session.open(kMain, kGood + "(include \"part.proskill\")\n");
+  CHECK(verdictsIn(session, "off", part)["message"] == "the file is part of a program");
+  CHECK(verdictsIn(session, "done")["counts"]["errors"] == 1);
+}
+
 TEST_CASE("a trace has places, dates and values, and says when it is stale") {
   Session session;
   openLamp(session, kBad);

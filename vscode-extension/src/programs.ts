@@ -27,11 +27,12 @@ export class Programs implements vscode.Disposable {
     return this.known.get(program);
   }
 
-  /** The programs that a file belongs to. */
+  /** The programs that a file belongs to; those last that are not verified. */
   of(uri: vscode.Uri): protocol.Verdicts[] {
     const text = uri.toString();
-    return this.all().filter((program) =>
+    const found = this.all().filter((program) =>
       [program.program, ...program.texts.map((it) => it.uri)].some((it) => vscode.Uri.parse(it).toString() === text));
+    return found.sort((left, right) => Number(left.state === 'off') - Number(right.state === 'off'));
   }
 
   /** Resolves as soon as nothing is being verified of what a text belongs to, at the latest when the time is over. */
