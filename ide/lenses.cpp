@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace proskill::ide {
 
@@ -26,22 +27,34 @@ bool isVerified(SymbolKind kind) {
   return kind == SymbolKind::Skill || kind == SymbolKind::Property;
 }
 
-/// What is known of a subject, counted.
+/// What is known of a subject, counted in the words of the command line.
 struct Summary {
   std::size_t good = 0;
   std::size_t bad = 0;
+  std::size_t toLookAt = 0; ///< violated too, and no mistake by itself
   std::size_t open = 0;
-  const PropertyVerdict* worst =
-      nullptr; ///< the first bad one, one with a trace where there is one
+  /// One with a trace where there is one: the first bad one, else the first to look at.
+  const PropertyVerdict* worst = nullptr;
 
   explicit Summary(const std::vector<const PropertyVerdict*>& verdicts) {
     for (const auto* verdict : verdicts) {
-      good += verdict->good() ? 1 : 0;
-      bad += verdict->bad() ? 1 : 0;
-      open += !verdict->good() && !verdict->bad() ? 1 : 0;
-      if (!verdict->bad()) continue;
-      if (!worst || (!worst->steps && verdict->steps)) worst = verdict;
+      if (verdict->good())
+        ++good;
+      else if (!verdict->bad())
+        ++open;
+      else
+        ++(isError(*verdict) ? bad : toLookAt);
+      if (verdict->bad() && (!worst || isWorse(*verdict, *worst))) worst = verdict;
     }
+  }
+
+  static bool isError(const PropertyVerdict& verdict) {
+    return verdict.weight == codegen::Weight::Error;
+  }
+
+  static bool isWorse(const PropertyVerdict& one, const PropertyVerdict& other) {
+    return std::pair(one.steps.has_value(), isError(one)) >
+           std::pair(other.steps.has_value(), isError(other));
   }
 
   [[nodiscard]] std::string words() const {
@@ -49,9 +62,10 @@ struct Summary {
     auto add = [&](std::size_t count, std::string_view what) {
       if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
     };
-    add(bad, "violated");
-    add(good, "verified");
+    add(bad, "bad");
+    add(toLookAt, "to look at");
     add(open, "inconclusive");
+    add(good, "good");
     return (bad > 0 ? "✗ " : open > 0 ? "? " : "✓ ") + text;
   }
 };

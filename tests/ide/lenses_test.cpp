@@ -57,8 +57,24 @@ TEST_CASE("each definition has the lenses that fit it") {
 TEST_CASE("verdicts are counted, and lead to a trace where there is one") {
   const MarkedProgram program(kProgram);
   const auto verdicts = verdictsFor(program);
-  CHECK(titles(program, verdicts, "go").front() == "✗ 2 violated, 1 verified, 1 inconclusive");
+  CHECK(titles(program, verdicts, "go").front() == "✗ 2 bad, 1 inconclusive, 1 good");
   for (const auto& lens : ide::lenses(program.view(), verdicts))
+    if (lens.kind == ide::LensKind::Verdicts) CHECK(lens.property == "go.c");
+}
+
+TEST_CASE("what is only to look at is told apart, and is no failure") {
+  const MarkedProgram program(kProgram);
+  auto properties = std::vector{verdict("go.a", ide::Verdict::Holds, {}),
+                                verdict("go.b", ide::Verdict::Violated, 7)};
+  properties.back().weight = codegen::Weight::Warning;
+  auto verdicts = std::make_shared<ide::ProgramVerdicts>();
+  verdicts->program = program.view().owner;
+  verdicts->properties = properties;
+  const ide::Verdicts all{{program.view().program().files.front().path, verdicts}};
+  CHECK(titles(program, all, "go").front() == "✓ 1 to look at, 1 good");
+  verdicts->properties.push_back(verdict("go.c", ide::Verdict::Violated, 3));
+  CHECK(titles(program, all, "go").front() == "✗ 1 bad, 1 to look at, 1 good");
+  for (const auto& lens : ide::lenses(program.view(), all))
     if (lens.kind == ide::LensKind::Verdicts) CHECK(lens.property == "go.c");
 }
 

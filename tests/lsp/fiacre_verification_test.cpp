@@ -86,9 +86,9 @@ TEST_CASE("a model in view is verified, and its verdicts are at its properties")
   CHECK(found[0]["range"]["start"] == rangeOf(7, 9, 9)["start"]);
   CHECK(found[0]["data"]["name"] == "stays");
   CHECK(found[0]["relatedInformation"][0]["location"]["range"]["start"]["line"] == 4);
-  CHECK(lensesOn(session, 6) == Titles{"✗ 1 violated, 2 verified", "verify"});
-  CHECK(lensesOn(session, 7) == Titles{"✗ 1 violated", "verify"});
-  CHECK(lensesOn(session, 8) == Titles{"✓ 1 verified", "verify"});
+  CHECK(lensesOn(session, 6) == Titles{"✗ 1 bad, 2 good", "verify"});
+  CHECK(lensesOn(session, 7) == Titles{"✗ 1 bad", "verify"});
+  CHECK(lensesOn(session, 8) == Titles{"✓ 1 good", "verify"});
   auto asked = document(kModel);
   asked["name"] = "stays";
   const auto trace = session.result("proskill/trace", asked);
@@ -105,10 +105,10 @@ TEST_CASE("an edit makes the verdicts of a model stale, and a mistake is told in
   session.change(kModel, 2, rangeOf(1, 7, 11), "shot");
   CHECK(verdictsIn(session, "errors")["stale"] == true);
   diagnosticsWith(session, false);
-  CHECK(lensesOn(session, 8) == Titles{"✓ 1 verified (outdated)", "verify"});
+  CHECK(lensesOn(session, 8) == Titles{"✓ 1 good (outdated)", "verify"});
   session.change(kModel, 3, rangeOf(1, 7, 11), "shut");
   CHECK(verdictsIn(session, "done")["stale"] == false);
-  CHECK(lensesOn(session, 8) == Titles{"✓ 1 verified", "verify"});
+  CHECK(lensesOn(session, 8) == Titles{"✓ 1 good", "verify"});
 }
 
 TEST_CASE("a property of a model is verified when that is asked for") {
