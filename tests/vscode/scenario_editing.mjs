@@ -20,6 +20,9 @@ async function typeAndWait(page, key) {
   return page.evaluate(() => window.seen);
 }
 
+/** Verdicts of the text as it is. */
+const kVerified = /\d+ (bad|to look at|of \d+ good)(?!.*outdated)/;
+
 export const scenarios = {
   /** `Controlled` becomes `Controlledx`, far from bad verdicts; its problem appears, and disappears when it is undone. */
   async mistake({ editor, page }) {
@@ -77,8 +80,21 @@ export const scenarios = {
     await editor.command('File: Save All Files');
     await expect('the new name in both files', () => ['world', 'mission']
       .every((name) => readFileSync(join(root, `rover/${name}.proskill`), 'utf8').includes('charge_left')));
+    await editor.statusSays(kVerified, 60_000); // though files were opened and closed again that the user did not look at
     for (const name of ['world', 'skills', 'mission', 'rover'])
       equal(`the old name in ${name}`, /\(energy |\benergy\)/.test(readFileSync(join(root, `rover/${name}.proskill`), 'utf8')), false);
+  },
+
+  /** Where a file that others include is open, alone: after a restart the status is that of its program. */
+  async restarted({ editor, server }) {
+    await editor.command('View: Close All Editors');
+    await editor.openFile('rover/world.proskill');
+    await editor.statusSays(kVerified, 60_000);
+    const before = server.servers().map(({ pid }) => pid);
+    await editor.command('ProSkill: Restart the Server');
+    await expect('another server', () => server.servers().some(({ pid }) => !before.includes(pid)));
+    await editor.statusSays(/errors|verifying|^ *ProSkill *$/); // what the old one has said is gone
+    await editor.statusSays(kVerified, 60_000);
   },
 
   /** A model by hand: its colours, its comments, a mistake in it, and what a name is. */

@@ -70,7 +70,7 @@ export const scenarios = {
     await editor.type('; ');
     await editor.statusSays('(outdated)');
     await mission(page).locator('.computed-state.retired').waitFor();
-    await page.locator('.codelens-decoration', { hasText: /violated.*\(outdated\)/ }).first().waitFor();
+    await page.locator('.codelens-decoration', { hasText: /bad.*\(outdated\)/ }).first().waitFor();
     await editor.picture('outdated-all');
     await undone(world);
   },
@@ -93,7 +93,7 @@ export const scenarios = {
     rmSync(path);
   },
 
-  /** Live again: while the continuous run is on, verdicts follow the text without a click. */
+  /** Live again: verdicts follow the text without a click. */
   async continuous(world) {
     const { editor, page, root } = world;
     await writeSettings(world, '{}');
@@ -107,7 +107,6 @@ export const scenarios = {
     await expand(page, 'blinking (');
     const verdict = (icon) => row(page, 'takes at most').first().locator(`.computed-state.codicon-testing-${icon}-icon:not(.retired)`).waitFor();
     await row(page, 'takes at most 9 s').first().waitFor();
-    await page.locator('.codicon-testing-turn-continuous-run-on').first().click();
     await verdict('passed');
     await editor.press('Control+1');
     await editor.goTo(kBlink.split('\n').findIndex((line) => line.includes('[0,9]')) + 1, 22);
@@ -118,7 +117,6 @@ export const scenarios = {
     await editor.picture('continuous-failed');
     await undone(world);
     await verdict('passed');
-    await page.locator('.codicon-testing-turn-continuous-run-off').first().click();
     await editor.command('View: Close Editor');
     rmSync(path);
     await editor.openFile(kDrone);

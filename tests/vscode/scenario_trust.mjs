@@ -12,13 +12,21 @@ export const scenarios = {
     await editor.squiggles().first().waitFor({ state: 'detached' });
   },
 
+  /** Trust is granted because somebody wants to verify, by a mark beside the text: that is then done. */
   async trusted({ editor, page, server }) {
     const before = server.servers().map(({ pid }) => pid);
-    await editor.command('Workspaces: Manage Workspace Trust');
-    await page.locator('.workspace-trust-editor .monaco-button', { hasText: /^Trust$/ }).first().click();
+    await editor.openFile('drone/drone.proskill');
+    await page.locator('.monaco-editor[data-uri$="drone.proskill"] .testing-run-glyph').first().click();
+    await page.locator('.monaco-dialog-box .monaco-button', { hasText: /^Trust/ }).first().click();
     await expect('the server started again, with trust', () => {
       const now = server.servers().map(({ pid }) => pid);
       return now.length === 1 && !before.includes(now[0]);
     });
+    await editor.statusSays(/\d+ bad, \d+ to look at/, 60_000);
+    await editor.command('Testing: Focus on Test Explorer View');
+    await page.locator('.test-explorer .codicon-testing-passed-icon, .test-explorer .codicon-testing-failed-icon').first().waitFor();
+    await editor.picture('trusted-verified');
+    equal('properties that could not be verified', await page.locator('.test-explorer .codicon-testing-error-icon').count(), 0);
+    await editor.press('Control+1');
   },
 };

@@ -1,9 +1,12 @@
 import * as vscode from 'vscode';
-import { CloseAction, ErrorAction, LanguageClient, State, type LanguageClientOptions } from 'vscode-languageclient/node';
+import { CloseAction, ErrorAction, LanguageClient, State, type LanguageClientOptions, type RequestType } from 'vscode-languageclient/node';
 import { findServer, type Server } from './find_server';
 import * as protocol from './protocol';
 import { Restarts } from './restarts';
 import { initializationOptions } from './settings';
+
+/** Milliseconds that a server may take to start before a request fails. */
+const kMostToStart = 30_000;
 
 export type Life = 'starting' | 'running' | 'crashed' | 'missing' | 'stopped';
 
@@ -26,6 +29,8 @@ export class Client implements vscode.Disposable {
   private current: LanguageClient | undefined;
   private begun: Promise<void> | undefined;
   private readonly restarts = new Restarts();
+  /** whether the server was started for a workspace that is trusted */
+  private trusted = false;
 
   constructor(private readonly extensionPath: string) {}
 
@@ -39,7 +44,36 @@ export class Client implements vscode.Disposable {
     return this.current?.state === State.Running;
   }
 
+  /** Sends a request as soon as the server runs, and again where it was sent to one that was stopped to start anew. */
+  async ask<P, R>(type: RequestType<P, R, void>, params: P, token?: vscode.CancellationToken): Promise<R> {
+    const client = await this.whenRunning(token);
+    try {
+      return await client.sendRequest(type, params, token);
+    } catch (error) {
+      if (client === this.current || token?.isCancellationRequested) throw error;
+      return (await this.whenRunning(token)).sendRequest(type, params, token);
+    }
+  }
+
+  /** The client, once a server that is being started runs: after a crash, on request, with the trust just granted. */
+  async whenRunning(token?: vscode.CancellationToken): Promise<LanguageClient> {
+    const isDue = (): boolean =>
+      (!this.ready || this.trusted !== vscode.workspace.isTrusted) && this.life !== 'crashed' && this.life !== 'missing';
+    if (isDue())
+      await new Promise<void>((resolve) => {
+        const done = (): void => {
+          clearTimeout(limit);
+          vscode.Disposable.from(...waits).dispose();
+          resolve();
+        };
+        const limit = setTimeout(done, kMostToStart);
+        const waits = [this.onLife(() => !isDue() && done()), ...(token ? [token.onCancellationRequested(done)] : [])];
+      });
+    return this.running;
+  }
+
   async start(): Promise<void> {
+    this.trusted = vscode.workspace.isTrusted;
     this.live('starting');
     try {
       this.server = await findServer(this.extensionPath);

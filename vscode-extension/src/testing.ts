@@ -16,15 +16,15 @@ const kRefresh = 400;
 export class Testing implements vscode.Disposable {
   private readonly controller = vscode.tests.createTestController('proskill', 'ProSkill');
   private readonly nodes = new WeakMap<vscode.TestItem, Node>();
+  /** by program: what was told of it last */
   private readonly live = new Map<string, string>();
-  private continuous: { programs: Set<string> | null } | undefined;
   private readonly subscriptions: vscode.Disposable[];
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
 
   constructor(private readonly client: Client, private readonly programs: Programs) {
     this.controller.createRunProfile(
-      'Verify', vscode.TestRunProfileKind.Run, (request, token) => this.run(request, token), true, undefined, true);
+      'Verify', vscode.TestRunProfileKind.Run, (request, token) => this.run(request, token), true);
     this.controller.refreshHandler = () => this.refresh();
     this.controller.resolveHandler = async (item) => {
       if (!item) await this.refresh();
@@ -73,7 +73,9 @@ export class Testing implements vscode.Disposable {
     const asked = ++this.asked;
     try {
       const { programs } = await this.client.running.sendRequest(protocol.tests, {});
-      if (asked === this.asked) this.controller.items.replace(programs.map((program) => this.programItem(program)));
+      if (asked !== this.asked) return;
+      this.controller.items.replace(programs.map((program) => this.programItem(program, labelOf(program, programs))));
+      for (const program of this.programs.all()) this.news(program);
     } catch (error) {
       this.client.output.warn(`no list of properties: ${String(error)}`);
     }
@@ -90,8 +92,8 @@ export class Testing implements vscode.Disposable {
     return item;
   }
 
-  private programItem(program: protocol.TestedProgram): vscode.TestItem {
-    const item = this.item(this.controller.items, program.uri, program.label, null, vscode.Uri.parse(program.uri));
+  private programItem(program: protocol.TestedProgram, label: string): vscode.TestItem {
+    const item = this.item(this.controller.items, program.uri, label, null, vscode.Uri.parse(program.uri));
     item.error = program.error ?? undefined;
     this.nodes.set(item, { kind: 'program', program: program.uri });
     item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
@@ -102,8 +104,9 @@ export class Testing implements vscode.Disposable {
     const item = this.item(parent.children, `${program}#${subject.id}`, subject.label, subject.location, parent.uri);
     item.sortText = String(index).padStart(5, '0');
     this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
+    // At the definition, whatever statements they are about: a mark beside each line would be no help.
     item.children.replace(subject.properties.map((property, place) => {
-      const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), property.location ?? subject.location, parent.uri);
+      const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), subject.location ?? property.location, parent.uri);
       child.sortText = String(place).padStart(5, '0');
       this.nodes.set(child, { kind: 'property', program, name: property.id });
       return child;
@@ -129,7 +132,6 @@ export class Testing implements vscode.Disposable {
   }
 
   private async run(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
-    if (request.continuous) return this.follow(request, token);
     if (!vscode.workspace.isTrusted) {
       void vscode.window.showWarningMessage('ProSkill verifies nothing in a workspace that is not trusted.');
       return;
@@ -152,7 +154,7 @@ export class Testing implements vscode.Disposable {
       run.token.onCancellationRequested(() => cancelled.cancel()));
     try {
       const names = this.isAll(program, items) ? [] : items.map((item) => this.nameOf(item));
-      const result = await this.client.running.sendRequest(
+      const result = await this.client.ask(
         protocol.verify, { textDocument: { uri: program }, names }, cancelled.token);
       this.tell(run, items, result.verdicts, result.exploration.seconds);
       run.appendOutput(summary(program, result).replace(/\n/g, '\r\n'));
@@ -180,48 +182,44 @@ export class Testing implements vscode.Disposable {
 
   /**
    * One exploration decides all: each has its share of the time, and what stands above them has all of it. What is only to
-   * look at has no message: VS Code would write it in red into the text, where a warning stands already.
+   * look at is no failure: it is skipped, and said in the output, so that a program without mistakes is all green.
    */
-  private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number): void {
+  private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number, messages = true): void {
     const byName = new Map(verdicts.map((verdict) => [verdict.name, verdict]));
     const share = seconds * 1000 / Math.max(verdicts.length, 1);
     for (const item of items) {
       const verdict = byName.get(this.nameOf(item));
-      if (!verdict) run.skipped(item);
-      else if (verdict.good) run.passed(item, share);
-      else if (verdict.verdict === 'inconclusive') run.errored(item, messageOf(item, verdict), share);
-      else run.failed(item, verdict.severity === 'error' ? messageOf(item, verdict) : [], share);
+      const message = (): vscode.TestMessage | [] => (verdict && messages ? messageOf(item, verdict) : []);
+      if (verdict?.good) run.passed(item, share);
+      else if (verdict?.verdict === 'inconclusive') run.errored(item, message(), share);
+      else if (verdict?.severity === 'error') run.failed(item, message(), share);
+      else run.skipped(item);
     }
   }
 
-  // ---- continuous runs: what the server verifies by itself ----------------------------------------
+  // ---- what is verified without a run: live, or by the command -------------------------------------
 
-  private follow(request: vscode.TestRunRequest, token: vscode.CancellationToken): void {
-    const programs = request.include ? new Set(this.selected(request).keys()) : null;
-    const following = { programs };
-    this.continuous = following;
-    this.live.clear();
-    token.onCancellationRequested(() => {
-      if (this.continuous === following) this.continuous = undefined;
-    });
-    for (const program of this.programs.all()) this.news(program);
-  }
-
+  /** Everything here is told already, in the text and by the status bar: no messages, and nothing opens. */
   private news(program: protocol.Verdicts): void {
-    if (!this.controller.items.get(program.program)) this.soon();
-    const wanted = this.continuous && (this.continuous.programs?.has(program.program) ?? true);
-    if (!wanted || program.state !== 'done' || program.stale) return;
     const item = this.controller.items.get(program.program);
+    if (!item) this.soon();
+    if (!item || program.state !== 'done' || program.stale) return;
     const known = JSON.stringify([program.texts, program.verdicts.map(({ name, verdict }) => [name, verdict])]);
-    if (!item || this.live.get(program.program) === known) return;
+    if (this.live.get(program.program) === known) return;
     this.live.set(program.program, known);
-    const request = new vscode.TestRunRequest([item], undefined, undefined, true);
+    const request = new vscode.TestRunRequest([item], undefined, undefined, true, true);
     const run = this.controller.createTestRun(request, 'Live verification', false);
-    const items = [...this.selected(request).values()].flat();
     const decided = new Set(program.verdicts.map(({ name }) => name));
-    this.tell(run, items.filter((it) => decided.has(this.nameOf(it))), program.verdicts, program.exploration?.seconds ?? 0);
+    const items = [...this.selected(request).values()].flat().filter((it) => decided.has(this.nameOf(it)));
+    this.tell(run, items, program.verdicts, program.exploration?.seconds ?? 0, false);
     run.end();
   }
+}
+
+/** Its name; where several have it, with the folders that tell them apart. */
+function labelOf(program: protocol.TestedProgram, all: protocol.TestedProgram[]): string {
+  const isAlone = all.filter(({ label }) => label === program.label).length === 1;
+  return isAlone ? program.label : vscode.workspace.asRelativePath(vscode.Uri.parse(program.uri));
 }
 
 /** Without the marks of code, which would be shown as they are. */

@@ -29,12 +29,12 @@ async function request(client: Client, program: vscode.Uri, names: string[],
                        progress: vscode.Progress<{ message?: string }>, token: vscode.CancellationToken):
                        Promise<protocol.VerifyResult | undefined> {
   const workDoneToken = `proskill.verify.${++asked}`;
-  const reports = client.running.onProgress(
+  const reports = (await client.whenRunning(token)).onProgress(
     { is: (value: unknown): value is WorkDone => typeof value === 'object' } as never, workDoneToken, (value: WorkDone) => {
       if (value.message) progress.report({ message: value.message });
     });
   try {
-    return await client.running.sendRequest(
+    return await client.ask(
       protocol.verify, { textDocument: { uri: program.toString() }, names, workDoneToken }, token);
   } catch (error) {
     if (token.isCancellationRequested) return undefined;
