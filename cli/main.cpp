@@ -3,17 +3,17 @@
 // leaves its result in `exitCode` when it has run. A new one is added in two places here: the
 // include and the list in main().
 
-#include "cli/check.h"
-#include "cli/dap.h"
-#include "cli/emit.h"
-#include "cli/explain.h"
-#include "cli/fmt.h"
-#include "cli/graph.h"
-#include "cli/lsp.h"
-#include "cli/verify.h"
-#include "cli/verify_worker.h"
-#include "cli/view.h"
-#include "syntax/suggest.h"
+#include "cli/commands/check.h"
+#include "cli/commands/dap.h"
+#include "cli/commands/emit.h"
+#include "cli/commands/explain.h"
+#include "cli/commands/fmt.h"
+#include "cli/commands/graph.h"
+#include "cli/commands/lsp.h"
+#include "cli/commands/verify.h"
+#include "cli/commands/verify_worker.h"
+#include "cli/commands/view.h"
+#include "syntax/diagnostics/suggest.h"
 
 #include <CLI/CLI.hpp>
 

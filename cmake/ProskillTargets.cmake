@@ -59,10 +59,11 @@ function(proskill_uses_asio file)
   endif()
 endfunction()
 
-# proskill_library(NAME [PRECOMPILED name] DEPENDS target…): every *.cpp of the current folder, as target proskill_NAME.
+# proskill_library(NAME [PRECOMPILED name] DEPENDS target…): every *.cpp of the current folder and those
+# below it, as target proskill_NAME.
 function(proskill_library name)
   cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     add_library(proskill_${name} INTERFACE)
     return()

@@ -1,8 +1,8 @@
-#include "codegen/annotate.h"
-#include "codegen/checks.h"
-#include "codegen/component.h"
 #include "codegen/model.h"
-#include "codegen/watched.h"
+#include "codegen/process/component.h"
+#include "codegen/property/checks.h"
+#include "codegen/term/annotate.h"
+#include "codegen/term/watched.h"
 
 namespace proskill::codegen {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analysis/program.h"
-#include "fiacre/tree.h"
+#include "analysis/program/program.h"
+#include "fiacre/syntax/tree.h"
 
 #include <cstdint>
 #include <expected>

@@ -1,7 +1,7 @@
 #include "dap/adapter.h"
 
-#include "ide/markup.h"
-#include "lsp/framing.h"
+#include "ide/description/markup.h"
+#include "rpc/framing.h"
 
 #include <fmt/format.h>
 

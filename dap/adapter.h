@@ -3,9 +3,9 @@
 #include "dap/launch.h"
 #include "dap/player.h"
 
-#include "lsp/connection.h"
-#include "lsp/framing.h"
-#include "lsp/outbox.h"
+#include "rpc/connection.h"
+#include "rpc/framing.h"
+#include "rpc/outbox.h"
 
 #include <condition_variable>
 #include <deque>

@@ -2,8 +2,8 @@
 
 #include "dap/source.h"
 
-#include "analysis/file_system.h"
-#include "lsp/run_worker.h"
+#include "analysis/program/file_system.h"
+#include "worker/run_worker.h"
 
 namespace proskill::dap {
 

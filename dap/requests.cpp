@@ -1,6 +1,6 @@
 #include "dap/adapter.h"
 
-#include "ide/markup.h"
+#include "ide/description/markup.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "dap/source.h"
 
-#include "ide/simulation.h"
+#include "ide/verdicts/simulation.h"
 
 #include <algorithm>
 

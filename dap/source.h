@@ -2,9 +2,9 @@
 
 #include "dap/steps.h"
 
-#include "analysis/program.h"
+#include "analysis/program/program.h"
 #include "codegen/model.h"
-#include "verify/simulation.h"
+#include "verify/trace/simulation.h"
 
 #include <memory>
 #include <set>

@@ -1,6 +1,6 @@
 #include "dap/steps.h"
 
-#include "lsp/uri.h"
+#include "report/uri.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lsp/report_json.h"
+#include "report/report_json.h"
 #include "verify/verify.h"
 
 #include <filesystem>

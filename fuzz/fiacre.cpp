@@ -1,7 +1,7 @@
-#include "fiacre/check.h"
-#include "fiacre/format.h"
-#include "fiacre/parse.h"
-#include "fiacre/print.h"
+#include "fiacre/check/check.h"
+#include "fiacre/format/format.h"
+#include "fiacre/syntax/parse.h"
+#include "fiacre/syntax/print.h"
 #include "fuzz/targets.h"
 
 #include <algorithm>

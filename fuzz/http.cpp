@@ -1,4 +1,4 @@
-#include "cli/http.h"
+#include "view/http.h"
 #include "fuzz/targets.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "analysis/flow/inspect.h"
-#include "analysis/program.h"
+#include "analysis/program/program.h"
 #include "fuzz/targets.h"
-#include "syntax/format.h"
+#include "syntax/format/format.h"
 
 #include <string>
 

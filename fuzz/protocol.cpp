@@ -1,8 +1,8 @@
 #include "fuzz/targets.h"
-#include "lsp/framing.h"
-#include "lsp/position.h"
-#include "lsp/rpc.h"
-#include "lsp/uri.h"
+#include "report/uri.h"
+#include "rpc/framing.h"
+#include "rpc/rpc.h"
+#include "syntax/text/position.h"
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 #include "syntax/document.h"
 
-#include "syntax/change.h"
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 #include "syntax/region.h"
-#include "syntax/scan.h"
-#include "syntax/shift.h"
+#include "syntax/text/change.h"
+#include "syntax/text/scan.h"
+#include "syntax/tree/shift.h"
 
 #include <algorithm>
 #include <cassert>

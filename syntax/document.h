@@ -1,9 +1,9 @@
 #pragma once
 
-#include "syntax/change.h"
-#include "syntax/diagnostic.h"
-#include "syntax/form.h"
-#include "syntax/tree.h"
+#include "syntax/diagnostics/diagnostic.h"
+#include "syntax/text/change.h"
+#include "syntax/tree/form.h"
+#include "syntax/tree/tree.h"
 
 #include <cstdint>
 #include <memory>

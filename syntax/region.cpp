@@ -1,11 +1,11 @@
 #include "syntax/region.h"
 
-#include "syntax/build.h"
-#include "syntax/codes.h"
-#include "syntax/mend.h"
-#include "syntax/scan.h"
-#include "syntax/statements.h"
-#include "syntax/words.h"
+#include "syntax/diagnostics/codes.h"
+#include "syntax/recovery/mend.h"
+#include "syntax/text/scan.h"
+#include "syntax/tree/build.h"
+#include "syntax/tree/statements.h"
+#include "syntax/tree/words.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "syntax/ast.h"
-#include "syntax/diagnostic.h"
-#include "syntax/tree.h"
+#include "syntax/diagnostics/diagnostic.h"
+#include "syntax/tree/ast.h"
+#include "syntax/tree/tree.h"
 
 #include <memory>
 #include <memory_resource>

@@ -1,6 +1,6 @@
 #include "tina/backend.h"
 
-#include "fiacre/print.h"
+#include "fiacre/syntax/print.h"
 #include "tina/guide.h"
 #include "tina/outputs.h"
 #include "tina/session.h"

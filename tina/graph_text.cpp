@@ -1,5 +1,5 @@
 #include "tina/graph_text.h"
-#include "verify/tina_names.h"
+#include "verify/graph/tina_names.h"
 
 #include <algorithm>
 #include <ostream>

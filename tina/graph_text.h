@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verify/state_graph.h"
+#include "verify/graph/state_graph.h"
 
 #include <iosfwd>
 #include <string>

@@ -1,7 +1,7 @@
 #include "tina/guide.h"
 
-#include "verify/evaluate.h"
-#include "verify/place.h"
+#include "verify/state/evaluate.h"
+#include "verify/state/place.h"
 
 #include <algorithm>
 

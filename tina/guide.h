@@ -2,8 +2,8 @@
 
 #include "tina/ktz_text.h"
 #include "tina/names.h"
-#include "verify/compile.h"
-#include "verify/witness.h"
+#include "verify/compile/compile.h"
+#include "verify/trace/witness.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "tina/names.h"
 
-#include "verify/tina_names.h"
+#include "verify/graph/tina_names.h"
 
 #include <algorithm>
 #include <charconv>

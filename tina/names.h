@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verify/system.h"
+#include "verify/model/system.h"
 
 #include <map>
 #include <optional>

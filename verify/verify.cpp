@@ -1,14 +1,14 @@
 #include "verify/verify.h"
 
-#include "verify/compile.h"
-#include "verify/dead_variables.h"
-#include "verify/live_variables.h"
-#include "verify/monitor_search.h"
-#include "verify/open_variables.h"
-#include "verify/place.h"
-#include "verify/safe_steps.h"
-#include "verify/search.h"
-#include "verify/witness.h"
+#include "verify/compile/compile.h"
+#include "verify/explore/monitor_search.h"
+#include "verify/explore/search.h"
+#include "verify/reduce/dead_variables.h"
+#include "verify/reduce/live_variables.h"
+#include "verify/reduce/open_variables.h"
+#include "verify/reduce/safe_steps.h"
+#include "verify/state/place.h"
+#include "verify/trace/witness.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "analysis/flow/flow.h"
 
-#include "analysis/flow/checks.h"
-#include "analysis/stop.h"
+#include "analysis/flow/checks/checks.h"
+#include "analysis/program/stop.h"
 
 namespace proskill::analysis::flow {
 

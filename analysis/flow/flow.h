@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analysis/flow/solver.h"
-#include "analysis/index.h"
+#include "analysis/flow/engine/solver.h"
+#include "analysis/names/index.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "analysis/flow/ignores.h"
 
-#include "analysis/findings.h"
-#include "syntax/codes.h"
+#include "analysis/names/findings.h"
+#include "syntax/diagnostics/codes.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,7 +1,7 @@
 #include "analysis/flow/inspect.h"
 
-#include "analysis/findings.h"
 #include "analysis/flow/ignores.h"
+#include "analysis/names/findings.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #include "ide/actions/action.h"
 
-#include "syntax/format.h"
+#include "syntax/format/format.h"
 
 #include <algorithm>
 

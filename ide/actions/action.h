@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ide/snapshot.h"
-#include "syntax/edit.h"
+#include "ide/snapshot/snapshot.h"
+#include "syntax/text/edit.h"
 
 #include <string>
 #include <string_view>

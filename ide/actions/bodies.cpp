@@ -1,5 +1,5 @@
 #include "ide/actions/statements.h"
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "ide/actions/action.h"
-#include "ide/diagnostics.h"
+#include "ide/description/diagnostics.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "analysis/index.h"
-#include "syntax/codes.h"
+#include "analysis/names/index.h"
+#include "syntax/diagnostics/codes.h"
 #include "tests/analysis/findings.h"
 #include "tests/support/memory_files.h"
 

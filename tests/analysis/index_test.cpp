@@ -1,4 +1,4 @@
-#include "analysis/index.h"
+#include "analysis/names/index.h"
 #include "tests/analysis/findings.h"
 #include "tests/support/marked_source.h"
 #include "tests/support/memory_files.h"

@@ -1,4 +1,4 @@
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 #include "tests/analysis/findings.h"
 
 #include <catch2/catch.hpp>

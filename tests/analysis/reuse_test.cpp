@@ -1,5 +1,5 @@
 #include "analysis/flow/inspect.h"
-#include "analysis/reuse.h"
+#include "analysis/names/reuse.h"
 #include "tests/support/memory_files.h"
 #include "tests/support/random_edits.h"
 #include "tests/syntax/programs.h"

@@ -1,4 +1,4 @@
-#include "codegen/body_automaton.h"
+#include "codegen/plan/body_automaton.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

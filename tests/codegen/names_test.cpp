@@ -1,4 +1,4 @@
-#include "codegen/namer.h"
+#include "codegen/plan/namer.h"
 #include "tests/codegen/model_of.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "codegen/plan.h"
+#include "codegen/plan/plan.h"
 #include "tests/codegen/model_of.h"
 #include "tests/support/texts.h"
 

@@ -1,7 +1,7 @@
 #include "tests/codegen/platform.h"
 
-#include "codegen/build.h"
-#include "codegen/mentions.h"
+#include "codegen/plan/mentions.h"
+#include "codegen/term/build.h"
 
 #include <algorithm>
 

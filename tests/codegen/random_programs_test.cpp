@@ -1,6 +1,6 @@
 #include "codegen/model.h"
-#include "fiacre/check.h"
-#include "fiacre/print.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/print.h"
 #include "tests/support/random_program.h"
 #include "tests/support/texts.h"
 

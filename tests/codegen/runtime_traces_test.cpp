@@ -1,4 +1,4 @@
-#include "fiacre/check.h"
+#include "fiacre/check/check.h"
 #include "tests/codegen/platform.h"
 #include "tests/support/random_program.h"
 #include "tests/support/texts.h"

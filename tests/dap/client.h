@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lsp/framing.h"
-#include "lsp/rpc.h"
 #include "process/child.h"
+#include "rpc/framing.h"
+#include "rpc/rpc.h"
 
 #include <deque>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "tests/fiacre/build.h"
 
-#include "fiacre/check.h"
-#include "fiacre/parse.h"
-#include "fiacre/words.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/parse.h"
+#include "fiacre/syntax/words.h"
 
 #include <catch2/catch.hpp>
 

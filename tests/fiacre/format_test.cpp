@@ -1,9 +1,9 @@
-#include "fiacre/format.h"
+#include "fiacre/format/format.h"
 
 #include "codegen/model.h"
-#include "fiacre/lexer.h"
-#include "fiacre/parse.h"
-#include "fiacre/print.h"
+#include "fiacre/syntax/lexer.h"
+#include "fiacre/syntax/parse.h"
+#include "fiacre/syntax/print.h"
 #include "tests/support/canonical.h"
 #include "tests/support/random_model.h"
 #include "tests/support/random_program.h"

@@ -1,8 +1,8 @@
-#include "fiacre/parse.h"
+#include "fiacre/syntax/parse.h"
 
 #include "codegen/model.h"
-#include "fiacre/check.h"
-#include "fiacre/print.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/print.h"
 #include "tests/support/canonical.h"
 #include "tests/support/random_model.h"
 #include "tests/support/random_program.h"

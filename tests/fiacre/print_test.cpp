@@ -1,6 +1,6 @@
 #include "tests/fiacre/build.h"
 
-#include "fiacre/print.h"
+#include "fiacre/syntax/print.h"
 
 #include <catch2/catch.hpp>
 

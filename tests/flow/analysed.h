@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/flow/solver.h"
+#include "analysis/flow/engine/solver.h"
 
 #include <memory>
 #include <string>

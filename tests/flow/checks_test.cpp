@@ -1,5 +1,5 @@
 #include "analysis/flow/inspect.h"
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 #include "tests/support/marked_source.h"
 #include "tests/support/texts.h"
 

@@ -1,6 +1,6 @@
 #include "tests/flow/questions.h"
 
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analysis/flow/report.h"
-#include "syntax/diagnostic.h"
+#include "analysis/flow/result/report.h"
+#include "syntax/diagnostics/diagnostic.h"
 
 #include <string>
 #include <string_view>

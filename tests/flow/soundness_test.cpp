@@ -1,4 +1,4 @@
-#include "syntax/diagnostic.h"
+#include "syntax/diagnostics/diagnostic.h"
 #include "tests/flow/judgement.h"
 #include "tests/support/random_program.h"
 

@@ -110,7 +110,7 @@ const std::set<std::string_view> kOfMistakes{"surplus_close",  "keyword",    "op
 
 constexpr std::array kNodes{
 #define NODE(name, type) std::string_view(type),
-#include "syntax/node_kinds.def"
+#include "syntax/tree/node_kinds.def"
 #undef NODE
 };
 

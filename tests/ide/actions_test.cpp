@@ -1,5 +1,5 @@
 #include "ide/actions/action.h"
-#include "syntax/format.h"
+#include "syntax/format/format.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/completion.h"
+#include "ide/completion/completion.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
-#include "ide/fiacre_file.h"
+#include "ide/snapshot/fiacre_file.h"
 
-#include "ide/verification.h"
-#include "syntax/codes.h"
+#include "ide/verdicts/verification.h"
+#include "syntax/diagnostics/codes.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "ide/fiacre_rename.h"
-#include "ide/fiacre_text.h"
+#include "ide/fiacre/fiacre_rename.h"
+#include "ide/fiacre/fiacre_text.h"
 
 #include "tests/support/marked_source.h"
 #include "tests/support/texts.h"

@@ -1,4 +1,4 @@
-#include "ide/hierarchy.h"
+#include "ide/features/hierarchy.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

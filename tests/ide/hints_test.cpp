@@ -1,4 +1,4 @@
-#include "ide/inlay_hints.h"
+#include "ide/features/inlay_hints.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/hover.h"
+#include "ide/features/hover.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/include_graph.h"
+#include "ide/snapshot/include_graph.h"
 #include "tests/support/linked_files.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/lenses.h"
+#include "ide/features/lenses.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ide/snapshot.h"
+#include "ide/snapshot/snapshot.h"
 #include "tests/support/marked_source.h"
 
 #include <map>

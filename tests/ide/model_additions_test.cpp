@@ -1,6 +1,6 @@
-#include "ide/model_additions.h"
+#include "ide/verdicts/model_additions.h"
 
-#include "ide/verification.h"
+#include "ide/verdicts/verification.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

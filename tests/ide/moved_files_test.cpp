@@ -1,4 +1,4 @@
-#include "ide/moved_files.h"
+#include "ide/features/moved_files.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/navigation.h"
+#include "ide/features/navigation.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/rename.h"
+#include "ide/features/rename.h"
 #include "tests/ide/marked_program.h"
 #include "tests/support/memory_files.h"
 

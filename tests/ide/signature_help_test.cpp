@@ -1,4 +1,4 @@
-#include "ide/signature_help.h"
+#include "ide/completion/signature_help.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "analysis/stop.h"
-#include "ide/diagnostics.h"
+#include "analysis/program/stop.h"
+#include "ide/description/diagnostics.h"
 #include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ide/structure.h"
+#include "ide/features/structure.h"
 #include "tests/support/marked_source.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "ide/fuzzy.h"
-#include "ide/symbols.h"
+#include "ide/completion/fuzzy.h"
+#include "ide/features/symbols.h"
 #include "tests/ide/marked_program.h"
 #include "tests/support/memory_files.h"
 

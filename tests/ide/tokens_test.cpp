@@ -1,4 +1,4 @@
-#include "ide/tokens.h"
+#include "ide/features/tokens.h"
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>

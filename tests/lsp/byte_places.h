@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lsp/position.h"
-#include "lsp/rpc.h"
+#include "rpc/rpc.h"
 #include "syntax/document.h"
+#include "syntax/text/position.h"
 
 #include <map>
 #include <string>

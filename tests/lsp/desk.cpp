@@ -1,6 +1,6 @@
 #include "tests/lsp/desk.h"
 
-#include "lsp/json_writer.h"
+#include "rpc/json_writer.h"
 #include "tests/lsp/byte_places.h"
 #include "tests/support/memory_files.h"
 

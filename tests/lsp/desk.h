@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lsp/registry.h"
-#include "syntax/edit.h"
+#include "lsp/protocol/registry.h"
+#include "syntax/text/edit.h"
 
 #include <map>
 #include <set>

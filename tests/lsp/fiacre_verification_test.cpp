@@ -2,7 +2,7 @@
 #include "tests/support/memory_files.h"
 #include "tests/support/run.h"
 
-#include "lsp/workspace.h"
+#include "lsp/workspace/workspace.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "lsp/framing.h"
+#include "rpc/framing.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "lsp/json_writer.h"
+#include "rpc/json_writer.h"
 
 #include <catch2/catch.hpp>
 

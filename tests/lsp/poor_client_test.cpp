@@ -1,5 +1,5 @@
-#include "lsp/json_writer.h"
-#include "lsp/registry.h"
+#include "lsp/protocol/registry.h"
+#include "rpc/json_writer.h"
 #include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "lsp/position.h"
+#include "syntax/text/position.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-#include "lsp/framing.h"
-#include "lsp/rpc.h"
 #include "process/child.h"
+#include "rpc/framing.h"
+#include "rpc/rpc.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "lsp/refresher.h"
+#include "lsp/server/refresher.h"
 #include "tests/lsp/session.h"
 
 #include <catch2/catch.hpp>

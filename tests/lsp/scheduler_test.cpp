@@ -1,4 +1,4 @@
-#include "lsp/scheduler.h"
+#include "rpc/scheduler.h"
 
 #include <catch2/catch.hpp>
 

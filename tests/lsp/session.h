@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lsp/server.h"
+#include "lsp/server/server.h"
 #include "tests/support/memory_files.h"
 #include "tests/where.h"
 

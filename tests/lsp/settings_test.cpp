@@ -1,7 +1,7 @@
-#include "lsp/announcer.h"
-#include "lsp/client_settings.h"
-#include "lsp/file_cache.h"
-#include "lsp/program_settings.h"
+#include "lsp/protocol/client_settings.h"
+#include "lsp/server/announcer.h"
+#include "lsp/workspace/file_cache.h"
+#include "lsp/workspace/program_settings.h"
 #include "tests/lsp/session.h"
 
 #include <catch2/catch.hpp>

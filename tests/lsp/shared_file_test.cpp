@@ -1,6 +1,6 @@
 #include "analysis/flow/inspect.h"
-#include "ide/diagnostics.h"
-#include "lsp/file_cache.h"
+#include "ide/description/diagnostics.h"
+#include "lsp/workspace/file_cache.h"
 #include "tests/support/memory_files.h"
 #include "tests/support/random_edits.h"
 

@@ -1,5 +1,5 @@
-#include "lsp/pending.h"
-#include "lsp/text_changes.h"
+#include "lsp/workspace/text_changes.h"
+#include "rpc/pending.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lsp/rpc.h"
+#include "rpc/rpc.h"
 
 namespace proskill::test {
 

@@ -1,5 +1,5 @@
-#include "lsp/convert.h"
-#include "lsp/uri.h"
+#include "lsp/protocol/convert.h"
+#include "report/uri.h"
 
 #include <catch2/catch.hpp>
 

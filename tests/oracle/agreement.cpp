@@ -3,7 +3,7 @@
 #include "tests/oracle/replay.h"
 #include "tests/support/judge.h"
 
-#include "fiacre/print.h"
+#include "fiacre/syntax/print.h"
 
 #include <set>
 

@@ -2,8 +2,8 @@
 #include "tests/support/class_graph.h"
 #include "tests/support/random_model.h"
 
-#include "fiacre/check.h"
-#include "fiacre/print.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/print.h"
 
 #include <catch2/catch.hpp>
 

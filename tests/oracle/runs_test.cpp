@@ -2,8 +2,8 @@
 #include "tests/support/random_model.h"
 #include "tests/support/random_source.h"
 
-#include "fiacre/check.h"
-#include "fiacre/print.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/print.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fiacre/tree.h"
+#include "fiacre/syntax/tree.h"
 
 namespace proskill::test {
 

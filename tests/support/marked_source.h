@@ -1,6 +1,6 @@
 #pragma once
 
-#include "syntax/source.h"
+#include "syntax/text/source.h"
 
 #include <cassert>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/file_system.h"
+#include "analysis/program/file_system.h"
 
 #include <map>
 #include <string>

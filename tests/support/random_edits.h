@@ -2,7 +2,7 @@
 
 #include "tests/support/random_source.h"
 
-#include "syntax/edit.h"
+#include "syntax/text/edit.h"
 
 #include <array>
 #include <string>

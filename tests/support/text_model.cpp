@@ -1,7 +1,7 @@
 #include "tests/support/text_model.h"
 
-#include "fiacre/check.h"
-#include "fiacre/parse.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/parse.h"
 
 #include <stdexcept>
 

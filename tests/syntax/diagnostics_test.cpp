@@ -1,4 +1,4 @@
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 #include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>

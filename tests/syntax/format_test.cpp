@@ -1,4 +1,4 @@
-#include "syntax/format.h"
+#include "syntax/format/format.h"
 #include "tests/support/marked_source.h"
 #include "tests/support/random_program.h"
 #include "tests/syntax/programs.h"

@@ -1,5 +1,5 @@
-#include "syntax/scan.h"
-#include "syntax/tree.h"
+#include "syntax/text/scan.h"
+#include "syntax/tree/tree.h"
 #include "tests/syntax/programs.h"
 #include "tests/syntax/random_words.h"
 

@@ -1,6 +1,6 @@
-#include "syntax/quote.h"
+#include "syntax/text/quote.h"
 
-#include "syntax/codes.h"
+#include "syntax/diagnostics/codes.h"
 #include "syntax/document.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "syntax/rational.h"
+#include "syntax/text/rational.h"
 
 #include <catch2/catch.hpp>
 

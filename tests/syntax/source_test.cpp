@@ -1,4 +1,4 @@
-#include "syntax/source.h"
+#include "syntax/text/source.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "syntax/suggest.h"
+#include "syntax/diagnostics/suggest.h"
 
 #include <catch2/catch.hpp>
 

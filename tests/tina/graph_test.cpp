@@ -3,7 +3,7 @@
 #include "tests/tina/model.h"
 #include "tina/graph_text.h"
 
-#include "fiacre/print.h"
+#include "fiacre/syntax/print.h"
 
 #include <catch2/catch.hpp>
 

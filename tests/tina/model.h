@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fiacre/parse.h"
+#include "fiacre/syntax/parse.h"
 
 #include <catch2/catch.hpp>
 

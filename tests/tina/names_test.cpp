@@ -1,9 +1,9 @@
 #include "tests/support/random_model.h"
 #include "tests/tina/model.h"
 #include "tina/names.h"
-#include "verify/compile.h"
-#include "verify/place.h"
-#include "verify/tina_names.h"
+#include "verify/compile/compile.h"
+#include "verify/graph/tina_names.h"
+#include "verify/state/place.h"
 
 #include <catch2/catch.hpp>
 

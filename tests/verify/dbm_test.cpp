@@ -1,4 +1,4 @@
-#include "verify/dbm.h"
+#include "verify/model/dbm.h"
 
 #include <catch2/catch.hpp>
 

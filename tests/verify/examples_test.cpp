@@ -2,8 +2,8 @@
 #include "tests/support/models.h"
 
 #include "codegen/model.h"
-#include "fiacre/check.h"
-#include "fiacre/parse.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/parse.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>

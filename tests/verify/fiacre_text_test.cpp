@@ -1,5 +1,5 @@
-#include "fiacre/check.h"
-#include "fiacre/parse.h"
+#include "fiacre/check/check.h"
+#include "fiacre/syntax/parse.h"
 #include "tests/support/text_model.h"
 #include "verify/verify.h"
 

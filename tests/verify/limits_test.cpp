@@ -1,7 +1,7 @@
-#include "fiacre/parse.h"
+#include "fiacre/syntax/parse.h"
 #include "tests/support/models.h"
 #include "tests/support/text_model.h"
-#include "verify/state_graph.h"
+#include "verify/graph/state_graph.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 #include "tests/support/models.h"
-#include "verify/simulation.h"
+#include "verify/trace/simulation.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "verify/store.h"
+#include "verify/state/store.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/program.h"
+#include "analysis/program/program.h"
 #include "viz/pictures.h"
 
 #include <string>

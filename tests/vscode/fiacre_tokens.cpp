@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "fiacre/lexer.h"
-#include "fiacre/words.h"
+#include "fiacre/syntax/lexer.h"
+#include "fiacre/syntax/words.h"
 
 namespace {
 

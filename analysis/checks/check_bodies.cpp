@@ -1,0 +1,146 @@
+#include "analysis/checks/checks.h"
+
+#include "analysis/checks/message.h"
+#include "analysis/names/arguments.h"
+#include "analysis/names/expressions.h"
+#include "analysis/names/walk.h"
+#include "syntax/diagnostics/codes.h"
+
+#include <utility>
+
+namespace proskill::analysis {
+
+using syntax::Code;
+using syntax::Statement;
+using syntax::StatementKind;
+
+namespace {
+
+/// What a body may do depends on whose it is: a skill acts, an environment only makes happen what
+/// the program cannot control.
+class BodyCheck {
+public:
+  BodyCheck(Context& context, const Body& body)
+      : context(context), body(body), names(context, body.file), expressions(context, body.file) {}
+
+  void check(const Statement& statement) {
+    if (isSkill() ? isForSkills(statement) : isForEnvironments(statement)) resolve(statement);
+  }
+
+private:
+  [[nodiscard]] bool isSkill() const {
+    return context.symbols[body.owner].kind == SymbolKind::Skill;
+  }
+
+  bool isForSkills(const Statement& statement) {
+    const bool allowed =
+        statement.kind != StatementKind::Emit && statement.kind != StatementKind::Choose;
+    return allowed || refuse(Code::OnlyInEnvironment, statement.head);
+  }
+
+  bool isForEnvironments(const Statement& statement) {
+    switch (statement.kind) {
+    case StatementKind::Call:
+    case StatementKind::Set:
+    case StatementKind::Parallel:
+    case StatementKind::Success:
+    case StatementKind::Failure: return refuse(Code::NotInEnvironment, statement.head);
+    case StatementKind::WaitCondition:
+      if (statement.effects.items.empty()) return true;
+      expressions.condition(statement.condition);
+      return refuse(Code::NotInEnvironment, {":effects", statement.effects.range});
+    case StatementKind::Unknown:
+    case StatementKind::Interrupt:
+    case StatementKind::WaitTime:
+    case StatementKind::If:
+    case StatementKind::While:
+    case StatementKind::DoUntil:
+    case StatementKind::Break:
+    case StatementKind::Label:
+    case StatementKind::Goto:
+    case StatementKind::Printf:
+    case StatementKind::Emit:
+    case StatementKind::Choose: return true;
+    }
+    std::unreachable();
+  }
+
+  bool refuse(Code code, const syntax::Name& word) {
+    context.findings.report(code, {body.file, word.range}, word.text);
+    return false;
+  }
+
+  void resolve(const Statement& statement) {
+    switch (statement.kind) {
+    case StatementKind::Call: return call(statement);
+    case StatementKind::Interrupt: return interrupt(statement.name);
+    case StatementKind::WaitCondition:
+    case StatementKind::While:
+    case StatementKind::DoUntil:
+    case StatementKind::Set:
+      expressions.condition(statement.condition);
+      expressions.effects(statement.effects);
+      return;
+    case StatementKind::If:
+      for (const syntax::Arm& arm : statement.arms)
+        if (arm.condition) expressions.condition(*arm.condition);
+      return;
+    case StatementKind::Printf: return checkMessage(context, body, statement);
+    case StatementKind::Success: return outcome(SymbolKind::SuccessTag, statement.name);
+    case StatementKind::Failure: return outcome(SymbolKind::FailureTag, statement.name);
+    case StatementKind::Emit: names.use(SymbolKind::Event, statement.name, Role::Mention); return;
+    case StatementKind::Unknown:
+    case StatementKind::WaitTime:
+    case StatementKind::Break:
+    case StatementKind::Label:
+    case StatementKind::Goto:
+    case StatementKind::Parallel:
+    case StatementKind::Choose: return;
+    }
+  }
+
+  void outcome(SymbolKind kind, const syntax::Name& tag) {
+    names.use(kind, tag, Role::Mention, body.owner);
+  }
+
+  void call(const Statement& statement) {
+    const SymbolId callee = names.use(SymbolKind::Skill, statement.head, Role::Call);
+    if (callee == kNoSymbol) return context.findings.forgetArguments({body.file, statement.range});
+    const auto& skill = context.program.skills.all[context.symbols[callee].definition];
+    if (skill->monitor)
+      context.findings
+          .report(Code::MonitorCalled, {body.file, statement.head.range}, statement.head.text)
+          .related(skill.at(skill->name.range), "a monitor");
+    else
+      Arguments(context, body.file, body.owner).checkCall(statement, callee);
+  }
+
+  /// In a body it has no effect on a skill that cannot be interrupted; an environment has no way
+  /// to it at all.
+  void interrupt(const syntax::Name& target) {
+    const SymbolId symbol = names.use(SymbolKind::Skill, target, Role::Interrupt);
+    if (symbol == kNoSymbol) return;
+    const auto& skill = context.program.skills.all[context.symbols[symbol].definition];
+    if (skill->interrupt) return;
+    auto finding =
+        context.findings.report(Code::NotInterruptible, {body.file, target.range}, target.text);
+    finding.related(skill.at(skill->name.range), "has no `:interrupt`");
+    if (!isSkill()) finding.severity(syntax::Severity::Error);
+  }
+
+  Context& context;
+  const Body& body;
+  Names names;
+  Expressions expressions;
+};
+
+} // namespace
+
+void checkBodies(Context& context) {
+  context.eachBody([&](const Body& body) {
+    BodyCheck check(context, body);
+    forEachStatement(body.block, [&](const Statement& statement) { check.check(statement); });
+  });
+}
+
+} // namespace proskill::analysis

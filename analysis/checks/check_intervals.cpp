@@ -1,0 +1,52 @@
+#include "analysis/checks/checks.h"
+
+#include "analysis/names/walk.h"
+#include "syntax/diagnostics/codes.h"
+
+namespace proskill::analysis {
+
+using syntax::Code;
+using syntax::Interval;
+
+namespace {
+
+void checkInterval(Context& context, FileId file, const Interval& interval) {
+  if (!interval.upper || interval.range.empty()) return;
+  const Location at{file, interval.range};
+  if (*interval.upper < interval.lower) {
+    const auto bracket = [](bool open, char outward, char inward) {
+      return std::string(1, open ? outward : inward);
+    };
+    const std::string swapped = bracket(interval.upperOpen, ']', '[') + toString(*interval.upper) +
+                                "," + toString(interval.lower) +
+                                bracket(interval.lowerOpen, '[', ']');
+    context.findings
+        .report(Code::ReversedInterval, at, toString(*interval.upper), toString(interval.lower))
+        .fix("swap the bounds: `" + swapped + "`", at, swapped);
+  } else if (*interval.upper == interval.lower && (interval.lowerOpen || interval.upperOpen)) {
+    const std::string bound = toString(interval.lower);
+    const std::string closed = "[" + bound + "," + bound + "]";
+    context.findings.report(Code::EmptyInterval, at, bound)
+        .fix("include the bounds: `" + closed + "`", at, closed);
+  }
+}
+
+} // namespace
+
+void checkIntervals(Context& context) {
+  context.each(context.program.skills, [&](const auto& skill) {
+    if (skill->timeInterval) checkInterval(context, skill.file, *skill->timeInterval);
+  });
+  context.eachBody([&](const Body& body) {
+    forEachStatement(body.block, [&](const syntax::Statement& statement) {
+      if (statement.kind == syntax::StatementKind::WaitTime)
+        checkInterval(context, body.file, statement.duration);
+    });
+  });
+  context.each(context.program.properties, [&](const auto& property) {
+    if (property->within) checkInterval(context, property.file, *property->within);
+    if (property->forDuration) checkInterval(context, property.file, *property->forDuration);
+  });
+}
+
+} // namespace proskill::analysis

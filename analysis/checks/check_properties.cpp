@@ -1,0 +1,16 @@
+#include "analysis/checks/checks.h"
+
+#include "analysis/names/expressions.h"
+
+namespace proskill::analysis {
+
+void checkProperties(Context& context) {
+  context.each(context.program.properties, [&](const auto& property) {
+    Expressions expressions(context, property.file, Atoms::Property);
+    for (const syntax::Expr& operand : property->operands) expressions.condition(operand);
+    if (property->after) expressions.condition(*property->after);
+    if (property->before) expressions.condition(*property->before);
+  });
+}
+
+} // namespace proskill::analysis

@@ -1,0 +1,92 @@
+#include "analysis/checks/checks.h"
+
+#include "analysis/names/expressions.h"
+#include "syntax/diagnostics/codes.h"
+
+namespace proskill::analysis {
+
+using syntax::Code;
+using syntax::Expr;
+using syntax::ExprKind;
+using syntax::StateVariable;
+
+namespace {
+
+/// A state variable is a part of every state of the model; more values than this, and no state
+/// space can be explored.
+constexpr std::int64_t kMostValues = 65536;
+
+class StateVariables {
+public:
+  StateVariables(Context& context, const Definition<StateVariable>& variable, SymbolId symbol)
+      : context(context), variable(variable), symbol(symbol), names(context, variable.file) {}
+
+  void check() {
+    if (variable->isNatural()) range();
+    if (variable->states.empty() && !variable->isNatural()) return;
+    init();
+    for (const syntax::Transition& move : variable->transitions) {
+      names.use(SymbolKind::Value, move.from, Role::Mention, symbol);
+      names.use(SymbolKind::Value, move.to, Role::Mention, symbol);
+    }
+  }
+
+private:
+  void init() {
+    const Expr& init = variable->init;
+    const Type wanted = context.typeOfVariable(symbol);
+    if (init.kind == ExprKind::Missing) return;
+    if (wanted.kind == TypeKind::Value && init.kind == ExprKind::Symbol)
+      names.use(SymbolKind::Value, init.name, Role::Mention, symbol);
+    else if (wanted.kind == TypeKind::Value)
+      context.findings.report(Code::InitialNotValue, at(init), variable.name());
+    else if (isNatural(init))
+      names.checkDomain(init, wanted);
+  }
+
+  void range() {
+    const bool wellFormed = (!variable->min || isNatural(*variable->min)) &
+                            (!variable->max || isNatural(*variable->max));
+    if (!wellFormed || !variable->min || !variable->max) return;
+    const auto least = variable->min->number.numerator, most = variable->max->number.numerator;
+    if (least > most)
+      context.findings.report(Code::EmptyRange, at(*variable->max), most, least)
+          .related(at(*variable->min), "the least value");
+    else if (most - least >= kMostValues)
+      context.findings.report(Code::RangeTooLarge, at(*variable->max), variable.name(),
+                              static_cast<std::uint64_t>(most - least) + 1, kMostValues);
+  }
+
+  /// Says so where it is none.
+  bool isNatural(const Expr& expr) {
+    const bool natural =
+        expr.kind == ExprKind::Number && typeOfNumber(expr).kind == TypeKind::Natural;
+    if (!natural && expr.kind != ExprKind::Missing)
+      context.findings.report(Code::ExpectedNatural, at(expr), describeLiteral(expr));
+    return natural;
+  }
+
+  std::string describeLiteral(const Expr& expr) const {
+    if (expr.kind == ExprKind::Number) return describe(typeOfNumber(expr), context.symbols);
+    const auto range = expr.range;
+    return "`" + context.text(variable.file).substr(range.begin, range.length()) + "`";
+  }
+
+  Location at(const Expr& expr) const { return variable.at(expr.range); }
+
+  Context& context;
+  const Definition<StateVariable>& variable;
+  SymbolId symbol;
+  Names names;
+};
+
+} // namespace
+
+void checkStateVariables(Context& context) {
+  context.each(SymbolKind::StateVariable, context.program.stateVariables,
+               [&](const auto& variable, SymbolId symbol) {
+                 StateVariables(context, variable, symbol).check();
+               });
+}
+
+} // namespace proskill::analysis

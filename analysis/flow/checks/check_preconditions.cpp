@@ -1,0 +1,171 @@
+#include "analysis/flow/checks/checks.h"
+#include "syntax/diagnostics/codes.h"
+
+#include <fmt/format.h>
+
+/// Conditions of a skill that nothing can meet, and calls that are always refused.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Code;
+
+State unknown(const Report& report, const Process& process) {
+  State state{.reachable = true, .values = {}};
+  for (VariableId variable : process.slots.variables())
+    state.values.push_back(report.variables()[variable].domain.all());
+  return state;
+}
+
+/// The first condition that cannot hold together with those before it; their number if all can.
+std::size_t firstConflict(State state, const std::vector<Condition>& conditions) {
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    refine(state, conditions[i], true);
+    if (!state.reachable) return i;
+  }
+  return conditions.size();
+}
+
+/// Names and places of a skill's preconditions or guards.
+struct Part {
+  syntax::Name tag;
+  syntax::Range range;
+};
+
+bool reportConflict(Report& report, Code code, const Definition<syntax::Skill>& skill,
+                    const std::vector<Part>& parts, const State& state,
+                    const std::vector<Condition>& conditions) {
+  std::size_t conflict = firstConflict(state, conditions);
+  if (conflict == conditions.size()) return false;
+  Finding finding = report.findings.report(code, skill.at(parts[conflict].range),
+                                           parts[conflict].tag.text, skill.name());
+  if (!mayHold(state, conditions[conflict])) return true;
+  for (std::size_t i = 0; i < conflict; ++i)
+    finding.related(skill.at(parts[i].range), "does not go together with this one");
+  return true;
+}
+
+class Preconditions {
+public:
+  explicit Preconditions(Report& report) : report(report) {}
+
+  void check() {
+    for (std::size_t i = 0; i < report.program.skills.all.size(); ++i) checkSkill(i);
+    forEachReachedNode(report, [this](ProcessId id, const Process&, NodeId node, const Node& each) {
+      if (each.kind == NodeKind::Call) checkCall(id, node, each);
+    });
+  }
+
+private:
+  void checkSkill(std::size_t index) {
+    const auto& skill = report.program.skills.all[index];
+    const Process& process = report.system()[report.system().ofSkill(index)];
+    std::vector<Part> parts;
+    for (const auto& each : skill->preconditions) parts.push_back({each.tag, each.range});
+    if (reportConflict(report, Code::ContradictoryPreconditions, skill, parts,
+                       unknown(report, process), process.actions[0].conditions))
+      contradictory.insert(report.system().ofSkill(index)), blameSkill(report, index);
+  }
+
+  void checkCall(ProcessId id, NodeId nodeId, const Node& node) {
+    ProcessId target = report.system()[id].actions[nodeId].target;
+    if (target == kNoProcess) return;
+    const Process& callee = report.system()[target];
+    const auto& conditions = callee.actions[0].conditions;
+    State entry;
+    std::size_t conflict = 0;
+    for (const State& one : report.solver.atCallee(id, nodeId)) {
+      conflict = firstConflict(one, conditions);
+      if (conflict == conditions.size()) return;
+      entry.join(one);
+    }
+    report.explain(id, nodeId);
+    blameSkill(report, callee.definition);
+    if (contradictory.contains(target)) return;
+    const auto& skill = report.program.skills.all[callee.definition];
+    const syntax::Precondition& precondition = skill->preconditions[conflict];
+    Finding finding =
+        report.findings.report(Code::CallAlwaysRefused,
+                               report.system().at(report.system()[id], node.statement->head.range),
+                               skill.name(), precondition.tag.text);
+    finding.related(skill.at(precondition.range), "needs this");
+    addValues(finding, report, callee, entry, {conditions[conflict]});
+  }
+
+  Report& report;
+  std::set<ProcessId> contradictory;
+};
+
+/// Guards that exclude each other, or that the skill's own start makes false.
+class Guards {
+public:
+  explicit Guards(Report& report) : report(report) {}
+
+  void check() {
+    for (std::size_t i = 0; i < report.program.skills.all.size(); ++i) checkSkill(i);
+  }
+
+private:
+  void checkSkill(std::size_t index) {
+    const auto& skill = report.program.skills.all[index];
+    ProcessId id = report.system().ofSkill(index);
+    const Process& process = report.system()[id];
+    std::vector<Part> parts;
+    std::vector<Condition> guards;
+    for (NodeId node = 0; node < process.actions.size(); ++node)
+      if (const syntax::Invariant* invariant = (*process.graph)[node].invariant) {
+        parts.push_back({invariant->tag, invariant->range});
+        guards.push_back(process.actions[node].conditions.front());
+      }
+    State state = unknown(report, process);
+    if (reportConflict(report, Code::ContradictoryInvariants, skill, parts, state, guards)) return;
+    refineAll(state, process.actions[0].conditions, true);
+    if (!state.reachable) return;
+    state = report.solver.after(std::move(state), process, 0);
+    for (std::size_t i = 0; i < guards.size(); ++i)
+      if (!mayHold(state, guards[i]) && lasts(id, guards[i])) {
+        Finding finding = report.findings.report(
+            Code::StartBreaksInvariant, skill.at(parts[i].range), parts[i].tag.text, skill.name());
+        addValues(finding, report, process, state, {guards[i]});
+      }
+  }
+
+  /// A body watches the guards where it waits: what it sets before that may make them true, and
+  /// where it never waits nobody looks.
+  [[nodiscard]] bool lasts(ProcessId id, const Condition& guard) const {
+    const Process& process = report.system()[id];
+    if (!report.system().skill(process).isComposite()) return true;
+    if (!report.solver.started(id)) return false;
+    std::set<NodeId> seen{0};
+    std::vector<NodeId> next{0};
+    bool waits = false;
+    while (!next.empty()) {
+      NodeId node = next.back();
+      next.pop_back();
+      const Node& each = (*process.graph)[node];
+      if (each.kind == NodeKind::Outcome || each.kind == NodeKind::Fork) return false;
+      if (each.waits()) {
+        if (report.solver.mayHold(id, node, guard)) return false;
+        waits = true;
+        continue;
+      }
+      for (const Edge& edge : each.edges) {
+        bool follows = edge.target != kNoNode && report.solver.reachable(id, edge.target) &&
+                       (*process.graph)[edge.target].kind != NodeKind::Refused;
+        if (follows && seen.insert(edge.target).second) next.push_back(edge.target);
+      }
+    }
+    return waits;
+  }
+
+  Report& report;
+};
+
+} // namespace
+
+void checkPreconditions(Report& report) {
+  Preconditions(report).check();
+  Guards(report).check();
+}
+
+} // namespace proskill::analysis::flow

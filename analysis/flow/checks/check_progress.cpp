@@ -1,0 +1,142 @@
+#include "analysis/flow/checks/checks.h"
+
+#include "analysis/flow/result/loops.h"
+#include "syntax/diagnostics/codes.h"
+
+#include <utility>
+
+/// Loops in which no time passes, and waits that take none.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Code;
+
+bool takesNoTime(const Node& node) {
+  switch (node.kind) {
+  case NodeKind::Interrupt:
+  case NodeKind::Test:
+  case NodeKind::Choose:
+  case NodeKind::Set:
+  case NodeKind::Emit:
+  case NodeKind::Step: return true;
+  case NodeKind::Delay: {
+    const auto& upper = node.statement->duration.upper;
+    return upper && upper->numerator == 0;
+  }
+  case NodeKind::Start:
+  case NodeKind::Refused:
+  case NodeKind::Run:
+  case NodeKind::Call:
+  case NodeKind::Wait:
+  case NodeKind::Fork:
+  case NodeKind::Leave:
+  case NodeKind::Outcome:
+  case NodeKind::InvariantFailure:
+  case NodeKind::Interrupted:
+  case NodeKind::End: return false;
+  }
+  std::unreachable();
+}
+
+class Progress {
+public:
+  Progress(Report& report, ProcessId id) : report(report), id(id), process(report.system()[id]) {}
+
+  void check() {
+    auto within = [this](NodeId node) {
+      return report.solver.reachable(id, node) && takesNoTime((*process.graph)[node]);
+    };
+    for (const std::vector<NodeId>& loop : loopsOf(*process.graph, within))
+      if (!mayLeave(loop)) tell(loop);
+  }
+
+private:
+  /// It counts towards its end, or chooses to leave.
+  [[nodiscard]] bool mayLeave(const std::vector<NodeId>& loop) const {
+    std::set<NodeId> inside(loop.begin(), loop.end());
+    std::set<VariableId> changed;
+    for (NodeId node : loop)
+      for (const Assignment& each : process.actions[node].assignments)
+        changed.insert(each.variable);
+    for (NodeId node : loop) {
+      bool leaves = false;
+      for (const Edge& edge : (*process.graph)[node].edges) leaves |= !inside.contains(edge.target);
+      if (leaves && ((*process.graph)[node].kind != NodeKind::Test || reads(node, changed)))
+        return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool reads(NodeId node, const std::set<VariableId>& variables) const {
+    std::set<Slot> slots;
+    for (const Condition& each : process.actions[node].conditions) collectSlots(each, slots);
+    for (Slot slot : slots)
+      if (variables.contains(process.slots[slot])) return true;
+    return false;
+  }
+
+  void tell(const std::vector<NodeId>& loop) {
+    const syntax::Statement& statement = loopOf(loop);
+    syntax::Range at = statement.head.range.empty() ? statement.range : statement.head.range;
+    Finding finding =
+        report.findings.report(Code::LoopWithoutTime, report.system().at(process, at));
+    for (NodeId node : loop)
+      if (isExit(node, loop))
+        finding.related(report.at(id, node), "nothing in the loop changes what is tested here");
+    if (isLoop(statement) && !statement.branches.empty()) offerWait(finding, statement);
+  }
+
+  static bool isLoop(const syntax::Statement& statement) {
+    return statement.kind == syntax::StatementKind::While ||
+           statement.kind == syntax::StatementKind::DoUntil;
+  }
+
+  /// The outermost `while` or `do` of it, or what it begins with.
+  [[nodiscard]] const syntax::Statement& loopOf(const std::vector<NodeId>& loop) const {
+    const syntax::Statement* found = nullptr;
+    for (NodeId node : loop) {
+      const syntax::Statement* each = (*process.graph)[node].statement;
+      if (isLoop(*each) && (!found || each->range.begin < found->range.begin)) found = each;
+    }
+    return found ? *found : *(*process.graph)[*std::ranges::min_element(loop)].statement;
+  }
+
+  [[nodiscard]] bool isExit(NodeId node, const std::vector<NodeId>& loop) const {
+    const Node& each = (*process.graph)[node];
+    return each.kind == NodeKind::Test && std::ranges::any_of(each.edges, [&](const Edge& edge) {
+             return edge.target != kNoNode && std::ranges::find(loop, edge.target) == loop.end();
+           });
+  }
+
+  /// Where the loop has statements, behind the last of them.
+  void offerWait(Finding& finding, const syntax::Statement& loop) const {
+    const auto& statements = loop.branches.front().statements;
+    if (statements.empty()) return;
+    Location last = report.system().at(process, statements.back().range);
+    finding.fix("wait 0.1 s in each round", {last.file, {last.range.end, last.range.end}},
+                lineAfter(report, last) + "(^ 0.1)");
+  }
+
+  Report& report;
+  ProcessId id;
+  const Process& process;
+};
+
+void checkZeroWait(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
+  if (node.kind != NodeKind::Delay || !takesNoTime(node)) return;
+  Location at = report.at(id, nodeId);
+  report.findings.report(Code::ZeroWait, at)
+      .fix("remove the wait", withSpaceAround(report, at), "");
+}
+
+} // namespace
+
+void checkProgress(Report& report) {
+  forEachNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
+    if (node == 0) Progress(report, id).check();
+    checkZeroWait(report, id, node, each);
+  });
+}
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,52 @@
+#include "analysis/flow/checks/checks.h"
+#include "syntax/diagnostics/codes.h"
+
+/// Tests of `if`, `while` and `do` that always go the same way.
+namespace proskill::analysis::flow {
+
+namespace {
+
+using syntax::Code;
+using syntax::StatementKind;
+
+/// `(while true …)` and `(do … until false)` are how a loop without an end is written.
+bool isIdiom(const Node& node, const Condition& condition) {
+  return condition.kind == Condition::Kind::Constant && node.statement->kind != StatementKind::If;
+}
+
+/// What comes after the arm with this test when it fails; a test that always holds wastes it.
+bool hasOtherArm(const Node& node) {
+  const syntax::Statement& statement = *node.statement;
+  return statement.kind == StatementKind::If &&
+         (!statement.arms.back().condition || statement.arms.back().condition->range != node.range);
+}
+
+void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
+  const Process& process = report.system()[id];
+  const auto& conditions = process.actions[nodeId].conditions;
+  if (isIdiom(node, conditions.front())) return;
+  bool never = !report.solver.mayHold(id, nodeId, conditions.front());
+  bool always = !report.solver.mayFail(id, nodeId, conditions.front());
+  if (!never && !always) return;
+  report.explain(id, nodeId);
+  if (isBlamed(report, process, conditions)) return;
+  if (dependsOnUnreturned(report, id, nodeId, conditions.front(), never)) return;
+  bool loops = node.statement->kind == StatementKind::While;
+  Code code = always  ? Code::TestAlwaysHolds
+              : loops ? Code::LoopNeverEntered
+                      : Code::TestNeverHolds;
+  Finding finding = report.findings.report(code, report.at(id, nodeId));
+  if (always && !hasOtherArm(node)) finding.severity(syntax::Severity::Hint);
+  addValues(finding, report, process, report.solver.before(id, nodeId), conditions);
+}
+
+} // namespace
+
+void checkTests(Report& report) {
+  forEachReachedNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
+    if (each.kind == NodeKind::Test && !report.isExplained(id, node))
+      checkTest(report, id, node, each);
+  });
+}
+
+} // namespace proskill::analysis::flow

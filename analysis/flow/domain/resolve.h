@@ -1,0 +1,38 @@
+#pragma once
+
+#include "analysis/flow/domain/effect.h"
+
+namespace proskill::analysis::flow {
+
+/// Turns conditions and effects of the text into those over variables. Total: what cannot be
+/// understood is unknown, or left out.
+class Resolver {
+public:
+  Resolver(const Program& program, const Variables& variables)
+      : program(program), variables(variables) {}
+
+  [[nodiscard]] std::optional<VariableId> stateVariable(std::string_view name) const;
+  [[nodiscard]] std::optional<std::size_t> skill(std::string_view name) const;
+
+  /// Adds every variable that an expression reads.
+  void addReads(const syntax::Expr& expr, std::vector<VariableId>& reads) const;
+  [[nodiscard]] Condition condition(const syntax::Expr& expr, const Slots& slots) const;
+  [[nodiscard]] std::vector<Assignment> assignments(const syntax::Effects& effects,
+                                                    const Slots& slots) const;
+  [[nodiscard]] Assignment constant(VariableId variable, std::int64_t number,
+                                    const Slots& slots) const;
+
+private:
+  [[nodiscard]] std::optional<VariableId> variableOf(const syntax::Expr& expr) const;
+  [[nodiscard]] const Domain* wordsOf(const syntax::Expr& expr) const;
+  [[nodiscard]] Term term(const syntax::Expr& expr, const Domain* beside, const Slots& slots) const;
+  [[nodiscard]] Condition compare(Comparison comparison, const syntax::Expr& left,
+                                  const syntax::Expr& right, const Slots& slots) const;
+  [[nodiscard]] Condition connective(Condition::Kind kind, const syntax::Expr& expr,
+                                     const Slots& slots) const;
+
+  const Program& program;
+  const Variables& variables;
+};
+
+} // namespace proskill::analysis::flow

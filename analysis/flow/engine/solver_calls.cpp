@@ -1,0 +1,149 @@
+#include "analysis/flow/engine/solver.h"
+
+/// What a process knows while it has called others, and when these have returned.
+namespace proskill::analysis::flow {
+
+State Solver::project(const State& state, const Process& from, const Process& to) const {
+  State result{.reachable = state.reachable, .values = {}};
+  if (!state.reachable) return result;
+  for (VariableId variable : to.slots.variables()) {
+    auto slot = from.slots.find(variable);
+    result.values.push_back(slot ? state.values[*slot] : anything(variable));
+  }
+  return result;
+}
+
+State Solver::during(const State& before, ProcessId process, NodeId node) const {
+  State state = before;
+  if (!state.reachable) return state;
+  for (const auto& [slot, relation] : whileCalling[process][node])
+    state.values[slot] = relation->closure(state.values[slot]);
+  return state;
+}
+
+State Solver::during(ProcessId process, NodeId node) const {
+  State all;
+  for (const State& before : cases(process, node)) all.join(during(before, process, node));
+  return all;
+}
+
+std::vector<State> Solver::atCallee(ProcessId caller, NodeId call) const {
+  const Process& self = model[caller];
+  const Process& callee = model[self.actions[call].target];
+  std::vector<State> entries;
+  for (const State& before : cases(caller, call)) entries.push_back(project(before, self, callee));
+  return entries;
+}
+
+void Solver::enter(ProcessId process, const State& state) { arrive(process, 0, state); }
+
+bool Solver::entersCall(const State& before, ProcessId process, NodeId id) const {
+  const Process& self = model[process];
+  const Process& callee = model[self.actions[id].target];
+  State entry = project(before, self, callee);
+  refineAll(entry, callee.actions[0].conditions, true);
+  return entry.reachable;
+}
+
+/// After a call that was served: what holds both for this return of the callee and for whatever may
+/// have happened since this call.
+State Solver::returned(const State& before, const State& exit, ProcessId process, NodeId id) const {
+  const Process& self = model[process];
+  const Process& callee = model[self.actions[id].target];
+  State state = during(before, process, id);
+  for (Slot slot = 0; slot < callee.slots.size(); ++slot) {
+    auto mine = self.slots.find(callee.slots[slot]);
+    if (!mine) continue;
+    state.values[*mine] &= rely[process].relations[*mine]->closure(exit.values[slot]);
+    if (state.values[*mine].empty()) return {};
+  }
+  return state;
+}
+
+State Solver::refused(const State& before, ProcessId process, NodeId id) const {
+  const Process& self = model[process];
+  const Process& callee = model[self.actions[id].target];
+  if (callee.actions[0].conditions.empty()) return {};
+  State entry = project(before, self, callee);
+  refineAll(entry, callee.actions[0].conditions, false);
+  if (!entry.reachable) return {};
+  State state = before;
+  for (Slot slot = 0; slot < callee.slots.size(); ++slot)
+    if (auto mine = self.slots.find(callee.slots[slot])) state.values[*mine] = entry.values[slot];
+  for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
+    if (auto slot = self.slots.find(model.variables().of(kind, callee.definition)))
+      state.values[*slot] = ValueSet::of(0);
+  return state;
+}
+
+void Solver::call(ProcessId process, NodeId id, NodeId next) {
+  ProcessId target = model[process].actions[id].target;
+  const std::vector<State> all = cases(process, id);
+  for (const State& entry : atCallee(process, id)) enter(target, entry);
+  const std::vector<State> ends = cases(target, model[target].graph->end);
+  for (const State& before : all) {
+    arrive(process, next, refused(before, process, id));
+    if (!entersCall(before, process, id)) continue;
+    for (const State& end : ends) arrive(process, next, returned(before, end, process, id));
+  }
+}
+
+/// When the caller is stopped it waits until its callee has returned, which may have come to any of
+/// its ends, or was refused, or has not started.
+void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
+  const Process& self = model[process];
+  ProcessId target = self.actions[id].target;
+  const std::vector<State> all = cases(process, id);
+  std::vector<State> ends = cases(target, model[target].graph->end);
+  const auto& more = stoppedEnds[target].all();
+  ends.insert(ends.end(), more.begin(), more.end());
+  std::size_t skill = model[target].definition;
+  VariableId status = model.variables().of(VariableKind::Status, skill);
+  VariableId result = model.variables().of(VariableKind::Result, skill);
+  for (const State& before : all) {
+    State early = before;
+    if (auto slot = self.slots.find(status))
+      early.values[*slot] |= ValueSet::of(static_cast<unsigned>(Status::Interrupted));
+    if (auto slot = self.slots.find(result)) early.values[*slot] |= ValueSet::of(0);
+    arrive(process, exit, std::move(early));
+    arrive(process, exit, refused(before, process, id));
+    for (const State& end : ends) arrive(process, exit, returned(before, end, process, id));
+  }
+}
+
+/// After all branches: what holds for the end of each of them.
+Cases Solver::joined(const State& before, ProcessId process, NodeId id) const {
+  const Process& self = model[process];
+  Cases result;
+  result.add(during(before, process, id), mostCases);
+  for (ProcessId branch : self.actions[id].branches) {
+    const Process& thread = model[branch];
+    Cases further;
+    for (const State& known : result.all())
+      for (const State& end : cases(branch, thread.graph->end)) {
+        State both = known;
+        for (Slot slot = 0; both.reachable && slot < thread.slots.size(); ++slot) {
+          auto mine = self.slots.find(thread.slots[slot]);
+          if (!mine) continue;
+          both.values[*mine] &= end.values[slot];
+          both.reachable = !both.values[*mine].empty();
+        }
+        further.add(std::move(both), mostCases);
+      }
+    result = std::move(further);
+  }
+  return result;
+}
+
+void Solver::fork(ProcessId process, NodeId id, NodeId next) {
+  const Process& self = model[process];
+  const std::vector<State> all = cases(process, id);
+  for (const State& before : all) {
+    for (ProcessId branch : self.actions[id].branches)
+      enter(branch, project(before, self, model[branch]));
+    const Cases after = joined(before, process, id);
+    for (const State& state : after.all()) arrive(process, next, state);
+  }
+}
+
+} // namespace proskill::analysis::flow

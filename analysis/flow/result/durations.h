@@ -1,0 +1,57 @@
+#pragma once
+
+#include "analysis/flow/result/unrolled.h"
+#include "syntax/text/rational.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace proskill::analysis::flow {
+
+/// A stretch of time in seconds. Bounds are as if closed.
+struct Duration {
+  syntax::Rational least;
+  std::optional<syntax::Rational> most; ///< nothing: no bound is known
+};
+
+/// "5 s", "5 to 35 s", "at least 5 s".
+[[nodiscard]] std::string words(const Duration& duration);
+
+/// How long skills take, from their parts: sequences, branches, parallel branches, loops that
+/// count.
+class Durations {
+public:
+  explicit Durations(const Solver& solver);
+
+  /// From the start to the end of a process in runs that nobody stops; nothing where it cannot end.
+  /// `least` is never too large; `most` is never too small, over stopped runs too.
+  [[nodiscard]] std::optional<Duration> of(ProcessId process);
+  /// Once at a node: until it goes on.
+  [[nodiscard]] Duration ofNode(ProcessId process, NodeId node);
+
+private:
+  using Date = std::optional<syntax::Rational>;
+
+  void compute(ProcessId process);
+  [[nodiscard]] bool isReady(ProcessId process, std::vector<ProcessId>& needed) const;
+  [[nodiscard]] Duration ofCall(ProcessId process, NodeId node);
+  [[nodiscard]] Duration ofFork(ProcessId process, NodeId node);
+  [[nodiscard]] bool mayEndEarly(ProcessId callee) const;
+  [[nodiscard]] bool mayBeAwaited(ProcessId caller, ProcessId callee) const;
+  [[nodiscard]] static Date earliestEnd(const Unrolled& ways, const std::vector<Duration>& times);
+  [[nodiscard]] static Date latestExit(const Unrolled& ways, const std::vector<Duration>& times);
+
+  /// What is known of a process.
+  struct Known {
+    std::optional<Duration> whole; ///< until its end; nothing where it cannot end
+    Date latestExit;               ///< also to where a branch ends its skill
+  };
+
+  const Solver& solver;
+  const System& system;
+  std::vector<std::optional<Known>> known;
+  std::vector<bool> busy; ///< being computed: a recursive program is another check's matter
+};
+
+} // namespace proskill::analysis::flow

@@ -1,0 +1,142 @@
+#include "analysis/names/arguments.h"
+#include "syntax/diagnostics/codes.h"
+#include "syntax/tree/enumerate.h"
+
+#include <algorithm>
+#include <map>
+
+namespace proskill::analysis {
+
+using syntax::Argument;
+using syntax::Code;
+using syntax::Expr;
+using syntax::ExprKind;
+using syntax::Input;
+using syntax::Statement;
+
+namespace {
+
+const Input* find(const syntax::List<Input>& inputs, std::string_view name) {
+  auto found =
+      std::ranges::find(inputs, name, [](const Input& it) { return withoutDollar(it.name).text; });
+  return found == inputs.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const syntax::Skill& Arguments::skill(SymbolId symbol) const {
+  return context.program.skills.all[context.symbols[symbol].definition].node();
+}
+
+Type Arguments::type(const Expr& argument, Type wanted) {
+  switch (argument.kind) {
+  case ExprKind::Missing: return {};
+  case ExprKind::Number: return number(argument, wanted);
+  case ExprKind::String: return {TypeKind::String, kNoSymbol};
+  case ExprKind::True:
+  case ExprKind::False: return {TypeKind::Boolean, kNoSymbol};
+  case ExprKind::Parameter: return parameter(argument.name);
+  case ExprKind::Symbol:
+    if (wanted.kind != TypeKind::Value) break;
+    names.use(SymbolKind::Value, argument.name, Role::Mention, wanted.of);
+    return wanted;
+  case ExprKind::Access:
+  case ExprKind::Test:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::And:
+  case ExprKind::Or:
+  case ExprKind::Not:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Value:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until:
+  case ExprKind::Implies: break;
+  }
+  context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
+  return {};
+}
+
+/// A natural can be a value of a state variable; whether it is one is told here.
+Type Arguments::number(const Expr& argument, Type wanted) {
+  const Type type = typeOfNumber(argument);
+  if (type.kind != TypeKind::Natural || wanted.kind != TypeKind::Natural) return type;
+  names.checkDomain(argument, wanted);
+  return wanted;
+}
+
+Type Arguments::parameter(const syntax::Name& name) {
+  const SymbolId symbol = names.useParameter(name, Role::Read, caller);
+  if (symbol == kNoSymbol) return {};
+  const Input* input = find(skill(caller).inputs, context.symbols[symbol].name);
+  return input ? typeNamed(context.program, context.symbols, input->type.text) : Type{};
+}
+
+void Arguments::checkCall(const Statement& call, SymbolId callee) {
+  checkNames(call, callee);
+  checkTypes(call, callee);
+}
+
+/// A misspelt name leaves its input without an argument: that is one mistake, not two.
+void Arguments::checkNames(const Statement& call, SymbolId callee) {
+  std::map<std::string_view, syntax::Range> given;
+  bool complete = true;
+  for (const Argument& argument : call.arguments) {
+    const auto symbol = names.useParameter(argument.name, Role::Mention, callee);
+    complete &= symbol != kNoSymbol;
+    auto [first, isNew] = given.try_emplace(argument.name.text, argument.name.range);
+    if (!isNew && symbol != kNoSymbol)
+      context.findings
+          .report(Code::RepeatedArgument, {file, argument.name.range}, argument.name.text)
+          .related({file, first->second}, "first given here");
+  }
+  if (complete && given.size() < skill(callee).inputs.size()) missing(call, callee);
+}
+
+void Arguments::missing(const Statement& call, SymbolId callee) {
+  std::vector<std::string_view> absent;
+  for (const Input& input : skill(callee).inputs) {
+    const auto name = withoutDollar(input.name).text;
+    const bool given = std::ranges::any_of(
+        call.arguments, [&](const Argument& it) { return it.name.text == name; });
+    if (!given && !name.empty() && std::ranges::find(absent, name) == absent.end())
+      absent.push_back(name);
+  }
+  if (absent.empty()) return;
+  const Symbol& symbol = context.symbols[callee];
+  context.findings
+      .report(Code::MissingArgument, {file, call.head.range}, symbol.name,
+              syntax::enumerateNames(absent))
+      .related(symbol.at, "defined here");
+}
+
+void Arguments::checkTypes(const Statement& call, SymbolId callee) {
+  for (const Argument& argument : call.arguments) {
+    const Input* input = find(skill(callee).inputs, argument.name.text);
+    const Type wanted =
+        input ? typeNamed(context.program, context.symbols, input->type.text) : Type{};
+    if (!input && argument.value.kind != ExprKind::Parameter) continue;
+    // It may be a value of the input's type, which was told to be unknown.
+    if (!wanted.known() && argument.value.kind == ExprKind::Symbol) continue;
+    const Type given = type(argument.value, wanted);
+    if (fits(given, wanted)) continue;
+    context.findings
+        .report(Code::ArgumentType, {file, argument.value.range}, argument.name.text,
+                describe(wanted, context.symbols), describe(given, context.symbols))
+        .related({context.symbols[callee].at.file, input->range}, "declared here");
+  }
+}
+
+} // namespace proskill::analysis

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "analysis/names/names.h"
+
+namespace proskill::analysis {
+
+/// What is passed to an action or to a skill: literals, and `$params` of the skill that passes it.
+class Arguments {
+public:
+  /// \pre `caller` is the skill in which the arguments are written.
+  Arguments(Context& context, FileId file, SymbolId caller)
+      : context(context), names(context, file), file(file), caller(caller) {}
+
+  /// The type of an argument; unknown, with a diagnostic, where it can be none. A word can only be
+  /// understood where the values of an enumeration are `wanted`.
+  Type type(const syntax::Expr& argument, Type wanted);
+  /// The declared type of a parameter of the caller.
+  Type parameter(const syntax::Name& name);
+  /// The arguments of a call: each input given once, with a value that fits.
+  void checkCall(const syntax::Statement& call, SymbolId callee);
+
+private:
+  Type number(const syntax::Expr& argument, Type wanted);
+  void checkNames(const syntax::Statement& call, SymbolId callee);
+  void checkTypes(const syntax::Statement& call, SymbolId callee);
+  void missing(const syntax::Statement& call, SymbolId callee);
+  [[nodiscard]] const syntax::Skill& skill(SymbolId symbol) const;
+
+  Context& context;
+  Names names;
+  FileId file;
+  SymbolId caller;
+};
+
+} // namespace proskill::analysis

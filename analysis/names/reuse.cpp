@@ -1,0 +1,290 @@
+#include "analysis/names/reuse.h"
+
+#include "syntax/diagnostics/codes.h"
+#include "syntax/text/characters.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace proskill::analysis {
+
+namespace {
+
+using syntax::Code;
+using syntax::Diagnostic;
+using syntax::Form;
+using syntax::Range;
+using syntax::Replacement;
+
+/// Moves what points into a file that was edited.
+struct Move {
+  FileId file;
+  Replacement edit;
+
+  /// \return it has a new place
+  bool operator()(Location& at) const {
+    if (at.file != file) return true;
+    const auto range = edit.moved(at.range);
+    if (range) at.range = *range;
+    return range.has_value();
+  }
+  bool operator()(Diagnostic& diagnostic) const {
+    auto move = [this](auto& it) { return (*this)(it.location); };
+    return (*this)(diagnostic.location) && std::ranges::all_of(diagnostic.related, move) &&
+           std::ranges::all_of(diagnostic.fixes, move);
+  }
+};
+
+bool touches(Location at, FileId file, Range range) {
+  return at.file == file && at.range.begin <= range.end && range.begin <= at.range.end;
+}
+
+/// Whether a fix of such a finding may look at the white space and the comments around it. Those of
+/// moves, of which a program may have many, write words and quote what they replace.
+bool looksAround(Code code) {
+  constexpr std::array kOfMoves{Code::ForbiddenMove,       Code::MayBeForbiddenMove,
+                                Code::EventMayBeForbidden, Code::LeavesRange,
+                                Code::MayLeaveRange,       Code::EventMayLeaveRange};
+  return std::ranges::find(kOfMoves, code) == kOfMoves.end();
+}
+
+/// Its text, or a fix, may quote what white space or comment was edited.
+bool quotes(const Diagnostic& diagnostic, const FileChange& edit) {
+  const auto edited = edit.change.layout->before();
+  const auto around = looksAround(diagnostic.code) ? edit.change.stretches.before() : edited;
+  return touches(diagnostic.location, edit.file, edited) ||
+         std::ranges::any_of(diagnostic.fixes, [&](const syntax::Fix& fix) {
+           return touches(fix.location, edit.file, around);
+         });
+}
+
+bool anyQuotes(const std::vector<Diagnostic>& diagnostics, const FileChange& edit) {
+  return std::ranges::any_of(diagnostics, [&](const Diagnostic& it) { return quotes(it, edit); });
+}
+
+/// Whether it ends where another begins, or before.
+bool isBefore(Location it, Location other) {
+  return it.file < other.file || (it.file == other.file && it.range.end <= other.range.begin);
+}
+
+/// Those that define something, or include it.
+std::vector<const Form*> definitionsIn(const syntax::Document& document, Range range) {
+  std::vector<const Form*> result;
+  for (const Form& form : document.formsIn(range))
+    if (!form.is<syntax::UnknownForm>()) result.push_back(&form);
+  return result;
+}
+
+bool isSameNumber(const std::optional<syntax::Expr>& a, const std::optional<syntax::Expr>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->kind == b->kind && a->number == b->number;
+}
+
+/// What others see of a state variable beside its name and those of its values: its type.
+bool looksSame(const syntax::StateVariable& a, const syntax::StateVariable& b) {
+  return a.states.empty() == b.states.empty() && isSameNumber(a.min, b.min) &&
+         isSameNumber(a.max, b.max);
+}
+
+bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
+  return a.name.text == b.name.text && a.type.text == b.type.text;
+}
+
+/// What others see of a skill beside its name and those of its parts.
+bool looksSame(const syntax::Skill& a, const syntax::Skill& b) {
+  return a.monitor == b.monitor && a.interrupt.has_value() == b.interrupt.has_value() &&
+         std::ranges::equal(a.inputs, b.inputs, isSameInput);
+}
+
+/// Whether nobody else sees a difference, the names aside.
+bool looksSame(const Form* a, const Form* b) {
+  if (!a->isAs(*b)) return false;
+  if (const auto* skill = a->as<syntax::Skill>()) return looksSame(*skill, *b->as<syntax::Skill>());
+  if (const auto* variable = a->as<syntax::StateVariable>())
+    return looksSame(*variable, *b->as<syntax::StateVariable>());
+  return !a->is<syntax::Include>();
+}
+
+using Names = std::set<std::string_view>;
+
+/// Adds the definitions of which others see a difference beside the symbols. An include may matter
+/// anywhere.
+/// \return there is none
+bool addThoseSeen(const std::vector<const Form*>& before, const std::vector<const Form*>& now,
+                  Names& names) {
+  const auto isInclude = [](const Form* form) { return form->is<syntax::Include>(); };
+  if (std::ranges::any_of(before, isInclude) || std::ranges::any_of(now, isInclude)) return false;
+  for (const Form* form : now) {
+    const auto same = std::ranges::find_if(before, [&](const Form* it) {
+      return it->isAs(*form) && it->name.text == form->name.text;
+    });
+    if (same != before.end() && !looksSame(*same, form)) names.insert(form->name.text);
+  }
+  return true;
+}
+
+/// Adds the skills with inputs of these types, and so on: who calls them gives them values.
+void addThoseTyped(const Program& program, Names& names) {
+  const auto isOne = [&](const syntax::Input& input) { return names.contains(input.type.text); };
+  for (auto before = names.size() + 1; before != names.size();) {
+    before = names.size();
+    for (const auto& skill : program.skills.all)
+      if (std::ranges::any_of(skill.nodeAsRead().inputs, isOne)) names.insert(skill.name());
+  }
+}
+
+/// Calls `visit` with each place of the word.
+template <class Visit>
+void forEachPlace(std::string_view text, std::string_view word, Visit visit) {
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const auto end = at + word.size();
+    const bool begins = at == 0 || !syntax::isWordCharacter(text[at - 1]);
+    if (begins && (end == text.size() || !syntax::isWordCharacter(text[end])))
+      visit(static_cast<syntax::Offset>(at));
+  }
+}
+
+/// The stretches of a text that have one of the words.
+std::set<std::size_t> stretchesWith(const syntax::Document& document,
+                                    std::span<const syntax::Stretch> stretches,
+                                    const Names& words) {
+  std::set<std::size_t> result;
+  for (const auto word : words)
+    forEachPlace(document.text(), word, [&](syntax::Offset at) {
+      const auto after = std::ranges::upper_bound(
+          stretches, at, {}, [](const auto& stretch) { return stretch.range.begin; });
+      result.insert(static_cast<std::size_t>(after - stretches.begin()) - 1);
+    });
+  return result;
+}
+
+/// Where one of the words stands, and what the edit has put in.
+Scope scopeOf(const Program& program, const Names& words, FileId file, Range edited) {
+  Scope scope{false, {{file, edited}}};
+  const auto isEdited = [&](FileId each, Range range) {
+    return each == file && edited.begin <= range.begin && range.end <= edited.end;
+  };
+  for (FileId each = 0; !words.empty() && each < program.files.size(); ++each) {
+    const auto& document = program.files[each].document;
+    const auto stretches = document.stretches();
+    for (const auto at : stretchesWith(document, stretches, words))
+      if (!isEdited(each, stretches[at].range)) scope.within.push_back({each, stretches[at].range});
+  }
+  std::ranges::sort(scope.within, {}, [](const Location& it) {
+    return std::tuple(it.file, it.range.begin, it.range.end);
+  });
+  return scope;
+}
+
+} // namespace
+
+std::optional<FileChange> changeBetween(const Program& before, const Program& now) {
+  const bool sameFiles = before.extent == now.extent &&
+                         std::ranges::equal(before.files, now.files, {}, &File::path, &File::path);
+  if (!sameFiles) return std::nullopt;
+  std::optional<FileId> changed;
+  for (FileId file = 0; file < now.files.size(); ++file) {
+    if (before.files[file].document.isSameAs(now.files[file].document)) continue;
+    if (changed) return std::nullopt;
+    changed = file;
+  }
+  const FileId file = changed.value_or(0);
+  return FileChange{file, now.files[file].document.changeFrom(before.files[file].document)};
+}
+
+std::optional<std::vector<Diagnostic>> movedByLayout(const std::vector<Diagnostic>& diagnostics,
+                                                     const FileChange& edit) {
+  if (!edit.change.layout || anyQuotes(diagnostics, edit)) return std::nullopt;
+  auto result = diagnostics;
+  if (!std::ranges::all_of(result, Move{edit.file, *edit.change.layout})) return std::nullopt;
+  return result;
+}
+
+std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
+                                 const SymbolTable& symbols) {
+  const auto edit = changeBetween(earlier.program, now);
+  if (!edit) return std::nullopt;
+  const auto& [file, change] = *edit;
+  const auto& index = earlier.analysis.index;
+  const auto& found = earlier.analysis.ofDefinitions;
+  auto symbolChange = changeBetween(index.symbols(), symbols);
+  const auto quotesLayout = [&](const Found& it) { return anyQuotes(it.diagnostics, *edit); };
+  if (change.layout && std::ranges::none_of(found, quotesLayout)) {
+    Reuse reuse(file, *change.layout, {false, {}}, symbolChange);
+    if (reuse.keep(found) && reuse.keep(index.occurrences())) return reuse;
+  }
+  const auto& replaced = change.stretches;
+  auto& names = symbolChange.names;
+  const bool isHere =
+      addThoseSeen(definitionsIn(earlier.program.files[file].document, replaced.before()),
+                   definitionsIn(now.files[file].document, replaced.after()), names);
+  if (!isHere) return std::nullopt;
+  addThoseTyped(now, names);
+  Scope scope = scopeOf(now, names, file, replaced.after());
+  Reuse reuse(file, replaced, std::move(scope), std::move(symbolChange));
+  if (reuse.keep(found) && reuse.keep(index.occurrences())) return reuse;
+  return std::nullopt;
+}
+
+Reuse::Reuse(FileId file, Replacement edit, Scope scope, SymbolChange change)
+    : file(file),
+      edit(edit),
+      looked(std::move(scope)),
+      gone{false, {}},
+      symbols(std::move(change)) {
+  for (Location at : looked.within) {
+    if (at.file == file)
+      at.range = at.range == edit.after() ? edit.before() : *edit.inverse().moved(at.range);
+    gone.within.push_back(at);
+  }
+}
+
+bool Reuse::isGone(const Location& at) const { return gone.holds(at.file, at.range.begin); }
+
+/// \return it is there still
+bool Reuse::moveSymbol(SymbolId& symbol) const {
+  if (symbol == kNoSymbol) return true;
+  symbol = symbols.now[symbol];
+  return symbol != kNoSymbol;
+}
+
+bool Reuse::keep(const std::vector<Found>& found) {
+  return std::ranges::all_of(found, [this](const Found& each) { return keep(each); });
+}
+
+bool Reuse::keep(const Found& found) {
+  const Move move{file, edit};
+  Found& now = kept.emplace_back();
+  for (const Diagnostic& each : found.diagnostics)
+    if (!isGone(each.location) && !move(now.diagnostics.emplace_back(each))) return false;
+  for (const Location& each : found.notCalls)
+    if (!isGone(each) && !move(now.notCalls.emplace_back(each))) return false;
+  for (const UnknownName& each : found.unknown) {
+    if (isGone(each.at)) continue;
+    UnknownName& it = now.unknown.emplace_back(each);
+    if (!move(it.at) || !moveSymbol(it.owner)) return false;
+  }
+  return true;
+}
+
+bool Reuse::keep(std::span<const Occurrence> occurrences) {
+  const Move move{file, edit};
+  places.reserve(occurrences.size());
+  auto hole = gone.within.begin();
+  for (const Occurrence& each : occurrences) {
+    while (hole != gone.within.end() && isBefore(*hole, each.at)) ++hole;
+    if (hole != gone.within.end() && hole->file == each.at.file &&
+        hole->range.begin <= each.at.range.begin)
+      continue;
+    Occurrence& it = places.emplace_back(each);
+    if (!move(it.at) || !moveSymbol(it.symbol)) return false;
+  }
+  return true;
+}
+
+Index Reuse::index(SymbolTable table, std::vector<Occurrence> noted) && {
+  return {std::move(table), std::move(places), std::move(noted), looked};
+}
+
+} // namespace proskill::analysis

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analysis/names/symbols.h"
+#include "syntax/tree/statements.h"
+
+namespace proskill::analysis {
+
+/// For whoever looks for one kind of statement and does not care how deep it is.
+using syntax::forEachStatement;
+
+/// The body of a composite skill, or of an environment.
+struct Body {
+  const syntax::Block& block;
+  FileId file;
+  SymbolId owner;
+};
+
+} // namespace proskill::analysis

@@ -1,0 +1,226 @@
+#include "cli/commands/check.h"
+
+#include "cli/commands/fix.h"
+#include "cli/terminal/choice.h"
+#include "cli/terminal/paint.h"
+#include "disk/disk.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "lsp/workspace/program_settings.h"
+#include "report/check_report.h"
+#include "report/render.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum ExitCode { kClean = 0, kFindings = 1, kUsage = 2 };
+
+enum class Format : std::uint8_t { Text, Short, Json, Sarif };
+
+struct Arguments {
+  std::vector<std::string> files;
+  Format format = Format::Text;
+  ColourChoice colour = ColourChoice::Auto;
+  bool fragment = false;
+  bool fix = false;
+  bool style = false;
+};
+
+/// `FILE:3:14: there is no setting ...`
+std::string placed(const fs::path& file, const lsp::SettingsMistake& mistake) {
+  const auto [line, column] = syntax::LineIndex(mistake.text).position(mistake.at.begin);
+  return file.generic_string() + ":" + std::to_string(line + 1) + ":" + std::to_string(column + 1) +
+         ": " + mistake.words;
+}
+
+/// The programs of the files given. One that another one includes is seen in that one's context.
+class Loader {
+public:
+  explicit Loader(const Arguments& arguments) : arguments(arguments) {}
+
+  /// False where a file cannot be read; that is said on standard error.
+  bool add(const std::string& file) {
+    const fs::path canonical = disk.canonical(file);
+    if (std::ranges::find(roots, canonical, &Root::canonical) != roots.end()) return true;
+    if (ide::isFiacre(file)) return addFiacre(file, canonical);
+    auto document = disk.document(file);
+    if (!document) {
+      std::cerr << "error: cannot read `" << file << "`: " << document.error() << '\n';
+      return false;
+    }
+    const auto extent = arguments.fragment ? analysis::Extent::Fragment : analysis::Extent::Whole;
+    Root root{canonical, {}, analysis::load(disk, file, std::move(*document), extent), {}};
+    for (std::size_t i = 1; i < root.program.files.size(); ++i)
+      root.includes.insert(disk.canonical(root.program.files[i].path));
+    roots.push_back(std::move(root));
+    return true;
+  }
+
+  bool addFiacre(const std::string& file, const fs::path& canonical) {
+    auto text = disk.read(file);
+    if (!text) {
+      std::cerr << "error: cannot read `" << file << "`: " << text.error() << '\n';
+      return false;
+    }
+    auto read = ide::readFiacre(file, std::move(*text));
+    roots.push_back({canonical, {}, std::move(read.program), std::move(read.diagnostics)});
+    return true;
+  }
+
+  std::vector<CheckedProgram> check() {
+    for (std::size_t i = 0; i < roots.size(); ++i) roots[i].included = includedByOther(i);
+    std::vector<CheckedProgram> checked;
+    for (Root& root : roots) {
+      if (root.included) continue;
+      auto diagnostics = root.found
+                             ? std::move(*root.found)
+                             : analysis::flow::inspect(root.program, settings(root.canonical));
+      checked.push_back({std::move(root.program), std::move(diagnostics)});
+    }
+    return checked;
+  }
+
+  /// A file of settings was read and understood, wherever there was one.
+  [[nodiscard]] bool understood() const { return !mistaken; }
+
+private:
+  struct Root {
+    fs::path canonical;
+    std::set<fs::path> includes;
+    analysis::Program program;
+    std::optional<std::vector<syntax::Diagnostic>> found; ///< of Fiacre, when it was read
+    bool included = false;
+  };
+
+  analysis::flow::Settings settings(const fs::path& root) {
+    auto [result, file, mistake] = lsp::settingsFor(disk, root);
+    if (mistake) std::cerr << "error: " << placed(file, *mistake) << '\n';
+    mistaken |= mistake.has_value();
+    result.style |= arguments.style;
+    return result;
+  }
+
+  /// Of two files that include each other the later one stays.
+  [[nodiscard]] bool includedByOther(std::size_t i) const {
+    return std::ranges::any_of(roots, [&](const Root& other) {
+      return &other != &roots[i] && !other.included && other.includes.contains(roots[i].canonical);
+    });
+  }
+
+  const Arguments& arguments;
+  DiskFileSystem disk;
+  std::vector<Root> roots;
+  bool mistaken = false;
+};
+
+/// What two programs share is told once.
+void removeRepeated(std::vector<CheckedProgram>& programs) {
+  std::set<std::tuple<std::string, syntax::Offset, syntax::Offset, std::string>> seen;
+  for (CheckedProgram& checked : programs)
+    std::erase_if(checked.diagnostics, [&](const syntax::Diagnostic& it) {
+      const auto& path = checked.program.files[it.location.file].path;
+      return !seen.insert({path.generic_string(), it.location.range.begin, it.location.range.end,
+                           std::string(syntax::info(it.code).id) + it.message})
+                  .second;
+    });
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string summary(const FindingCounts& counts) {
+  std::string found;
+  for (const auto& [count, noun] :
+       {std::pair(counts.errors, "error"), std::pair(counts.warnings, "warning"),
+        std::pair(counts.hints, "hint")})
+    if (count > 0) found += (found.empty() ? "" : ", ") + counted(count, noun);
+  return (found.empty() ? "nothing to report" : found) + " in " + counted(counts.files, "file");
+}
+
+void write(const Arguments& arguments, const std::vector<CheckedProgram>& programs) {
+  switch (arguments.format) {
+  case Format::Text:
+    for (const CheckedProgram& checked : programs)
+      render(std::cout, checked.program, checked.diagnostics,
+             Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
+    break;
+  case Format::Short: writeCheckShort(std::cout, programs); break;
+  case Format::Json: writeCheckJson(std::cout, programs); break;
+  case Format::Sarif: writeCheckSarif(std::cout, programs); break;
+  }
+}
+
+/// \return all files could be read
+bool load(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
+  Loader loader(arguments);
+  bool readable = true;
+  for (const std::string& file : arguments.files) readable &= loader.add(file);
+  programs = loader.check();
+  if (programs.size() > 1) removeRepeated(programs);
+  return readable && loader.understood();
+}
+
+/// Mends what can be mended, and looks again. \return all files could be read and written
+bool fix(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
+  auto fixed = applyFixes(programs);
+  if (!fixed) {
+    std::cerr << "error: " << fixed.error() << '\n';
+    return false;
+  }
+  std::cerr << "fixed " << counted(fixed->findings, "finding") << " in "
+            << counted(fixed->files, "file") << '\n';
+  return fixed->findings == 0 || load(arguments, programs);
+}
+
+int run(const Arguments& arguments) {
+  std::vector<CheckedProgram> programs;
+  bool readable = load(arguments, programs);
+  if (readable && arguments.fix) readable = fix(arguments, programs);
+  write(arguments, programs);
+  std::cout.flush();
+  if (!std::cout) {
+    std::cerr << "error: the report could not be written to standard output\n";
+    return kUsage;
+  }
+  const FindingCounts counts = countFindings(programs);
+  const bool forPeople = arguments.format == Format::Text || arguments.format == Format::Short;
+  if (forPeople && !programs.empty()) std::cerr << summary(counts) << '\n';
+  if (!readable) return kUsage;
+  return counts.errors + counts.warnings > 0 ? kFindings : kClean;
+}
+
+} // namespace
+
+void addCheck(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand("check", "Report what is wrong with programs");
+  command->add_option("file", arguments->files, "The programs' root files")->required();
+  addChoice<Format>(*command, "--format", arguments->format,
+                    {{"text", Format::Text},
+                     {"short", Format::Short},
+                     {"json", Format::Json},
+                     {"sarif", Format::Sarif}},
+                    "How findings are printed");
+  command->add_flag("--fragment", arguments->fragment,
+                    "The files are parts of programs: names defined elsewhere are only hints");
+  command->add_flag("--style", arguments->style, "Tell hints of style too");
+  command->add_flag("--fix", arguments->fix,
+                    "Mend in the files what one edit mends; report the rest");
+  addColour(*command, arguments->colour);
+  command->footer("Exit code: 0 clean, or hints alone; 1 errors or warnings; 2 a mistake in the "
+                  "command, or a file that cannot be read.");
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,51 @@
+#include "cli/commands/dap.h"
+
+#include "dap/adapter.h"
+#include "disk/disk.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace proskill::cli {
+
+namespace {
+
+constexpr int kUsage = 2;
+
+int serve(lsp::Connection& connection) {
+  const DiskFileSystem disk;
+  dap::Adapter adapter(connection, disk, {});
+  return adapter.run();
+}
+
+int run(std::optional<std::uint16_t> port) {
+  std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
+  if (!port) return serve(*lsp::standardStreams());
+  auto connection = lsp::acceptLoopback(*port, [](std::uint16_t opened) {
+    std::cerr << "listening on port " << opened << std::endl;
+  });
+  if (connection) return serve(**connection);
+  std::cerr << "error: cannot listen on the port: " << connection.error() << '\n';
+  return kUsage;
+}
+
+} // namespace
+
+void addDap(CLI::App& app, int& exitCode) {
+  auto port = std::make_shared<std::optional<std::uint16_t>>();
+  auto* command = app.add_subcommand(
+      "dap", "Step through traces and simulations by the Debug Adapter Protocol");
+  command->add_option("--port", *port,
+                      "Wait for one client on this port of the loopback interface, instead of "
+                      "standard input and output");
+  command->footer(
+      "Exit code: 0 the client disconnected; 1 it was gone before; 2 the port cannot be "
+      "used.");
+  command->callback([port, &exitCode] { exitCode = run(*port); });
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,138 @@
+#include "cli/commands/explain.h"
+
+#include "cli/terminal/paint.h"
+#include "ide/description/explanation.h"
+#include "report/render.h"
+#include "report/text_width.h"
+#include "syntax/diagnostics/suggest.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+namespace {
+
+using ide::paragraphOf;
+using ide::titleOf;
+
+struct Arguments {
+  std::string code;
+  bool list = false;
+  bool markdown = false;
+  ColourChoice colour = ColourChoice::Auto;
+};
+
+/// Lines for people are no longer than this, however wide the terminal is.
+constexpr std::size_t kWidest = 100;
+constexpr std::size_t kNarrowest = 30;
+
+std::string wrapped(std::string_view paragraph, std::size_t width) {
+  std::string text;
+  std::size_t column = 0;
+  for (std::size_t at = 0; at < paragraph.size();) {
+    const std::size_t end = std::min(paragraph.find(' ', at), paragraph.size());
+    const std::string_view word = paragraph.substr(at, end - at);
+    const std::size_t length = DisplayedLine(word).column(word.size());
+    if (column > 0 && column + 1 + length > width) {
+      text += '\n';
+      column = 0;
+    }
+    if (column > 0) {
+      text += ' ';
+      ++column;
+    }
+    text += word;
+    column += length;
+    at = end + 1;
+  }
+  return text;
+}
+
+/// The example line by line; what a terminal does not show is shown as `�`.
+std::string shownExample(const syntax::CodeInfo& code, std::string_view indent) {
+  std::string text;
+  std::string_view rest = code.example;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    text += std::string(indent) + DisplayedLine(rest.substr(0, end)).text() + '\n';
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return text;
+}
+
+std::string headOf(const syntax::CodeInfo& code) {
+  return std::string(words(code.severity)) + "[" + std::string(code.id) + "]";
+}
+
+void printOne(const syntax::CodeInfo& code, const Paint& paint) {
+  const std::size_t width = std::clamp(terminalWidth(STDOUT_FILENO, 80), kNarrowest, kWidest);
+  std::cout << wrapped(paint(Colour::Bold, headOf(code) + ": " + titleOf(code)), width) << "\n\n"
+            << wrapped(paragraphOf(code), width) << '\n';
+  if (!code.example.empty())
+    std::cout << "\nFor example:\n\n" << paint(Colour::Dim, shownExample(code, "    "));
+}
+
+void printList() {
+  for (const syntax::CodeInfo& code : syntax::allCodes())
+    std::cout << code.id << "  " << words(code.severity)
+              << std::string(9 - words(code.severity).size(), ' ') << titleOf(code) << '\n';
+}
+
+/// The page of the manual.
+void printMarkdown() {
+  std::cout
+      << "# Diagnostics\n\n"
+         "<!-- Made by `proskill explain --markdown` from the table in "
+         "syntax/diagnostics/diagnostics.def;"
+         " a test compares. -->\n\n"
+         "What `proskill check` and the editors report, by code. `proskill explain CODE` "
+         "prints one of these.\n"
+         "Each program below raises its code. Of an error there is no model and no verdict; a "
+         "warning says that\nsomething is probably not meant; a hint is no finding.\n";
+  for (const syntax::CodeInfo& code : syntax::allCodes()) {
+    std::cout << "\n## " << code.id << ": " << titleOf(code) << "\n\n"
+              << "*" << words(code.severity) << "* — " << paragraphOf(code) << '\n';
+    if (!code.example.empty()) std::cout << "\n```proskill\n" << shownExample(code, "") << "```\n";
+  }
+}
+
+int failUnknown(const std::string& code) {
+  const auto ids = syntax::allCodes() | std::views::transform(&syntax::CodeInfo::id);
+  const auto meant = syntax::nearest(code, ids);
+  std::cerr << "error: there is no code `" << code << "`";
+  if (!meant.empty()) std::cerr << "; did you mean " << meant << "?";
+  std::cerr << " (`proskill explain --list` shows all)\n";
+  return 2;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.markdown) return printMarkdown(), 0;
+  if (arguments.list) return printList(), 0;
+  if (arguments.code.empty()) {
+    std::cerr << "error: which code? `proskill explain --list` shows all\n";
+    return 2;
+  }
+  const syntax::CodeInfo* code = syntax::findCode(arguments.code);
+  if (!code) return failUnknown(arguments.code);
+  printOne(*code, Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
+  return 0;
+}
+
+} // namespace
+
+void addExplain(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand("explain", "Explain a diagnostic, with an example");
+  command->add_option("code", arguments->code, "As check prints it: PS0201");
+  command->add_flag("--list", arguments->list, "All codes, a line each");
+  command->add_flag("--markdown", arguments->markdown, "All of them, as the manual's page");
+  addColour(*command, arguments->colour);
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}
+
+} // namespace proskill::cli

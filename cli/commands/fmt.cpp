@@ -1,0 +1,123 @@
+#include "cli/commands/fmt.h"
+
+#include "cli/output/unified_diff.h"
+#include "disk/disk.h"
+#include "disk/output.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "syntax/format/format.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+namespace proskill::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum ExitCode { kDone = 0, kNotLaidOut = 1, kUsage = 2 };
+
+struct Arguments {
+  std::vector<std::string> files;
+  bool check = false;
+  bool diff = false;
+};
+
+int fail(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  return kUsage;
+}
+
+std::expected<std::string, std::string> readFile(const std::string& file) {
+  if (file != "-") return DiskFileSystem().read(file);
+  std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+  if (std::cin.bad()) return std::unexpected("standard input cannot be read");
+  return text;
+}
+
+/// What is left as it is, so that nobody takes it for laid out.
+void tellUntouched(const std::string& file, const syntax::Document& document) {
+  for (auto range : syntax::unformattable(document)) {
+    auto line = document.lines().position(range.begin).line + 1;
+    std::cerr << (file == "-" ? "standard input" : file) << ':' << line
+              << ": left as it is: run `proskill check` to see what is wrong with it\n";
+  }
+}
+
+int writeBack(const std::string& file, const std::string& text) {
+  if (file == "-") {
+    auto failure = writeOutput({}, text);
+    return failure ? fail(*failure) : kDone;
+  }
+  auto failure = writeFile(file, text);
+  return failure ? fail(*failure) : kDone;
+}
+
+/// A text, and what lays it out.
+struct Layout {
+  syntax::Document document;
+  std::vector<syntax::TextEdit> edits;
+};
+
+Layout layOut(const std::string& file, std::string text) {
+  auto document = syntax::Document::parse(std::move(text));
+  auto edits = syntax::format(document);
+  tellUntouched(file, document);
+  if (edits.empty()) return {std::move(document), {}};
+  const auto result = syntax::applyEdits(document.text(), edits);
+  if (!syntax::sameTokens(document, syntax::Document::parse(result)))
+    throw std::logic_error("laying out `" + file + "` would change more than white space");
+  return {std::move(document), std::move(edits)};
+}
+
+/// Fiacre that cannot be read is left as it is, all of it.
+Layout layOutFiacre(const std::string& file, std::string text) {
+  auto edits = ide::formatFiacre(text);
+  if (!edits)
+    std::cerr << file << ": left as it is: run `proskill check` to see what is wrong with it\n";
+  return {syntax::Document::parse(std::move(text)),
+          edits.value_or(std::vector<syntax::TextEdit>{})};
+}
+
+int formatFile(const Arguments& arguments, const std::string& file) {
+  auto text = readFile(file);
+  if (!text) return fail("cannot read `" + file + "`: " + text.error());
+  const auto [document, edits] =
+      ide::isFiacre(file) ? layOutFiacre(file, std::move(*text)) : layOut(file, std::move(*text));
+  if (arguments.diff) std::cout << unifiedDiff(file, document, edits);
+  if (arguments.check && !edits.empty() && !arguments.diff) std::cout << file << '\n';
+  if (arguments.check || arguments.diff)
+    return arguments.check && !edits.empty() ? kNotLaidOut : kDone;
+  if (edits.empty() && file != "-") return kDone;
+  return writeBack(file, syntax::applyEdits(document.text(), edits));
+}
+
+int run(const Arguments& arguments) {
+  int code = kDone;
+  for (const auto& file : arguments.files) code = std::max(code, formatFile(arguments, file));
+  std::cout.flush();
+  return std::cout ? code : fail("standard output cannot be written");
+}
+
+} // namespace
+
+void addFmt(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand(
+      "fmt", "Lay out programs and Fiacre (.fcr) in the one style that there is");
+  command->add_option("file", arguments->files, "Files; - for standard input to standard output")
+      ->required();
+  command->add_flag("--check", arguments->check,
+                    "Change nothing; name the files that would change");
+  command->add_flag("--diff", arguments->diff, "Change nothing; print what would change");
+  command->footer("Only white space changes. A definition that cannot be read as it stands is left "
+                  "as it is.\n"
+                  "Exit code: 0 all is laid out; 1 with --check: a file is not; 2 a mistake in the "
+                  "command, or a file that cannot be read or written.");
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,162 @@
+#include "cli/commands/graph.h"
+
+#include "cli/output/checked_program.h"
+#include "cli/terminal/choice.h"
+#include "cli/terminal/paint.h"
+#include "cli/terminal/picture_kinds.h"
+#include "disk/disk.h"
+#include "disk/output.h"
+#include "viz/pictures.h"
+#include "viz/render.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+namespace proskill::cli {
+namespace {
+
+enum ExitCode { kDrawn = 0, kFailed = 2 };
+
+const Choices<viz::Format> kFormats{
+    {"dot", viz::Format::Dot}, {"svg", viz::Format::Svg}, {"png", viz::Format::Png}};
+
+struct Arguments {
+  std::string file;
+  std::optional<viz::Kind> kind;
+  std::string name;
+  std::optional<viz::Format> format;
+  bool dark = false;
+  bool forbidden = false;
+  std::string output;
+  std::string directory;
+  ColourChoice colour = ColourChoice::Auto;
+};
+
+int fail(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  return kFailed;
+}
+
+template <class Value> Choices<std::optional<Value>> optional(const Choices<Value>& choices) {
+  return {choices.begin(), choices.end()};
+}
+
+/// As asked for, else as the output's name says, else SVG.
+viz::Format formatOf(const Arguments& arguments) {
+  if (arguments.format) return *arguments.format;
+  const auto extension = std::filesystem::path(arguments.output).extension().string();
+  for (const auto& [name, format] : kFormats)
+    if (extension == "." + name) return format;
+  return viz::Format::Svg;
+}
+
+/// The pictures that the arguments choose; the calls where they choose nothing and one is wanted.
+std::vector<viz::Request> choose(const analysis::Program& program, const Arguments& arguments) {
+  std::vector<viz::Request> chosen;
+  if (arguments.kind && !arguments.name.empty()) {
+    chosen = {{*arguments.kind, arguments.name, false}};
+  } else if (arguments.kind) {
+    chosen = viz::allPictures(program, *arguments.kind);
+  } else if (!arguments.name.empty()) {
+    chosen = viz::allPictures(program);
+    std::erase_if(chosen, [&](const auto& request) { return request.name != arguments.name; });
+  } else {
+    chosen = arguments.directory.empty() ? viz::allPictures(program, viz::Kind::Calls)
+                                         : viz::allPictures(program);
+  }
+  for (auto& request : chosen) request.forbidden = arguments.forbidden;
+  return chosen;
+}
+
+std::expected<std::string, std::string>
+picture(const analysis::Program& program, const Arguments& arguments, const viz::Request& request) {
+  const auto graph = viz::draw(program, request);
+  if (!graph) return std::unexpected(graph.error());
+  return viz::render(*graph, formatOf(arguments),
+                     arguments.dark ? viz::Scheme::Dark : viz::Scheme::Light);
+}
+
+std::string nameOf(const viz::Request& request) {
+  const auto& kind = wordOf(kPictureKinds, request.kind);
+  return request.name.empty() ? kind : kind + "_" + request.name;
+}
+
+/// One file a picture, whose paths are printed.
+int drawAll(const analysis::Program& program, const Arguments& arguments,
+            const std::vector<viz::Request>& requests) {
+  const std::filesystem::path directory(arguments.directory);
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    return fail(
+        fmt::format("{} cannot be made a directory: {}", arguments.directory, error.message()));
+  for (const auto& request : requests) {
+    const auto bytes = picture(program, arguments, request);
+    if (!bytes) return fail(bytes.error());
+    const auto path = directory / (nameOf(request) + "." + wordOf(kFormats, formatOf(arguments)));
+    if (const auto failed = writeOutput(path, *bytes)) return fail(*failed);
+    std::cout << path.string() << '\n';
+  }
+  return kDrawn;
+}
+
+int drawOne(const analysis::Program& program, const Arguments& arguments,
+            const viz::Request& request) {
+  const bool standard = arguments.output.empty() || arguments.output == "-";
+  if (standard && formatOf(arguments) == viz::Format::Png && isatty(STDOUT_FILENO) != 0)
+    return fail("a PNG is nothing for a terminal: name a file with `-o`");
+  const auto bytes = picture(program, arguments, request);
+  if (!bytes) return fail(bytes.error());
+  const auto failed = writeOutput(arguments.output, *bytes);
+  return failed ? fail(*failed) : kDrawn;
+}
+
+std::string listOf(const std::vector<viz::Request>& requests) {
+  std::string names;
+  for (const auto& request : requests) names += (names.empty() ? "" : ", ") + request.name;
+  return names;
+}
+
+int run(const Arguments& arguments) {
+  const auto program = loadChecked(arguments.file, arguments.colour);
+  if (!program) return kFailed;
+  const auto requests = choose(*program, arguments);
+  if (requests.empty())
+    return fail(arguments.name.empty()
+                    ? std::string("the program has nothing of this kind")
+                    : fmt::format("nothing is called `{}` that has a picture", arguments.name));
+  if (!arguments.directory.empty()) return drawAll(*program, arguments, requests);
+  if (requests.size() > 1)
+    return fail("say which one with `--name`, or draw all into a directory with `--out-dir`: " +
+                listOf(requests));
+  return drawOne(*program, arguments, requests.front());
+}
+
+} // namespace
+
+void addGraph(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand("graph", "Draw state variables, skills, bodies and calls");
+  command->add_option("file", arguments->file, "The program's root file")->required();
+  addChoice(*command, "--kind", arguments->kind, optional(kPictureKinds),
+            "State variables, skills, bodies, or who calls whom");
+  command->add_option("--name", arguments->name, "Of what: a state variable, skill or environment");
+  addChoice(*command, "--format", arguments->format, optional(kFormats),
+            "If not given, as the output's name says, else svg");
+  command->add_flag("--dark", arguments->dark, "For a dark page");
+  command->add_flag("--forbidden", arguments->forbidden,
+                    "The moves of state variables that are not allowed, too");
+  auto* directory = command->add_option("--out-dir", arguments->directory,
+                                        "Draw all that is chosen, each into a file of its own");
+  command->add_option("-o,--output", arguments->output, "Write here, not to standard output")
+      ->excludes(directory);
+  addColour(*command, arguments->colour);
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,120 @@
+#include "cli/commands/lsp.h"
+
+#include "disk/disk.h"
+#include "lsp/server/server.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <mutex>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace proskill::cli {
+
+namespace {
+
+constexpr int kUsage = 2;
+
+struct Arguments {
+  std::optional<std::uint16_t> port;
+  std::string log;
+  unsigned debounce = 50;
+};
+
+int fail(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  return kUsage;
+}
+
+/// A file that every thread may write lines to; each is there at once, for whoever reads along.
+class LogFile {
+public:
+  explicit LogFile(const std::string& path) : file(path, std::ios::app) {}
+
+  [[nodiscard]] bool isOpen() const { return file.is_open(); }
+  void write(std::string_view line) {
+    const std::lock_guard lock(mutex);
+    file << line << std::endl;
+  }
+
+private:
+  std::mutex mutex;
+  std::ofstream file;
+};
+
+/// What one thread has allocated another one frees, and each of many heaps would keep the most that
+/// it ever held. An answer of megabytes is put together in memory that was used before: to have the
+/// system make it anew each time takes as long as the answer.
+void tuneHeaps() {
+#ifdef __GLIBC__
+  constexpr int kMiB = 1 << 20;
+  mallopt(M_ARENA_MAX, 2);
+  mallopt(M_MMAP_THRESHOLD, 4 * kMiB);
+  mallopt(M_TRIM_THRESHOLD, 8 * kMiB);
+#endif
+}
+
+/// Where the manual lies beside this program: installed, carried by an editor's extension, or in
+/// the tree that it was built in.
+std::filesystem::path manual() {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* docs : {"../share/doc/proskill/docs", "docs", "../../docs"})
+    if (auto page = (folder / docs / "diagnostics.md").lexically_normal();
+        std::filesystem::exists(page, error))
+      return page;
+  return {};
+}
+
+int serve(lsp::Connection& connection, lsp::ServerOptions options) {
+  lsp::Server server(connection, std::make_shared<DiskFileSystem>(), std::move(options));
+  return server.run();
+}
+
+int run(const Arguments& arguments) {
+  tuneHeaps();
+  std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
+  lsp::ServerOptions options;
+  options.version = PROSKILL_VERSION;
+  options.manual = manual();
+  options.debounce = std::chrono::milliseconds(arguments.debounce);
+  if (!arguments.log.empty()) {
+    auto log = std::make_shared<LogFile>(arguments.log);
+    if (!log->isOpen()) return fail("cannot write to `" + arguments.log + "`");
+    options.log = [log](std::string_view line) { log->write(line); };
+  }
+  if (!arguments.port) return serve(*lsp::standardStreams(), std::move(options));
+  auto connection = lsp::acceptLoopback(*arguments.port, [](std::uint16_t port) {
+    std::cerr << "listening on port " << port << std::endl;
+  });
+  if (!connection) return fail("cannot listen on the port: " + connection.error());
+  return serve(**connection, std::move(options));
+}
+
+} // namespace
+
+void addLsp(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand("lsp", "Serve an editor by the Language Server Protocol");
+  command->add_option("--port", arguments->port,
+                      "Wait for one client on this port of the loopback interface, 0: any that "
+                      "is free, instead of standard input and output");
+  command->add_option("--log", arguments->log, "Append a line for each request to this file");
+  command->add_option("--debounce", arguments->debounce,
+                      "Milliseconds without an edit before diagnostics are sent");
+  command->add_flag("--stdio")->description(
+      "Standard input and output, as without it: some clients ask for it");
+  command->footer(
+      "Exit code: 0 the client said `shutdown` before it left; 1 it did not; 2 the port "
+      "or the log cannot be used.");
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}
+
+} // namespace proskill::cli

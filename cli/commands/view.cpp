@@ -1,0 +1,107 @@
+#include "cli/commands/view.h"
+
+#include "disk/disk.h"
+#include "view/http_server.h"
+#include "view/panel_routes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <fcntl.h>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <spawn.h>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+namespace {
+
+enum ExitCode { kEnded = 0, kUsage = 2 };
+
+struct Arguments {
+  std::string file;
+  std::string mainSkill;
+  std::uint16_t port = 0;
+  bool noOpen = false;
+  double timeLimit = 60;
+  std::uint64_t memoryLimit = 2048; // MiB
+};
+
+int fail(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  return kUsage;
+}
+
+/// Where there is no browser, the address that is printed has to do.
+void openBrowser(const std::string& url) {
+  std::string command = "xdg-open";
+  std::string address = url;
+  char* const words[] = {command.data(), address.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  pid_t child = 0;
+  posix_spawnp(&child, command.c_str(), &actions, nullptr, words, environ);
+  posix_spawn_file_actions_destroy(&actions);
+}
+
+/// By its name, or by its first character, which no program has.
+bool isJson(const std::filesystem::path& path, const std::string& text) {
+  if (path.extension() == ".json") return true;
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '{';
+}
+
+std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& arguments,
+                                                              NewsBoard& news) {
+  const std::filesystem::path path(arguments.file);
+  const auto text = DiskFileSystem().read(path);
+  if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());
+  if (isJson(path, *text)) return savedReport(arguments.file, *text);
+  verify::Limits limits;
+  limits.seconds = arguments.timeLimit;
+  limits.bytes = arguments.memoryLimit * 1024 * 1024;
+  return liveProgram({arguments.file, arguments.mainSkill, limits}, news);
+}
+
+int run(const Arguments& arguments) {
+  auto server = HttpServer::listen(arguments.port);
+  if (!server) return fail("cannot listen on the port: " + server.error());
+  NewsBoard news;
+  auto data = dataOf(arguments, news);
+  if (!data) return fail(data.error());
+  const PanelAddress address{(*server)->port(), randomToken()};
+  std::cout << address.url() << std::endl;
+  if (isatty(STDERR_FILENO) != 0) std::cerr << "Ctrl-C ends it\n";
+  if (!arguments.noOpen) openBrowser(address.url());
+  (*server)->run([&](const HttpRequest& request) { return answer(request, address, **data, news); },
+                 [&] { news.close(); });
+  return kEnded;
+}
+
+} // namespace
+
+void addView(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command =
+      app.add_subcommand("view", "Show verdicts, traces and automata in a browser, live");
+  command
+      ->add_option("file", arguments->file,
+                   "The program's root file, or a trace or report as JSON that was saved")
+      ->required();
+  command->add_option("--main", arguments->mainSkill, "The skill that is the mission");
+  command->add_option("--port", arguments->port, "Of the loopback interface; any free one if 0");
+  command->add_flag("--no-open", arguments->noOpen, "Print the address, open no browser");
+  command
+      ->add_option("--time-limit", arguments->timeLimit,
+                   "Seconds for a verification; what is open is inconclusive")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--memory-limit", arguments->memoryLimit, "MiB, likewise")
+      ->check(CLI::PositiveNumber);
+  command->footer("Exit code: 0 ended by Ctrl-C; 2 the file or the port cannot be used.");
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,45 @@
+#include "cli/output/checked_program.h"
+
+#include "disk/disk.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "report/render.h"
+#include "report/source_place.h"
+
+#include <algorithm>
+#include <iostream>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour) {
+  if (ide::isFiacre(root)) {
+    std::cerr << "error: `" << root << "` is a model in Fiacre, which only `check`, `verify` and "
+              << "`fmt` read\n";
+    return std::nullopt;
+  }
+  const DiskFileSystem disk;
+  auto document = disk.document(root);
+  if (!document) {
+    std::cerr << "error: cannot read `" << root << "`: " << document.error() << '\n';
+    return std::nullopt;
+  }
+  auto program = analysis::load(disk, root, std::move(*document));
+  auto diagnostics = analysis::check(program);
+  std::erase_if(diagnostics,
+                [](const syntax::Diagnostic& it) { return it.severity == syntax::Severity::Hint; });
+  render(std::cerr, program, diagnostics, Paint{wantsColour(colour, STDERR_FILENO)});
+  const bool broken = std::ranges::any_of(diagnostics, [](const syntax::Diagnostic& it) {
+    return it.severity == syntax::Severity::Error;
+  });
+  if (broken) return std::nullopt;
+  return program;
+}
+
+int failGeneration(const analysis::Program& program, const codegen::GenerationError& error) {
+  const SourcePlace at = SourcePlaces(program).begin(error.location);
+  std::cerr << program.files[error.location.file].path.generic_string() << ':' << at.line << ':'
+            << at.column << ": error: " << error.message << '\n';
+  return 2;
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,78 @@
+#include "cli/output/graph_file.h"
+
+#include "disk/output.h"
+#include "tina/graph_text.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace proskill::cli {
+
+namespace {
+
+enum ExitCode { kWritten = 0, kUsage = 2, kInconclusive = 3 };
+
+int fail(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  return kUsage;
+}
+
+int failUnsupported(const verify::Unsupported& error) {
+  return fail("this model cannot be explored: " + error.message);
+}
+
+/// One line, as sift ends, and the time.
+void printCounts(const verify::Exploration& counted) {
+  fmt::print("{} classe(s), {} marking(s), {} domain(s), {} transition(s)\n{:.3f}s\n",
+             counted.classes, counted.markings, counted.domains, counted.transitions,
+             counted.seconds);
+}
+
+int failIncomplete(const verify::Exploration& counted) {
+  std::cerr << "the graph is not complete: " << counted.stopped << '\n';
+  return kInconclusive;
+}
+
+int count(const codegen::Model& model, const verify::Options& options) {
+  auto counted = verify::countClasses(model.fiacre, options);
+  if (!counted) return failUnsupported(counted.error());
+  printCounts(*counted);
+  return counted->complete ? kWritten : failIncomplete(*counted);
+}
+
+std::optional<std::string> writeGraph(const std::filesystem::path& path,
+                                      const verify::StateGraph& graph, const std::string& name) {
+  return writeFile(path, [&](std::ostream& out) {
+    if (path.extension() == ".aut")
+      tina::writeAut(out, graph);
+    else
+      tina::writeKtzText(out, graph, name);
+  });
+}
+
+} // namespace
+
+int exploreGraph(const std::string& target, verify::GraphKind kind, const codegen::Model& model,
+                 const verify::Options& options) {
+  if (target == "counts" && kind == verify::GraphKind::Classes) return count(model, options);
+  const std::filesystem::path path(target);
+  const bool isFile = target != "counts";
+  if (isFile && path.extension() != ".aut" && path.extension() != ".txt")
+    return fail("`--graph` is for a file that ends in `.aut` or `.txt`, or for `counts`");
+  auto graph = verify::stateGraph(model.fiacre, kind, options);
+  if (!graph) return failUnsupported(graph.error());
+  if (!graph->counts.complete) {
+    printCounts(graph->counts);
+    return failIncomplete(graph->counts);
+  }
+  if (isFile)
+    if (auto problem = writeGraph(path, *graph, tina::netName(model.fiacre))) return fail(*problem);
+  printCounts(graph->counts);
+  if (kind != verify::GraphKind::Classes)
+    fmt::print("{} state(s), {} edge(s)\n", graph->markingOf.size(), graph->edges.size());
+  return kWritten;
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,105 @@
+#include "cli/output/report.h"
+
+#include "disk/output.h"
+#include "report/verify_report.h"
+#include "view/panel_bundle.h"
+#include "view/panel_json.h"
+
+#include <fmt/format.h>
+
+namespace proskill::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Its script and its style stand in the page itself, and no others are let in.
+constexpr std::string_view kReportPage = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="UTF-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src '{script}'; style-src '{style}'; img-src blob: data:; base-uri 'none'; form-action 'none'">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="proskill {version}">
+<title>ProSkill</title>
+<link rel="icon" href="data:,">
+<style>{css}</style>
+</head>
+<body><div id="panel"></div>
+<script type="application/json" id="proskill-report">{data}</script>
+<script>{js}</script>
+</body>
+</html>
+)";
+
+/// No text of a program can end the element that holds it.
+std::string withinScript(const Json& json) {
+  std::string out;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    out += c == '<' ? "\\u003c" : std::string(1, c);
+  return out;
+}
+
+/// The picture open and, where that is something else, folded; each for both grounds.
+void addPicture(Json& all, const analysis::Program& program, const viz::Request& request) {
+  PictureParams params{request, viz::Format::Dot, false, std::vector<std::string>{}};
+  const auto dot = pictureJson(program, params, false);
+  if (!dot) return;
+  std::vector<std::string> clusters;
+  for (const auto& it : (*dot)["foldable"]) clusters.push_back(it["key"]);
+  params.format = viz::Format::Svg;
+  for (const bool dark : {false, true}) {
+    for (const auto& fold : {std::vector<std::string>{}, clusters}) {
+      params.dark = dark;
+      params.fold = fold;
+      if (auto svg = pictureJson(program, params, false))
+        all.push_back({{"params", paramsJson(params)},
+                       {"svg", std::move(*svg)},
+                       {"dot", dark ? Json() : (*dot)["content"]}});
+      if (clusters.empty()) break;
+    }
+  }
+}
+
+Json dataOf(const VerifyReport& report) {
+  const auto& program = report.program;
+  auto verdicts = lsp::reportJson(report);
+  verdicts.update({{"label", program.files.front().path.filename().generic_string()},
+                   {"state", "done"},
+                   {"stale", false},
+                   {"message", ""},
+                   {"progress", nullptr},
+                   {"pictures", picturesJson(program)},
+                   {"files", filesJson(program)}});
+  Json sources = Json::object();
+  for (const auto& file : program.files) sources[file.path.generic_string()] = file.document.text();
+  Json pictures = Json::array();
+  for (auto request : viz::allPictures(program)) {
+    addPicture(pictures, program, request);
+    if (request.kind != viz::Kind::StateVariable) continue;
+    request.forbidden = true;
+    addPicture(pictures, program, request);
+  }
+  return {{"report", std::move(verdicts)},
+          {"sources", std::move(sources)},
+          {"pictures", std::move(pictures)}};
+}
+
+} // namespace
+
+std::optional<std::string> writeReport(const std::filesystem::path& directory,
+                                       const VerifyReport& report) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    return fmt::format("{} cannot be made a directory: {}", directory.string(), error.message());
+  const auto hashes = Json::parse(bundle::hashesJson);
+  const auto page =
+      fmt::format(kReportPage, fmt::arg("script", hashes["script"].get<std::string>()),
+                  fmt::arg("style", hashes["style"].get<std::string>()),
+                  fmt::arg("version", PROSKILL_VERSION), fmt::arg("css", bundle::panelCss),
+                  fmt::arg("js", bundle::panelJs), fmt::arg("data", withinScript(dataOf(report))));
+  return writeOutput(directory / "index.html", page);
+}
+
+} // namespace proskill::cli

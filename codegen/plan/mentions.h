@@ -1,0 +1,21 @@
+#pragma once
+
+#include "fiacre/syntax/tree.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace proskill::codegen {
+
+/// The expression names the variable.
+[[nodiscard]] bool mentions(const fiacre::Expr& expr, std::string_view variable);
+
+/// What the statements of a process name: variables, constants and constructors alike, and ports.
+struct Mentioned {
+  std::set<std::string, std::less<>> names;
+  std::set<std::string, std::less<>> ports;
+};
+[[nodiscard]] Mentioned mentionedIn(const fiacre::Process& process);
+
+} // namespace proskill::codegen

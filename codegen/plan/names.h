@@ -1,0 +1,66 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "codegen/plan/namer.h"
+#include "codegen/plan/plan.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace proskill::codegen {
+
+/// What everything is called in the model. State variables, events and skills keep their names
+/// where that is possible, in this order; what the generator adds gives way to them.
+class Names {
+public:
+  Names(const analysis::Program& program, const Plan& plan);
+
+  const std::string& variable(std::string_view sv) { return global.of("variable", sv); }
+  const std::string& type(std::string_view sv) { return global.of("type", {"sv", sv}); }
+  /// A value of an enumeration: as it is, or after its variable where another one has it too.
+  const std::string& value(std::string_view sv, std::string_view value);
+  const std::string& error(std::string_view sv) { return global.of("error", {sv, "error"}); }
+  const std::string& event(std::string_view event) { return global.of("event", event); }
+  const std::string& interruptPort(std::string_view skill) {
+    return global.of("interrupt", {"interrupt", skill});
+  }
+  /// The constant that is the index of a skill or of a branch in `skill[]`.
+  const std::string& cell(std::string_view thread) { return global.of("cell", thread); }
+  const std::string& used(std::string_view resource) {
+    return global.of("used", {resource, "used"});
+  }
+  const std::string& outcome(std::string_view skill) {
+    return global.of("outcome", {skill, "outcome"});
+  }
+  /// A constructor of `skill_result`: `takeoff_success_at_altitude`.
+  const std::string& result(std::string_view skill, std::string_view status, std::string_view tag) {
+    return global.of("result", {skill, status, tag});
+  }
+  const std::string& process(std::initializer_list<std::string_view> parts) {
+    return global.of("process", parts);
+  }
+  /// A task or function of C, a port that C offers.
+  const std::string& foreign(std::initializer_list<std::string_view> parts) {
+    return global.of("foreign", parts);
+  }
+  const std::string& tag(std::initializer_list<std::string_view> parts) {
+    return tags.of("tag", parts);
+  }
+  const std::string& property(std::string_view preferred) {
+    return properties.of("property", preferred);
+  }
+
+  [[nodiscard]] const std::vector<Namer::Renaming>& renamings() const { return global.renamings(); }
+
+private:
+  Namer global;
+  Namer tags;
+  Namer properties;
+  std::map<std::string_view, int> ownersOfValue; ///< how many variables have a value
+};
+
+/// A word that may be part of a name: other characters become `_`.
+[[nodiscard]] std::string sanitised(std::string_view text);
+
+} // namespace proskill::codegen

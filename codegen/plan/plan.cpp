@@ -1,0 +1,194 @@
+#include "codegen/plan/plan.h"
+
+#include "codegen/plan/walk_expressions.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace proskill::codegen {
+namespace {
+
+using analysis::Program;
+using syntax::StatementKind;
+using SkillDefinition = analysis::Definition<syntax::Skill>;
+
+std::string inTicks(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+GenerationError ambiguous(const std::vector<const SkillDefinition*>& candidates) {
+  std::string names;
+  for (const auto* candidate : candidates)
+    names += (names.empty() ? "" : ", ") + inTicks(candidate->name());
+  return {"several skills could be the mission: " + names + "; say which one is",
+          candidates[0]->at((*candidates[0])->name.range)};
+}
+
+/// Null where the program is a library of skills.
+std::expected<const SkillDefinition*, GenerationError> chooseMission(const Program& program,
+                                                                     const Options& options) {
+  if (options.mainSkill.empty()) {
+    const auto main = analysis::mainSkill(program);
+    if (!main.skill && main.candidates.size() > 1)
+      return std::unexpected(ambiguous(main.candidates));
+    return main.skill;
+  }
+  const auto* skill = program.skills.find(options.mainSkill);
+  if (!skill)
+    return std::unexpected(GenerationError{
+        "there is no skill " + inTicks(options.mainSkill) + " to be the mission", {}});
+  if (!(*skill)->isComposite())
+    return std::unexpected(GenerationError{inTicks(options.mainSkill) +
+                                               " is a basic skill; a mission is a composite one",
+                                           skill->at((*skill)->name.range)});
+  return skill;
+}
+
+/// Calls `visit(automaton, statement)` for each statement with a state, those of branches included.
+template <class Visit> void forEachStep(const BodyAutomaton& body, Visit&& visit) {
+  forEachThread(body, [&](const BodyAutomaton& thread) {
+    for (const auto& state : thread.states)
+      if (state.statement) visit(thread, *state.statement);
+  });
+}
+
+/// The names of all composite skills that run when those of `roots` run.
+std::set<std::string_view> reachable(const Program& program,
+                                     std::vector<const SkillDefinition*> roots) {
+  std::set<std::string_view> found;
+  while (!roots.empty()) {
+    const auto* skill = roots.back();
+    roots.pop_back();
+    if (!skill || !(*skill)->isComposite() || !found.insert(skill->name()).second) continue;
+    analysis::forEachStatement(*(*skill)->body, [&](const syntax::Statement& statement) {
+      if (statement.kind == StatementKind::Call)
+        roots.push_back(program.skills.find(statement.head.text));
+    });
+  }
+  return found;
+}
+
+class Planner {
+public:
+  Planner(const Program& program, const SkillDefinition* mission)
+      : program(program), mission(mission) {}
+
+  Plan make() {
+    addSkills();
+    addEnvironment();
+    for (const auto& skill : plan.skills)
+      if (skill.body) noteCalls(*skill.body);
+    noteBranchEnds();
+    noteStops();
+    noteResults();
+    return std::move(plan);
+  }
+
+private:
+  void addSkills() {
+    std::vector<const SkillDefinition*> roots{mission};
+    for (const auto& skill : program.skills.all)
+      if (skill->monitor) roots.push_back(&skill);
+    const auto composites = reachable(program, roots);
+    for (const auto& skill : program.skills.all)
+      if (!skill->isComposite()) add(skill);
+    for (const auto& skill : program.skills.all)
+      if (skill->isComposite() && composites.contains(skill.name())) add(skill);
+  }
+
+  void add(const SkillDefinition& skill) {
+    auto& added = plan.skills.emplace_back();
+    added.definition = &skill;
+    added.root = &skill == mission || (skill->isComposite() && skill->monitor);
+    added.generalCaller = !mission && !skill->isComposite();
+    if (skill->isComposite()) added.body = bodyAutomaton(*skill->body, skill.name());
+    if (&skill == mission) plan.mission = &added;
+  }
+
+  void addEnvironment() {
+    if (program.environments.all.empty()) return;
+    plan.environment = &program.environments.all[0];
+    plan.environmentBody = bodyAutomaton((*plan.environment)->body, plan.environment->name());
+  }
+
+  SkillPlan* find(std::string_view name) {
+    const auto found = std::ranges::find(plan.skills, name, &SkillPlan::name);
+    return found == plan.skills.end() ? nullptr : &*found;
+  }
+
+  void noteCalls(const BodyAutomaton& body) {
+    forEachStep(body, [&](const BodyAutomaton& thread, const syntax::Statement& statement) {
+      if (statement.kind == StatementKind::Call)
+        find(statement.head.text)->callers.insert(thread.name);
+      else if (statement.kind == StatementKind::Interrupt)
+        noteInterrupt(statement.name.text);
+    });
+  }
+
+  void noteInterrupt(std::string_view name) {
+    auto* skill = find(name);
+    if (skill && skill->skill().interrupt) skill->mayBeInterrupted = true;
+  }
+
+  void noteBranchEnds() {
+    for (auto& skill : plan.skills) {
+      if (!skill.body) continue;
+      forEachStep(*skill.body,
+                  [&](const BodyAutomaton& thread, const syntax::Statement& statement) {
+                    const bool ends = statement.kind == StatementKind::Success ||
+                                      statement.kind == StatementKind::Failure;
+                    if (ends && !thread.path.empty()) skill.branchEnds = true;
+                  });
+    }
+  }
+
+  /// Who is struck stops what it called: to be repeated until nothing new is found.
+  void noteStops() {
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      for (const auto& skill : plan.skills)
+        if (skill.body) changed |= noteStopsOf(skill);
+    }
+  }
+
+  bool noteStopsOf(const SkillPlan& skill) {
+    bool changed = false;
+    forEachStep(*skill.body, [&](const BodyAutomaton& thread, const syntax::Statement& statement) {
+      if (statement.kind != StatementKind::Call) return;
+      if (!(thread.path.empty() ? skill.mayStrike() : skill.mayStrikeBranches())) return;
+      auto& callee = *find(statement.head.text);
+      changed |= !callee.callerMayStop;
+      callee.callerMayStop = true;
+    });
+    return changed;
+  }
+
+  void noteResults() {
+    forEachExpression(program, [&](const syntax::Expr& expr) {
+      if (expr.kind != syntax::ExprKind::Access || expr.member.text != "res") return;
+      if (auto* skill = find(expr.name.text)) skill->resultIsRead = true;
+    });
+  }
+
+  const Program& program;
+  const SkillDefinition* mission;
+  Plan plan;
+};
+
+} // namespace
+
+const SkillPlan* Plan::find(std::string_view name) const {
+  const auto found = std::ranges::find(skills, name, &SkillPlan::name);
+  return found == skills.end() ? nullptr : &*found;
+}
+
+bool Plan::hasGeneralCaller() const {
+  return std::ranges::any_of(skills, &SkillPlan::generalCaller);
+}
+
+std::expected<Plan, GenerationError> makePlan(const Program& program, const Options& options) {
+  const auto mission = chooseMission(program, options);
+  if (!mission) return std::unexpected(mission.error());
+  return Planner(program, *mission).make();
+}
+
+} // namespace proskill::codegen

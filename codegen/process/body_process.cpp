@@ -1,0 +1,297 @@
+#include "codegen/process/body_process.h"
+
+#include "codegen/term/conditions.h"
+#include "codegen/term/effects.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+namespace proskill::codegen {
+
+using fiacre::Statement;
+using syntax::StatementKind;
+
+namespace {
+
+std::string syncState(const BodyState& state) { return state.name + "_" + state.next + "_sync"; }
+std::string busyState(const BodyState& state) { return state.name + "_busy"; }
+
+Statement withWatch(Statement main, std::vector<Statement> strikes) {
+  strikes.insert(strikes.begin(), std::move(main));
+  return select(std::move(strikes));
+}
+
+} // namespace
+
+BodyProcess::BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me)
+    : context(context), body(body), actor(std::move(actor)), calls(context, std::move(me)) {}
+
+std::string BodyProcess::quote(syntax::Range range) const {
+  return "`" + context.origins.excerpt(actor.file, range) + "`";
+}
+
+std::string BodyProcess::lineOf(const BodyState& state) const {
+  return context.origins.reference(actor.file, state.statement->range);
+}
+
+void BodyProcess::addBody(fiacre::Process& process) {
+  for (const auto& state : body.states) {
+    if (state.statement) {
+      addStatement(process, state);
+    } else if (auto end = atEnd()) {
+      addState(process, state.name, process.origin, sequence({atOnce(), std::move(*end)}),
+               "The end of the body.");
+    } else {
+      process.states.push_back({state.name, process.origin});
+    }
+  }
+}
+
+void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state) {
+  const auto& statement = *state.statement;
+  switch (statement.kind) {
+  case StatementKind::Call: return addCall(process, state);
+  case StatementKind::Parallel: return addParallel(process, state);
+  case StatementKind::WaitCondition: return addWaiting(process, state, waitFor(state));
+  case StatementKind::WaitTime: {
+    const auto words =
+        origin(statement.range, "has waited " + quote(statement.duration.range) + " s");
+    return addWaiting(
+        process, state,
+        sequence({wait(context.times.waiting(statement.duration)), at(words, to(state.next))}));
+  }
+  case StatementKind::Interrupt:
+  case StatementKind::If:
+  case StatementKind::While:
+  case StatementKind::DoUntil:
+  case StatementKind::Choose:
+  case StatementKind::Break:
+  case StatementKind::Goto:
+  case StatementKind::Set:
+  case StatementKind::Printf:
+  case StatementKind::Success:
+  case StatementKind::Failure:
+  case StatementKind::Emit:
+    return addState(process, state.name, origin(statement.range), step(state), lineOf(state));
+  case StatementKind::Unknown:      // a program with it has errors
+  case StatementKind::Label: break; // has no state of its own
+  }
+  assert(false && "a statement without a state");
+}
+
+void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, Statement main) {
+  addState(process, state.name, origin(state.statement->range),
+           withWatch(std::move(main), strikes({}, false)), lineOf(state));
+}
+
+/// A forbidden move among the effects tells more than the wait, so it comes behind its words.
+Statement BodyProcess::waitFor(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const auto words = origin(statement.range, "has waited for " + quote(statement.condition.range));
+  auto guard = on(condition(context, statement.condition));
+  auto next = to(state.next);
+  const bool isPlain = statement.effects.items.empty() || guard.kind != fiacre::StatementKind::On;
+  (isPlain ? next : guard).origin = words;
+  return sequence(
+      {atOnce(), std::move(guard), effects(context, actor, statement.effects), std::move(next)});
+}
+
+/// A statement that takes no time.
+Statement BodyProcess::step(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const auto goOn = [&](std::string_view words) {
+    return at(origin(statement.range, words), to(state.next));
+  };
+  switch (statement.kind) {
+  case StatementKind::Interrupt: return interrupt(state);
+  case StatementKind::If: return sequence({atOnce(), testArms(state)});
+  case StatementKind::While:
+  case StatementKind::DoUntil: return sequence({atOnce(), testLoop(state)});
+  case StatementKind::Choose: return sequence({atOnce(), choose(state)});
+  case StatementKind::Break: return sequence({atOnce(), goOn("leaves the loop")});
+  case StatementKind::Goto:
+    return sequence({atOnce(), goOn("goes to `" + std::string(statement.name.text) + "`")});
+  case StatementKind::Set: {
+    const auto words = origin(statement.range, "sets " + quote(statement.effects.range));
+    return sequence(
+        {at(words, atOnce()), effects(context, actor, statement.effects), to(state.next)});
+  }
+  case StatementKind::Printf: {
+    const auto format = "\"" + std::string(statement.format.text) + "\"";
+    return sequence({atOnce(), saying("prints " + format, goOn("prints " + format))});
+  }
+  case StatementKind::Success:
+  case StatementKind::Failure: return sequence({atOnce(), conclude(statement)});
+  case StatementKind::Emit: {
+    const auto words = "lets `" + std::string(statement.name.text) + "` occur";
+    return sequence(
+        {at(origin(statement.range, words), synchronise(context.names.event(statement.name.text))),
+         to(state.next)});
+  }
+  case StatementKind::Unknown:
+  case StatementKind::Label:
+  case StatementKind::Call:
+  case StatementKind::Parallel:
+  case StatementKind::WaitCondition:
+  case StatementKind::WaitTime: break;
+  }
+  assert(false && "not a single step");
+  return {};
+}
+
+// --- Calls
+
+void BodyProcess::addCall(fiacre::Process& process, const BodyState& state) {
+  const auto& callee = *context.plan.find(state.statement->head.text);
+  const auto place = origin(state.statement->range);
+  const auto sync = syncState(state);
+  if (!callee.shared()) {
+    addState(process, state.name, place, sequence({atOnce(), callNow(state, sync)}), lineOf(state));
+  } else {
+    const auto busy = busyState(state);
+    const auto isFree = calls.isFree(callee.name());
+    const auto words = fmt::format("finds `{}` busy", callee.name());
+    auto findBusy = sequence({at(origin(state.statement->range, words),
+                                 tag(context.names.tag({body.name, state.name, "busy"}))),
+                              to(busy)});
+    addState(process, state.name, place,
+             sequence({atOnce(), ifThenElse(isFree, callNow(state, sync), std::move(findBusy))}),
+             lineOf(state));
+    addState(process, busy, place,
+             withWatch(sequence({atOnce(), on(isFree), callNow(state, sync)}), strikes({}, false)));
+  }
+  addState(process, sync, place,
+           withWatch(sequence({atOnce(), on(calls.isDone(callee.name())), returnFrom(state)}),
+                     strikes({callee.name()}, false)));
+}
+
+Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) {
+  const auto& statement = *state.statement;
+  const auto callee = statement.head.text;
+  const auto words = fmt::format("calls `{}`", callee);
+  std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee))};
+  if (context.isRuntime())
+    all.push_back(saying("synthesized action arg index",
+                         assign(context.cellField(callee, "ArgIndex"),
+                                number(context.argumentIndex.at(&statement)))));
+  all.push_back(to(sync));
+  return sequence(std::move(all));
+}
+
+Statement BodyProcess::returnFrom(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const auto& callee = *context.plan.find(statement.head.text);
+  auto goOn =
+      at(origin(statement.range, fmt::format("`{}` returns", callee.name())), to(state.next));
+  auto acknowledge = calls.acknowledge(callee.name());
+  if (isTrue(precondition(context, callee.skill())))
+    return sequence({std::move(acknowledge), std::move(goOn)});
+  const auto words = origin(statement.range, fmt::format("`{}` was refused", callee.name()));
+  auto refused = sequence(
+      {tag(context.names.tag({body.name, state.name, "refused"})), at(words, to(state.next))});
+  return sequence({std::move(acknowledge),
+                   ifThenElse(equal(context.cellField(callee.name(), "status"), name("no_status")),
+                              std::move(refused), std::move(goOn))});
+}
+
+void BodyProcess::addParallel(fiacre::Process& process, const BodyState& state) {
+  const auto place = origin(state.statement->range);
+  const auto sync = syncState(state);
+  std::vector<Statement> start{atOnce()};
+  std::vector<std::string_view> running;
+  for (const auto& branch : state.branches) {
+    start.push_back(calls.take(branch.name));
+    running.emplace_back(branch.name);
+  }
+  start.push_back(at(origin(state.statement->range, "starts its parallel branches"), to(sync)));
+  addState(process, state.name, place, sequence(std::move(start)), lineOf(state));
+  addState(process, sync, place, withWatch(join(state), strikes(running, true)));
+}
+
+Statement BodyProcess::join(const BodyState& state) {
+  std::vector<fiacre::Expr> done;
+  for (const auto& branch : state.branches) done.push_back(calls.isDone(branch.name));
+  done.push_back(mayGoOn());
+  const auto words = origin(state.statement->range, "all parallel branches have ended");
+  return sequence({atOnce(), on(conjunction(std::move(done))), at(words, to(state.next))});
+}
+
+// --- Tests
+
+Statement BodyProcess::tested(syntax::Range range, bool value, const std::string& target) {
+  const auto words = fmt::format("tests {}: {}", quote(range), value);
+  return at(origin(range, words), to(target));
+}
+
+/// All tests of an `if` are made at one moment, in one transition.
+Statement BodyProcess::testArms(const BodyState& state) {
+  const auto& arms = state.statement->arms;
+  const bool hasElse = !arms.back().condition;
+  const auto tests = arms.size() - (hasElse ? 1 : 0);
+  const auto& otherwise = hasElse ? state.targets.back() : state.next;
+  auto chain = tests == 1
+                   ? tested(arms[0].condition->range, false, otherwise)
+                   : at(origin(state.statement->range, "all its tests are false"), to(otherwise));
+  for (std::size_t i = tests; i-- > 0;)
+    chain = ifThenElse(condition(context, *arms[i].condition),
+                       tested(arms[i].condition->range, true, state.targets[i]), std::move(chain));
+  return chain;
+}
+
+Statement BodyProcess::testLoop(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const bool isWhile = statement.kind == StatementKind::While;
+  const auto& whenTrue = isWhile ? state.targets[0] : state.next;
+  const auto& whenFalse = isWhile ? state.next : state.targets[0];
+  return ifThenElse(condition(context, statement.condition),
+                    tested(statement.condition.range, true, whenTrue),
+                    tested(statement.condition.range, false, whenFalse));
+}
+
+Statement BodyProcess::choose(const BodyState& state) {
+  std::vector<Statement> choices;
+  for (std::size_t i = 0; i < state.targets.size(); ++i)
+    choices.push_back(
+        at(origin(state.statement->branches[i].range, fmt::format("chooses possibility {}", i + 1)),
+           to(state.targets[i])));
+  return select(std::move(choices));
+}
+
+/// The flag of a skill that runs; nothing happens to one that does not.
+Statement BodyProcess::interrupt(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const auto target = statement.name.text;
+  const auto* skill = context.plan.find(target);
+  const auto nothing = at(origin(statement.range, fmt::format("has nothing to interrupt: `{}` is "
+                                                              "not running",
+                                                              target)),
+                          to(state.next));
+  if (!skill || !skill->skill().interrupt) return sequence({atOnce(), nothing});
+  const auto words = origin(statement.range, fmt::format("interrupts `{}`", target));
+  auto raise = sequence(
+      {at(words, assign(context.cellField(target, "stop"), boolean(true))), to(state.next)});
+  return sequence(
+      {atOnce(), ifThenElse(context.cellField(target, "inv_active"), std::move(raise), nothing)});
+}
+
+const std::string& processOf(Context& context, const SkillPlan& skill,
+                             const BodyAutomaton& thread) {
+  if (thread.path.empty()) return context.names.process({"skill", skill.name()});
+  constexpr std::string_view kInfix = "_branch_";
+  // `1_0` of `uav_mission_branch_1_0`
+  const auto numbers = std::string_view(thread.name).substr(skill.name().size() + kInfix.size());
+  return context.names.process({"skill_branch", skill.name(), numbers});
+}
+
+std::vector<std::string> statesOf(const Context& context, const BodyState& state) {
+  std::vector<std::string> states{state.name};
+  if (!state.statement) return states;
+  const bool calls = state.statement->kind == StatementKind::Call;
+  if (calls && context.plan.find(state.statement->head.text)->shared())
+    states.push_back(busyState(state));
+  if (calls || state.statement->kind == StatementKind::Parallel) states.push_back(syncState(state));
+  return states;
+}
+
+} // namespace proskill::codegen

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "codegen/process/calls.h"
+#include "codegen/process/skill_frame.h"
+
+namespace proskill::codegen {
+
+/// A body as states and transitions of a process. Skills, their branches and environments differ in
+/// what they do at their end and in what can end them early; the rest is here.
+class BodyProcess {
+public:
+  BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me);
+  virtual ~BodyProcess() = default;
+
+protected:
+  void addBody(fiacre::Process& process);
+
+  /// What else can happen where time can pass, while these skills or branches run for this body.
+  virtual std::vector<fiacre::Statement> strikes(const std::vector<std::string_view>& running,
+                                                 bool joining) = 0;
+  /// At the end of the body; null where it just stays there.
+  virtual std::optional<fiacre::Statement> atEnd() = 0;
+  /// Of `(success tag)` and `(failure tag)`.
+  virtual fiacre::Statement conclude(const syntax::Statement& statement) = 0;
+  /// Of `(x.interrupt)`.
+  virtual fiacre::Statement interrupt(const BodyState& state);
+  /// Holds while no branch has ended the skill.
+  virtual fiacre::Expr mayGoOn() { return boolean(true); }
+
+  [[nodiscard]] OriginId origin(syntax::Range range, std::string_view words = {}) {
+    return context.origins.of(actor, range, words);
+  }
+
+  Context& context;
+  const BodyAutomaton& body;
+  Actor actor;
+  Calls calls;
+
+private:
+  void addStatement(fiacre::Process& process, const BodyState& state);
+  void addCall(fiacre::Process& process, const BodyState& state);
+  void addParallel(fiacre::Process& process, const BodyState& state);
+  void addWaiting(fiacre::Process& process, const BodyState& state, fiacre::Statement main);
+  [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
+  [[nodiscard]] fiacre::Statement step(const BodyState& state);
+  [[nodiscard]] fiacre::Statement callNow(const BodyState& state, const std::string& sync);
+  [[nodiscard]] fiacre::Statement returnFrom(const BodyState& state);
+  [[nodiscard]] fiacre::Statement join(const BodyState& state);
+  [[nodiscard]] fiacre::Statement testArms(const BodyState& state);
+  [[nodiscard]] fiacre::Statement testLoop(const BodyState& state);
+  [[nodiscard]] fiacre::Statement choose(const BodyState& state);
+  [[nodiscard]] fiacre::Statement tested(syntax::Range range, bool value,
+                                         const std::string& target);
+  [[nodiscard]] std::string lineOf(const BodyState& state) const;
+  [[nodiscard]] std::string quote(syntax::Range range) const;
+};
+
+/// The process of a composite skill's body, or of a branch of it.
+[[nodiscard]] const std::string& processOf(Context& context, const SkillPlan& skill,
+                                           const BodyAutomaton& thread);
+
+/// The states in which control stands before or within the statement of a body's state.
+[[nodiscard]] std::vector<std::string> statesOf(const Context& context, const BodyState& state);
+
+} // namespace proskill::codegen

@@ -1,0 +1,220 @@
+#include "codegen/process/component.h"
+
+#include "codegen/plan/mentions.h"
+#include "codegen/process/basic_skill.h"
+#include "codegen/process/composite.h"
+#include "codegen/process/environment.h"
+#include "codegen/process/invariants.h"
+#include "codegen/process/runtime_action.h"
+#include "codegen/process/state_variables.h"
+#include "codegen/term/skill_types.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Process;
+using fiacre::Program;
+
+class Assembly {
+public:
+  explicit Assembly(Context& context) : context(context) {}
+
+  Program make() {
+    numberArguments();
+    registerResults();
+    context.invariantActive = invariantActive(context);
+    if (context.invariantActive) program.functions.push_back(*context.invariantActive);
+    addProcesses();
+    const SkillTypes skills(context);
+    program.constants = skills.constants();
+    for (const auto& variable : context.program.stateVariables.all)
+      program.types.push_back(stateVariableType(context, variable));
+    std::ranges::move(skills.types(), std::back_inserter(program.types));
+    if (context.isRuntime()) declareRuntime();
+    addComponent(skills);
+    program.comment = head();
+    return std::move(program);
+  }
+
+private:
+  /// As the paper counts them: calls without arguments have the index 0.
+  void numberArguments() {
+    if (!context.isRuntime()) return;
+    std::int64_t last = 0;
+    for (const auto& skill : context.plan.skills) {
+      if (!skill.body) continue;
+      forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
+        for (const auto& state : thread.states)
+          if (state.statement && state.statement->kind == syntax::StatementKind::Call)
+            context.argumentIndex[state.statement] =
+                state.statement->arguments.empty() ? 0 : ++last;
+      });
+    }
+  }
+
+  /// Of a skill whose result is read all results are in the type, whether it has them or not.
+  void registerResults() {
+    for (const auto& skill : context.plan.skills) {
+      if (!skill.resultIsRead) continue;
+      const auto add = [&](const auto& tagged, std::string_view status) {
+        for (const auto& each : tagged)
+          if (each.tag) static_cast<void>(context.result(skill.name(), status, each.tag.text));
+      };
+      add(skill.skill().successes, "success");
+      add(skill.skill().failures, "failure");
+      add(skill.skill().invariants, "failed_inv");
+    }
+  }
+
+  /// The automata of state variables come first, but know only last which moves may be forbidden.
+  void addProcesses() {
+    std::vector<Process> others;
+    for (const auto& event : context.program.events.all)
+      others.push_back(eventProcess(context, event));
+    for (const auto& skill : context.plan.skills) {
+      if (!skill.body)
+        others.push_back(basicSkill(context, skill));
+      else
+        std::ranges::move(compositeSkill(context, skill), std::back_inserter(others));
+    }
+    if (context.plan.hasGeneralCaller() && !context.isRuntime())
+      others.push_back(generalCaller(context));
+    if (!context.isRuntime()) others.push_back(environmentProcess(context));
+    for (const auto& variable : context.program.stateVariables.all)
+      program.processes.push_back(stateVariableAutomaton(context, variable));
+    std::ranges::move(others, std::back_inserter(program.processes));
+  }
+
+  void declareRuntime() {
+    for (const auto& port : environmentPorts(context)) {
+      fiacre::Port event;
+      event.name = port;
+      program.eventPorts.push_back({std::move(event), context.names.foreign({"c", port})});
+    }
+    declareActions(context, program);
+  }
+
+  // --- The component
+
+  void addComponent(const SkillTypes& skills) {
+    fiacre::Component component;
+    component.name =
+        context.names.process({"main", sanitised(context.program.files[0].path.stem().string())});
+    component.variables = variables(skills);
+    if (!context.isRuntime()) {
+      component.ports = ports();
+      program.processes.back().ports = component.ports;
+      for (auto& port : program.processes.back().ports) port.interval.reset();
+    }
+    for (auto& process : program.processes) bind(process, component);
+    for (const auto& process : program.processes)
+      component.instances.push_back(instanceOf(process));
+    program.main = component.name;
+    program.components.push_back(std::move(component));
+  }
+
+  std::vector<fiacre::Variable> variables(const SkillTypes& skills) {
+    std::vector<fiacre::Variable> all;
+    if (!context.plan.skills.empty())
+      all.push_back({"skill", namedType("skill_array"), skills.initial(), ""});
+    for (const auto& variable : context.program.stateVariables.all)
+      all.push_back({context.names.variable(variable.name()),
+                     namedType(context.names.type(variable.name())),
+                     initialValue(context, variable.node()), ""});
+    for (const auto& variable : context.program.stateVariables.all)
+      if (context.alarmed.contains(variable.name()))
+        all.push_back({context.names.error(variable.name()), boolType(), boolean(false),
+                       "a forbidden move was made"});
+    for (const auto& resource : context.program.resources.all)
+      all.push_back({context.names.used(resource.name()),
+                     rangeType(0, context.capacity(resource.name())), number(0), ""});
+    for (const auto& skill : context.plan.skills)
+      if (skill.branchEnds)
+        all.push_back({context.names.outcome(skill.name()), namedType("skill_result"),
+                       name("no_result"), "how a branch has ended the skill"});
+    return all;
+  }
+
+  /// An environment of the program's own is in a hurry: what it says happens when it is said.
+  std::vector<fiacre::Port> ports() {
+    std::vector<fiacre::Port> all;
+    for (const auto& name : environmentPorts(context)) {
+      fiacre::Port port;
+      port.name = name;
+      if (context.plan.environment) port.interval = fiacre::Interval{.lower = 0, .upper = 0};
+      all.push_back(std::move(port));
+    }
+    return all;
+  }
+
+  /// Gives the process what it mentions of the component's variables and ports.
+  static void bind(Process& process, const fiacre::Component& component) {
+    const auto mentioned = mentionedIn(process);
+    for (const auto& variable : component.variables)
+      if (mentioned.names.contains(variable.name))
+        process.parameters.push_back({variable.name, variable.type, true});
+    if (!process.ports.empty()) return;
+    for (auto port : component.ports)
+      if (mentioned.ports.contains(port.name)) {
+        port.interval.reset();
+        process.ports.push_back(std::move(port));
+      }
+  }
+
+  static fiacre::Instance instanceOf(const Process& process) {
+    fiacre::Instance instance;
+    instance.process = process.name;
+    for (const auto& port : process.ports) instance.ports.push_back(port.name);
+    for (const auto& parameter : process.parameters) {
+      instance.arguments.push_back(name(parameter.name));
+      instance.references.push_back(true);
+    }
+    return instance;
+  }
+
+  // --- The head of the file
+
+  [[nodiscard]] std::string head() const {
+    const auto file = context.program.files[0].path.filename().string();
+    std::string text = file + ": " + edition() + ".\n";
+    text += fmt::format("One unit of time is {} s.", toString(context.times.unit()));
+    if (context.plan.mission)
+      text += fmt::format("\nThe mission is {}.", context.plan.mission->name());
+    for (const auto& renaming : context.names.renamings())
+      text += fmt::format("\n`{}` is `{}` here: its own name is taken or reserved.",
+                          renaming.preferred, renaming.name);
+    return text;
+  }
+
+  [[nodiscard]] std::string edition() const {
+    switch (context.options.edition) {
+    case Edition::Offline: return "a model for verification, compact";
+    case Edition::Expanded: return "a model for verification, every state named";
+    case Edition::Runtime: return "a program for the executor, in H-Fiacre";
+    }
+    std::unreachable();
+  }
+
+  Context& context;
+  Program program;
+};
+
+} // namespace
+
+Program buildProgram(Context& context) { return Assembly(context).make(); }
+
+Places placesOf(const Program& program) {
+  Places places;
+  std::uint32_t place = 0;
+  for (const auto& instance : program.components.back().instances)
+    places.emplace(instance.process, ++place);
+  return places;
+}
+
+} // namespace proskill::codegen

@@ -1,0 +1,285 @@
+#include "codegen/process/composite.h"
+
+#include "codegen/process/body_process.h"
+#include "codegen/process/watchdog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Expr;
+using fiacre::Statement;
+using syntax::StatementKind;
+
+/// The skills and branches that a thread may be waiting for, each once.
+std::vector<std::string_view> calleesOf(const BodyAutomaton& thread) {
+  std::vector<std::string_view> callees;
+  const auto add = [&](std::string_view name) {
+    if (std::ranges::find(callees, name) == callees.end()) callees.push_back(name);
+  };
+  for (const auto& state : thread.states) {
+    if (state.statement && state.statement->kind == StatementKind::Call)
+      add(state.statement->head.text);
+    for (const auto& branch : state.branches) add(branch.name);
+  }
+  return callees;
+}
+
+Ending endingOf(const SkillPlan& skill, const syntax::Statement& statement) {
+  return statement.kind == StatementKind::Success ? successOf(skill, statement.name.text)
+                                                  : failureOf(skill, statement.name.text);
+}
+
+/// What a skill's own process and those of its branches have in common: both may be struck, and
+/// then stop what they called before they end.
+class StoppableBody : public BodyProcess {
+protected:
+  StoppableBody(Context& context, const SkillPlan& skill, const BodyAutomaton& body)
+      : BodyProcess(context, body, actorOf(skill, body), name(context.names.cell(body.name))),
+        skill(skill) {}
+
+  /// Stops what is running and goes where its end is awaited.
+  Statement strike(Statement trigger, const std::vector<std::string_view>& running,
+                   Statement reason) {
+    isStruck = true;
+    std::vector<Statement> all{std::move(trigger)};
+    for (const auto callee : running) all.push_back(calls.stop(callee));
+    all.push_back(std::move(reason));
+    all.push_back(to("stopping"));
+    return sequence(std::move(all));
+  }
+
+  void addStopping(fiacre::Process& process, Statement end) {
+    if (!isStruck) return;
+    std::vector<Expr> gone;
+    std::vector<Statement> all{atOnce()};
+    std::vector<Statement> releases;
+    for (const auto callee : calleesOf(body)) {
+      gone.push_back(calls.isGone(callee));
+      releases.push_back(calls.release(callee));
+    }
+    all.push_back(on(conjunction(std::move(gone))));
+    all.push_back(sequence(std::move(releases)));
+    all.push_back(std::move(end));
+    addState(process, "stopping", process.origin, sequence(std::move(all)),
+             "Nothing that it called is left running.");
+  }
+
+  Expr mayGoOn() override {
+    if (!skill.branchEnds) return boolean(true);
+    return equal(name(context.names.outcome(skill.name())), name("no_result"));
+  }
+
+  const SkillPlan& skill;
+
+private:
+  bool isStruck = false;
+};
+
+class MainBody : public StoppableBody {
+public:
+  MainBody(Context& context, const SkillPlan& skill)
+      : StoppableBody(context, skill, *skill.body), frame(context, skill), reasons(findReasons()) {}
+
+  fiacre::Process make() {
+    fiacre::Process process;
+    process.name = context.names.process({"skill", skill.name()});
+    process.origin = frame.place();
+    process.comment = context.definitionOf(*skill.definition);
+    const auto entry = context.isExpanded() ? std::string("body_branch") : body.entry;
+    frame.addStart(process, entry);
+    if (context.isExpanded())
+      addState(process, entry, frame.place(), sequence({atOnce(), to(body.entry)}));
+    addBody(process);
+    addStopping(process, endForReason());
+    frame.addRest(process);
+    if (reasons.size() > 1 && hasReason)
+      process.variables.push_back(
+          {"stopping", namedType("skill_result"), name("no_result"), "why it has to end"});
+    return process;
+  }
+
+private:
+  /// All that can end the skill from outside of its own thread.
+  std::vector<Ending> findReasons() {
+    std::vector<Ending> found;
+    if (skill.mayBeStopped() || skill.skill().interrupt) found.push_back(interruptionOf(skill));
+    for (const auto& invariant : skill.skill().invariants) found.push_back(failureOf(invariant));
+    forEachThread(body, [&](const BodyAutomaton& thread) {
+      if (thread.path.empty()) return;
+      for (const auto& state : thread.states)
+        if (state.statement && (state.statement->kind == StatementKind::Success ||
+                                state.statement->kind == StatementKind::Failure))
+          addReason(found, endingOf(skill, *state.statement));
+    });
+    return found;
+  }
+
+  static void addReason(std::vector<Ending>& found, Ending ending) {
+    const auto same = [&](const Ending& it) {
+      return it.status == ending.status && it.tag.text == ending.tag.text;
+    };
+    if (std::ranges::none_of(found, same)) found.push_back(std::move(ending));
+  }
+
+  Expr resultOf(const Ending& ending) {
+    return context.result(skill.name(), ending.status, ending.tag.text);
+  }
+
+  Statement note(const Expr& reason) {
+    hasReason = true;
+    return reasons.size() > 1 ? assign(name("stopping"), reason) : sequence({});
+  }
+
+  std::vector<Statement> strikes(const std::vector<std::string_view>& running,
+                                 bool joining) override {
+    const auto& node = skill.skill();
+    std::vector<Statement> all;
+    const auto interruption = interruptionOf(skill);
+    if (node.interrupt) {
+      const auto words = frame.origin(interruption.range, outsideInterruptionOf(skill).words);
+      auto port = at(words, synchronise(context.names.interruptPort(skill.name())));
+      all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
+    }
+    if (skill.mayBeStopped())
+      all.push_back(strike(seen(frame.stop(), interruption.range, "is asked to stop"), running,
+                           note(resultOf(interruption))));
+    for (const auto& invariant : node.invariants) {
+      const auto ending = failureOf(invariant);
+      all.push_back(strike(seen(frame.fails(invariant), ending.range, ending.words), running,
+                           note(resultOf(ending))));
+    }
+    if (joining && skill.branchEnds) {
+      const auto outcome = name(context.names.outcome(skill.name()));
+      all.push_back(strike(seen(negation(mayGoOn()), node.name.range, "a branch has ended it"),
+                           running, note(outcome)));
+    }
+    return all;
+  }
+
+  Statement seen(Expr condition, syntax::Range range, std::string_view words) {
+    return sequence({atOnce(), at(frame.origin(range, words), on(std::move(condition)))});
+  }
+
+  /// By the reason that was noted; the outcome that a branch left is cleared for the next run.
+  Statement endForReason() {
+    if (reasons.empty()) return sequence({});
+    auto chain = frame.end(reasons.back());
+    for (std::size_t i = reasons.size() - 1; i-- > 0;)
+      chain = ifThenElse(equal(name("stopping"), resultOf(reasons[i])), frame.end(reasons[i]),
+                         std::move(chain));
+    if (!skill.branchEnds) return chain;
+    return sequence(
+        {assign(name(context.names.outcome(skill.name())), name("no_result")), std::move(chain)});
+  }
+
+  std::optional<Statement> atEnd() override { return frame.end(successOf(skill, {})); }
+
+  Statement conclude(const syntax::Statement& statement) override {
+    auto ending = endingOf(skill, statement);
+    ending.range = statement.range;
+    return frame.end(ending);
+  }
+
+  SkillFrame frame;
+  std::vector<Ending> reasons;
+  bool hasReason = false;
+};
+
+class BranchBody : public StoppableBody {
+public:
+  BranchBody(Context& context, const SkillPlan& skill, const BodyAutomaton& branch)
+      : StoppableBody(context, skill, branch) {}
+
+  fiacre::Process make() {
+    fiacre::Process process;
+    process.name = processOf(context, skill, body);
+    process.origin = origin(range());
+    process.comment =
+        fmt::format("{}, {}", actor.name, context.origins.reference(actor.file, range()));
+    if (context.isExpanded())
+      addExpandedStart(process);
+    else
+      addState(process, "idle", process.origin,
+               sequence({atOnce(), on(isCalled()), start(body.entry, "idle")}));
+    addBody(process);
+    addStopping(process, returnControl(range(), "is stopped"));
+    if (context.isExpanded()) {
+      addStep(process, "done", "ether");
+      addStep(process, "ether", "start_");
+    }
+    return process;
+  }
+
+private:
+  [[nodiscard]] syntax::Range range() const {
+    return body.range.empty() ? skill.skill().name.range : body.range;
+  }
+
+  Expr isCalled() { return negation(calls.isFree(body.name)); }
+
+  void addStep(fiacre::Process& process, std::string_view from, std::string_view next) {
+    addState(process, from, process.origin, sequence({atOnce(), to(next)}));
+  }
+
+  void addExpandedStart(fiacre::Process& process) {
+    addState(process, "start_", process.origin,
+             sequence({atOnce(), on(isCalled()), start("body_branch", "done")}));
+    addStep(process, "body_branch", body.entry);
+  }
+
+  Statement start(std::string_view first, std::string_view rest) {
+    auto begin = at(origin(range(), "starts"), to(first));
+    if (!skill.mayStrikeBranches()) return begin;
+    auto stopEarly = sequence({returnNow(range(), "is stopped before it starts"), to(rest)});
+    return ifThenElse(context.cellField(body.name, "stop"), std::move(stopEarly), std::move(begin));
+  }
+
+  Statement returnNow(syntax::Range place, std::string_view words) {
+    std::vector<Statement> all;
+    if (skill.mayStrikeBranches())
+      all.push_back(assign(context.cellField(body.name, "stop"), boolean(false)));
+    all.push_back(
+        at(origin(place, words), assign(context.cellField(body.name, "caller"), name("None"))));
+    return sequence(std::move(all));
+  }
+
+  Statement returnControl(syntax::Range place, std::string_view words) {
+    return sequence({returnNow(place, words), to(context.isExpanded() ? "done" : "idle")});
+  }
+
+  std::vector<Statement> strikes(const std::vector<std::string_view>& running,
+                                 bool joining) override {
+    static_cast<void>(joining);
+    if (!skill.mayStrikeBranches()) return {};
+    auto asked = at(origin(range(), "is asked to stop"), on(context.cellField(body.name, "stop")));
+    return {strike(sequence({atOnce(), std::move(asked)}), running, sequence({}))};
+  }
+
+  std::optional<Statement> atEnd() override { return returnControl(range(), "ends"); }
+
+  /// The first branch that ends the skill decides how.
+  Statement conclude(const syntax::Statement& statement) override {
+    const auto ending = endingOf(skill, statement);
+    const auto words = fmt::format("ends `{}`, which {}", skill.name(), ending.words);
+    const auto result = context.result(skill.name(), ending.status, ending.tag.text);
+    auto decide = assign(name(context.names.outcome(skill.name())), result);
+    return sequence({ifThen(mayGoOn(), std::move(decide)), returnControl(statement.range, words)});
+  }
+};
+
+} // namespace
+
+std::vector<fiacre::Process> compositeSkill(Context& context, const SkillPlan& skill) {
+  std::vector<fiacre::Process> processes{MainBody(context, skill).make()};
+  forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
+    if (!thread.path.empty()) processes.push_back(BranchBody(context, skill, thread).make());
+  });
+  if (skill.isWatched()) processes.push_back(watchdog(context, skill));
+  return processes;
+}
+
+} // namespace proskill::codegen

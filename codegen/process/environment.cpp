@@ -1,0 +1,129 @@
+#include "codegen/process/environment.h"
+
+#include "codegen/process/body_process.h"
+#include "codegen/term/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Statement;
+
+/// The environment that a program defines, as an automaton.
+class EnvironmentBody : public BodyProcess {
+public:
+  EnvironmentBody(Context& context, const analysis::Definition<syntax::Environment>& environment)
+      : BodyProcess(context, *context.plan.environmentBody, {"environment", environment.file},
+                    name("root")),
+        environment(environment) {}
+
+  fiacre::Process make() {
+    fiacre::Process process;
+    process.name = context.names.process({"environment", environment.name()});
+    process.origin = origin(environment->name.range);
+    process.comment = context.definitionOf(environment);
+    addBody(process);
+    return process;
+  }
+
+private:
+  std::vector<Statement> strikes(const std::vector<std::string_view>& running,
+                                 bool joining) override {
+    static_cast<void>(running);
+    static_cast<void>(joining);
+    return {};
+  }
+
+  std::optional<Statement> atEnd() override { return std::nullopt; }
+
+  Statement conclude(const syntax::Statement& statement) override {
+    static_cast<void>(statement);
+    return stay(); // an environment has no outcome; the checks refuse the statement
+  }
+
+  /// From outside, by the port. A skill that is not running has nothing to be interrupted.
+  Statement interrupt(const BodyState& state) override {
+    const auto& statement = *state.statement;
+    const auto target = statement.name.text;
+    const auto skips =
+        origin(statement.range, fmt::format("does not interrupt `{}`: it is not running", target));
+    if (!context.plan.find(target)) return sequence({atOnce(), at(skips, to(state.next))});
+    const auto isRunning = context.cellField(target, "inv_active");
+    const auto words = origin(statement.range, fmt::format("interrupts `{}`", target));
+    return select(
+        {sequence({on(isRunning), at(words, synchronise(context.names.interruptPort(target))),
+                   to(state.next)}),
+         sequence({atOnce(), on(negation(isRunning)), at(skips, to(state.next))})});
+  }
+
+  const analysis::Definition<syntax::Environment>& environment;
+};
+
+fiacre::Process basicEnvironment(Context& context) {
+  const auto stem = sanitised(context.program.files[0].path.stem().string());
+  fiacre::Process process;
+  process.name = context.names.process({"basic_environment", stem});
+  process.comment = "Every event and every interrupt from outside, at any time.";
+  process.origin = context.origins.of({"environment", 0}, {});
+  std::vector<Statement> choices;
+  for (const auto& port : environmentPorts(context)) choices.push_back(synchronise(port));
+  if (choices.empty())
+    process.states.push_back({"start_", process.origin});
+  else
+    addState(process, "start_", process.origin,
+             sequence({select(std::move(choices)), to("start_")}));
+  return process;
+}
+
+} // namespace
+
+fiacre::Process eventProcess(Context& context, const analysis::Definition<syntax::Event>& event) {
+  const Actor actor{std::string(event.name()), event.file};
+  fiacre::Process process;
+  process.name = context.names.process({"event", event.name(), "automata"});
+  process.origin = context.origins.of(actor, event->name.range);
+  process.comment = context.definitionOf(event);
+  const auto occurs = context.origins.of(actor, event->name.range, "occurs");
+  addState(process, "start_", process.origin,
+           sequence({at(occurs, synchronise(context.names.event(event.name()))),
+                     effects(context, actor, event->effects), to("start_")}));
+  return process;
+}
+
+std::vector<std::string> environmentPorts(Context& context) {
+  std::vector<std::string> ports;
+  for (const auto& event : context.program.events.all)
+    ports.push_back(context.names.event(event.name()));
+  for (const auto& skill : context.plan.skills)
+    if (skill.skill().interrupt) ports.push_back(context.names.interruptPort(skill.name()));
+  return ports;
+}
+
+fiacre::Process environmentProcess(Context& context) {
+  if (context.plan.environment) return EnvironmentBody(context, *context.plan.environment).make();
+  return basicEnvironment(context);
+}
+
+fiacre::Process generalCaller(Context& context) {
+  const Actor actor{"most general caller", 0};
+  fiacre::Process process;
+  process.name = "most_general_caller";
+  process.comment = "There is no mission: any basic skill may be called at any time.";
+  process.origin = context.origins.of(actor, {});
+  Calls calls(context, name("root"));
+  std::vector<Statement> choices;
+  for (const auto& skill : context.plan.skills) {
+    if (!skill.generalCaller) continue;
+    const auto words = context.origins.of({actor.name, skill.file()}, skill.skill().name.range,
+                                          fmt::format("calls `{}`", skill.name()));
+    choices.push_back(
+        sequence({on(calls.isFree(skill.name())), wait({}), at(words, calls.take(skill.name()))}));
+  }
+  addState(process, "start_", process.origin, sequence({select(std::move(choices)), to("start_")}));
+  return process;
+}
+
+} // namespace proskill::codegen

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "codegen/term/context.h"
+
+namespace proskill::codegen {
+
+/// The process of an event: when its port is taken, its effects are set.
+[[nodiscard]] fiacre::Process eventProcess(Context& context,
+                                           const analysis::Definition<syntax::Event>& event);
+
+/// The ports of all events, then those of all interrupts from outside.
+[[nodiscard]] std::vector<std::string> environmentPorts(Context& context);
+
+/// Who takes the ports: the program's environment, or one that takes any of them at any time.
+/// \pre offline
+[[nodiscard]] fiacre::Process environmentProcess(Context& context);
+
+/// Of a library without a mission: calls any basic skill that is free, at any time.
+[[nodiscard]] fiacre::Process generalCaller(Context& context);
+
+} // namespace proskill::codegen

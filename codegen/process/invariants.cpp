@@ -1,0 +1,47 @@
+#include "codegen/process/invariants.h"
+
+#include "codegen/plan/mentions.h"
+#include "codegen/term/conditions.h"
+
+namespace proskill::codegen {
+namespace {
+
+/// The skill is running and one of its guards is false.
+fiacre::Expr failsIn(Context& context, const SkillPlan& skill) {
+  std::vector<fiacre::Expr> broken;
+  for (const auto& invariant : skill.skill().invariants)
+    broken.push_back(negation(condition(context, invariant.guard)));
+  return conjunction(
+      {context.cellField(skill.name(), "inv_active"), disjunction(std::move(broken))});
+}
+
+} // namespace
+
+std::optional<fiacre::Function> invariantActive(Context& context) {
+  std::vector<fiacre::Expr> cases;
+  for (const auto& skill : context.plan.skills) cases.push_back(failsIn(context, skill));
+  auto any = disjunction(std::move(cases));
+  if (isFalse(any)) return std::nullopt;
+
+  fiacre::Function function;
+  function.name = "invariant_active";
+  function.comment = "An invariant has failed, and the skill whose it is has not yet noticed.";
+  function.parameters.push_back({"skill", namedType("skill_array"), false});
+  for (const auto& variable : context.program.stateVariables.all)
+    if (const auto& name = context.names.variable(variable.name()); mentions(any, name))
+      function.parameters.push_back({name, namedType(context.names.type(variable.name())), false});
+  function.result = boolType();
+  function.body.kind = fiacre::StatementKind::Return;
+  function.body.values.push_back(std::move(any));
+  return function;
+}
+
+fiacre::Expr someInvariantFails(const Context& context) {
+  if (!context.invariantActive) return boolean(false);
+  std::vector<fiacre::Expr> arguments;
+  for (const auto& parameter : context.invariantActive->parameters)
+    arguments.push_back(name(parameter.name));
+  return call(context.invariantActive->name, std::move(arguments));
+}
+
+} // namespace proskill::codegen

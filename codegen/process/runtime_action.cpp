@@ -1,0 +1,155 @@
+#include "codegen/process/runtime_action.h"
+
+#include <fmt/format.h>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Statement;
+
+const std::string& taskOf(Context& context, std::string_view skill) {
+  return context.names.foreign({"Fiacre", skill, "action_task"});
+}
+
+const std::string& interruptionCall(Context& context, std::string_view skill) {
+  return context.names.foreign({"Fiacre", skill, "interrupt_action"});
+}
+
+} // namespace
+
+RuntimeAction::RuntimeAction(Context& context, const SkillPlan& skill, SkillFrame& frame)
+    : context(context), skill(skill), frame(frame), task(taskOf(context, skill.name())) {
+  if (!skill.skill().timeInterval) return;
+  const auto ticks = context.times.interval(*skill.skill().timeInterval);
+  const auto first = ticks.lower + (ticks.lowerOpen ? 1 : 0);
+  if (first > 0) least = first;
+  if (ticks.upper) late = *ticks.upper + (ticks.upperOpen ? 0 : 1);
+}
+
+void RuntimeAction::addTo(fiacre::Process& process) {
+  process.variables = {{"ret_val", namedType("skill_result"), name("no_result"), ""},
+                       {"ignoreb", boolType(), boolean(false), ""},
+                       {"running", boolType(), boolean(false), "the task has not yet returned"}};
+  if (least) process.variables.push_back({"undershoot", boolType(), boolean(false), ""});
+  if (late) process.variables.push_back({"overshoot", boolType(), boolean(false), ""});
+  frame.addStart(process, "action");
+
+  Statement start;
+  start.kind = fiacre::StatementKind::Start;
+  start.name = task;
+  start.values.push_back(element(name("skill"), name(context.names.cell(skill.name()))));
+  std::vector<Statement> action{atOnce()};
+  if (late) action.push_back(assign(name("overshoot"), boolean(false)));
+  if (least) action.push_back(assign(name("undershoot"), boolean(true)));
+  action.push_back(assign(name("running"), boolean(true)));
+  action.push_back(at(frame.origin(skill.skill().name.range, "starts its action"), start));
+  action.push_back(to("action_sync"));
+  addState(process, "action", frame.place(), sequence(std::move(action)));
+
+  addState(process, "action_sync", frame.place(), select(alternatives()));
+  if (late)
+    addState(process, "action_sync_overshoot", frame.place(),
+             sequence({atOnce(), assign(name("overshoot"), boolean(true)), to("action_sync")}));
+  if (least)
+    addState(process, "action_sync_not_undershoot", frame.place(),
+             sequence({atOnce(), assign(name("undershoot"), boolean(false)), to("action_sync")}));
+  addDispatch(process);
+  frame.addRest(process, "action_end");
+  addState(process, "action_end", frame.place(),
+           select({sequence({atOnce(), on(negation(name("running"))), to("start_")}),
+                   sequence({on(name("running")), awaitTask("start_")})}),
+           "An action that was broken off may take a while to return.");
+}
+
+std::vector<Statement> RuntimeAction::alternatives() {
+  const auto& node = skill.skill();
+  std::vector<Statement> all{returned()};
+  addTiming(all);
+  for (const auto& invariant : node.invariants)
+    all.push_back(sequence({atOnce(), on(frame.fails(invariant)), breakOff(failureOf(invariant))}));
+  if (node.interrupt)
+    all.push_back(sequence({synchronise(context.names.interruptPort(skill.name())),
+                            breakOff(outsideInterruptionOf(skill))}));
+  if (skill.mayBeStopped())
+    all.push_back(sequence({atOnce(), on(frame.stop()), breakOff(interruptionOf(skill))}));
+  return all;
+}
+
+Statement RuntimeAction::returned() {
+  if (!least) return awaitTask("action_dispatch");
+  const auto words =
+      frame.origin(skill.skill().timeInterval->range, "its action returns too early");
+  auto warning = ifThen(name("undershoot"),
+                        at(words, saying("WARNING: undershoot",
+                                         tag(context.names.tag({skill.name(), "undershoot"})))));
+  auto await = awaitTask("action_dispatch");
+  await.children.insert(await.children.begin() + 1, std::move(warning));
+  return await;
+}
+
+/// The task's result, and where to go with it.
+Statement RuntimeAction::awaitTask(std::string_view next) {
+  Statement sync;
+  sync.kind = fiacre::StatementKind::Sync;
+  sync.name = task;
+  sync.targets.push_back(name("ret_val"));
+  sync.origin = frame.origin(skill.skill().name.range, "its action returns");
+  return sequence({std::move(sync), assign(name("running"), boolean(false)), to(next)});
+}
+
+/// The lower bound, then the upper one, as the paper counts them: leaving `action_sync` starts its
+/// clocks anew.
+void RuntimeAction::addTiming(std::vector<Statement>& all) {
+  if (least)
+    all.push_back(sequence({on(name("undershoot")), wait({.lower = *least, .upper = *least}),
+                            to("action_sync_not_undershoot")}));
+  if (!late) return;
+  const auto rest = *late - least.value_or(0);
+  auto isOpen = negation(name("overshoot"));
+  if (least) isOpen = conjunction({negation(name("undershoot")), std::move(isOpen)});
+  const auto words = frame.origin(skill.skill().timeInterval->range, "its action takes too long");
+  all.push_back(sequence(
+      {on(std::move(isOpen)), wait({.lower = rest, .upper = rest}),
+       at(words, saying("WARNING: overshoot", tag(context.names.tag({skill.name(), "overshoot"})))),
+       to("action_sync_overshoot")}));
+}
+
+Statement RuntimeAction::breakOff(const Ending& ending) {
+  auto interrupt = assign(name("ignoreb"), call(interruptionCall(context, skill.name()), {}));
+  return sequence({std::move(interrupt), frame.end(ending)});
+}
+
+/// From the task's result to the outcome; a result that is none of the skill's is an error.
+void RuntimeAction::addDispatch(fiacre::Process& process) {
+  auto outcomes = outcomesOf(skill);
+  outcomes.push_back(interruptionOf(skill));
+  auto chain = to("error");
+  for (auto outcome = outcomes.rbegin(); outcome != outcomes.rend(); ++outcome)
+    chain = ifThenElse(
+        equal(name("ret_val"), context.result(skill.name(), outcome->status, outcome->tag.text)),
+        frame.end(*outcome), std::move(chain));
+  addState(process, "action_dispatch", frame.place(), sequence({atOnce(), std::move(chain)}));
+  const auto words = frame.origin(skill.skill().name.range, "its action returns an unknown result");
+  addState(process, "error", frame.place(),
+           sequence({atOnce(), at(words, tag(context.names.tag({skill.name(), "unknown_result"}))),
+                     frame.end(interruptionOf(skill))}),
+           "A result that is none of the skill's.");
+}
+
+void declareActions(Context& context, fiacre::Program& program) {
+  for (const auto& skill : context.plan.skills) {
+    if (skill.body) continue;
+    program.tasks.push_back({taskOf(context, skill.name()),
+                             {namedType("skill_record")},
+                             namedType("skill_result"),
+                             context.names.foreign({skill.name(), "action"})});
+    const auto& node = skill.skill();
+    if (node.interrupt || skill.mayBeStopped() || !node.invariants.empty())
+      program.externs.push_back({interruptionCall(context, skill.name()),
+                                 {},
+                                 boolType(),
+                                 context.names.foreign({skill.name(), "interrupt_action"})});
+  }
+}
+
+} // namespace proskill::codegen

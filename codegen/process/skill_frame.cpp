@@ -1,0 +1,253 @@
+#include "codegen/process/skill_frame.h"
+
+#include "codegen/process/invariants.h"
+#include "codegen/term/conditions.h"
+#include "codegen/term/effects.h"
+
+#include <algorithm>
+
+namespace proskill::codegen {
+namespace {
+
+/// `failed_success_postcondition_T` of `success_T`.
+std::string failedPostcondition(std::string_view state) {
+  const auto end = state.find('_');
+  std::string result = "failed_" + std::string(state.substr(0, end)) + "_postcondition";
+  if (end != std::string_view::npos) result += state.substr(end);
+  return result;
+}
+
+} // namespace
+
+using fiacre::Expr;
+using fiacre::Op;
+using fiacre::Statement;
+
+void addState(fiacre::Process& process, std::string_view name, OriginId origin, Statement statement,
+              std::string comment) {
+  process.states.push_back({std::string(name), origin});
+  statement.origin = origin;
+  process.transitions.push_back({std::string(name), std::move(statement), std::move(comment)});
+}
+
+SkillFrame::SkillFrame(Context& context, const SkillPlan& skill)
+    : context(context), skill(skill), actor(actorOf(skill)) {}
+
+// --- Start
+
+void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
+  if (!context.isExpanded()) {
+    const auto rest = restingState();
+    return addState(process, "idle", place(),
+                    sequence({atOnce(), on(isCalled()), entry(first, rest, rest)}));
+  }
+  const auto called = origin(skill.skill().name.range, "is called");
+  addState(process, "start_", place(),
+           sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
+  if (!isTrue(precondition(context, skill.skill()))) noteEndState("precondition_unsatisfied", {});
+  if (skill.callerMayStop) noteEndState("interrupted", {});
+  addState(process, "check_precondition", place(),
+           sequence({atOnce(),
+                     entry("precondition_satisfied", "precondition_unsatisfied", "interrupted")}));
+  step(process, "precondition_satisfied", first, "");
+}
+
+Expr SkillFrame::isCalled() {
+  auto called = negation(equal(cell("caller"), name("None")));
+  return skill.shared() ? conjunction({called, negation(cell("returned"))}) : called;
+}
+
+/// No failed invariant waits to be noticed, the watchdog has seen the last end, and the resources
+/// are free.
+Expr SkillFrame::isReady() {
+  std::vector<Expr> all{negation(someInvariantFails(context))};
+  if (skill.isWatchedAgain()) all.push_back(negation(cell("watched")));
+  for (const auto& resource : skill.skill().resources) {
+    const auto& used = context.names.used(resource.text);
+    all.push_back(binary(Op::Less, name(used), number(context.capacity(resource.text))));
+  }
+  return conjunction(std::move(all));
+}
+
+/// From the call to the run, or back.
+Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused,
+                            std::string_view stopped) {
+  auto begin = sequence({on(isReady()), ifThenElse(precondition(context, skill.skill()),
+                                                   start(satisfied), refuse(refused))});
+  if (!skill.callerMayStop) return begin;
+  return ifThenElse(stop(), stopEarly(stopped), std::move(begin));
+}
+
+Statement SkillFrame::start(std::string_view next) {
+  const auto& node = skill.skill();
+  std::vector<Statement> all{
+      at(origin(node.name.range, "starts"), tag(context.names.tag({skill.name(), "run"}))),
+      changeResources(Op::Add),
+      effects(context, actor, node.start),
+      assign(cell("inv_active"), boolean(true)),
+      assign(cell("status"), name("no_status")),
+      setResult("", "")};
+  if (skill.isWatchedAgain()) all.push_back(assign(cell("watched"), boolean(true)));
+  all.push_back(to(next));
+  return sequence(std::move(all));
+}
+
+Statement SkillFrame::refuse(std::string_view next) {
+  const auto& all = skill.skill().preconditions;
+  const syntax::Range range = all.empty()
+                                  ? skill.skill().name.range
+                                  : syntax::Range{all.front().range.begin, all.back().range.end};
+  const auto words = origin(range, "is refused: its precondition does not hold");
+  return sequence({at(words, assign(cell("status"), name("no_status"))), setResult("", ""),
+                   returnControl(), to(next)});
+}
+
+Statement SkillFrame::stopEarly(std::string_view next) {
+  const auto words = origin(skill.skill().name.range, "is stopped before it starts");
+  return sequence({at(words, assign(stop(), boolean(false))),
+                   assign(cell("status"), name("interrupted")), setResult("", ""), returnControl(),
+                   to(next)});
+}
+
+// --- End
+
+Statement SkillFrame::end(const Ending& ending) {
+  if (!context.isExpanded()) return sequence({outcome(ending), giveBack(), to(restingState())});
+  const auto state = stateAfter(ending);
+  noteEndState(state, ending);
+  return sequence({outcome(ending), giveBack(), to(state)});
+}
+
+Statement SkillFrame::outcome(const Ending& ending) {
+  std::vector<Statement> all{happens(ending)};
+  if (ending.postcondition) all.push_back(checkPostcondition(ending));
+  all.push_back(report(ending));
+  return sequence(std::move(all));
+}
+
+Statement SkillFrame::happens(const Ending& ending) {
+  const auto& name = context.names.tag({skill.name(), ending.status, ending.tag.text});
+  Statement marked = at(origin(ending.range, ending.words), tag(name));
+  if (!ending.effects) return marked;
+  return sequence({std::move(marked), effects(context, actor, *ending.effects)});
+}
+
+/// The tag that says so, in the transition of the outcome itself. Expanded, what was found is kept
+/// for the next state, since to Fiacre's compiler a tag behind a test makes a transition of its
+/// own, with a clock of its own, which a timed one must not have.
+Statement SkillFrame::checkPostcondition(const Ending& ending) {
+  auto broken = negation(condition(context, *ending.postcondition));
+  if (context.isExpanded()) return assign(name("broken"), std::move(broken));
+  return ifThen(std::move(broken), postconditionFails(ending));
+}
+
+Statement SkillFrame::postconditionFails(const Ending& ending) {
+  const auto words = ending.words + ", but its postcondition does not hold";
+  const auto& mark =
+      context.names.tag({skill.name(), ending.status, ending.tag.text, "postcondition"});
+  return at(origin(ending.postcondition->range, words), tag(mark));
+}
+
+Statement SkillFrame::report(const Ending& ending) {
+  return sequence(
+      {setResult(ending.status, ending.tag.text), assign(cell("status"), name(ending.status))});
+}
+
+/// `val`, where anything reads it. Without a tag there is no result.
+Statement SkillFrame::setResult(std::string_view status, std::string_view tag) {
+  if (!skill.resultIsRead) return sequence({});
+  return assign(cell("val"),
+                tag.empty() ? name("no_result") : context.result(skill.name(), status, tag));
+}
+
+Statement SkillFrame::giveBack() {
+  std::vector<Statement> all{assign(cell("inv_active"), boolean(false))};
+  if (skill.mayBeStopped()) all.push_back(assign(stop(), boolean(false)));
+  all.push_back(changeResources(Op::Subtract));
+  all.push_back(returnControl());
+  return sequence(std::move(all));
+}
+
+/// A skill that several may call stays taken until its caller has seen that it is done: nobody else
+/// can come between and change its status.
+Statement SkillFrame::returnControl() {
+  auto free = assign(cell("caller"), name("None"));
+  if (!skill.shared()) return free;
+  auto returned = assign(cell("returned"), boolean(true));
+  if (!skill.root && !skill.generalCaller) return returned;
+  return ifThenElse(equal(cell("caller"), name("root")), std::move(free), std::move(returned));
+}
+
+Statement SkillFrame::changeResources(Op op) {
+  std::vector<Statement> all;
+  for (const auto& resource : skill.skill().resources) {
+    const auto& used = context.names.used(resource.text);
+    all.push_back(assign(name(used), binary(op, name(used), number(1))));
+  }
+  return sequence(std::move(all));
+}
+
+// --- Behind the end
+
+std::string SkillFrame::restingState() const {
+  if (skill.runsOnce()) return "ended";
+  return context.isExpanded() ? "start_" : "idle";
+}
+
+std::string SkillFrame::stateAfter(const Ending& ending) {
+  if (ending.status == "interrupted") return "interrupted";
+  if (ending.status == "failed_inv") return "failed_invariant";
+  return ending.status + (ending.tag ? "_" + std::string(ending.tag.text) : "");
+}
+
+void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
+  if (context.isExpanded()) {
+    addEndStates(process);
+    step(process, "done", skill.runsOnce() ? "ended" : "ether", "Control was returned.");
+    if (!skill.runsOnce()) step(process, "ether", start, "");
+  }
+  if (!skill.runsOnce()) return;
+  // Once the mission has ended nothing more is asked of the program, so this is no deadlock.
+  const bool ends = &skill == context.plan.mission || !context.plan.mission;
+  if (ends && !context.isRuntime())
+    addState(process, "ended", place(), sequence({wait({}), stay()}),
+             "The end. The loop tells it from a deadlock.");
+  else
+    process.states.push_back({"ended", place()});
+}
+
+void SkillFrame::noteEndState(const std::string& state, const Ending& ending) {
+  if (std::ranges::find(endStates, state, &std::pair<std::string, Ending>::first) ==
+      endStates.end())
+    endStates.emplace_back(state, ending);
+}
+
+void SkillFrame::addEndStates(fiacre::Process& process) {
+  bool checks = false;
+  for (const auto& [state, ending] : endStates) {
+    if (!ending.postcondition) {
+      step(process, state, "done", "");
+      continue;
+    }
+    checks = true;
+    const auto broken = failedPostcondition(state);
+    auto fail = sequence({postconditionFails(ending), to(broken)});
+    addState(process, state, place(),
+             sequence({atOnce(), ifThenElse(name("broken"), std::move(fail), to("done"))}));
+    step(process, broken, "done", "");
+  }
+  if (checks)
+    process.variables.push_back(
+        {"broken", boolType(), boolean(false), "the postcondition did not hold"});
+}
+
+void SkillFrame::step(fiacre::Process& process, std::string_view from, std::string_view next,
+                      std::string_view comment) {
+  addState(process, from, place(), sequence({atOnce(), to(next)}), std::string(comment));
+}
+
+Expr SkillFrame::fails(const syntax::Invariant& invariant) {
+  return negation(condition(context, invariant.guard));
+}
+
+} // namespace proskill::codegen

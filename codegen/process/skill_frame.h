@@ -1,0 +1,88 @@
+#pragma once
+
+#include "codegen/term/context.h"
+
+namespace proskill::codegen {
+
+/// One way in which a skill can end.
+struct Ending {
+  std::string status; ///< `success`, `failed_inv`, …
+  syntax::Name tag;   ///< of the outcome or of the invariant; empty where it has none
+  const syntax::Effects* effects = nullptr;
+  const syntax::Expr* postcondition = nullptr;
+  syntax::Range range;
+  std::string words; ///< "succeeds with `at_altitude`"
+};
+
+[[nodiscard]] Ending successOf(const SkillPlan& skill, std::string_view tag);
+[[nodiscard]] Ending failureOf(const SkillPlan& skill, std::string_view tag);
+[[nodiscard]] Ending interruptionOf(const SkillPlan& skill);
+/// The same, by its port.
+[[nodiscard]] Ending outsideInterruptionOf(const SkillPlan& skill);
+[[nodiscard]] Ending failureOf(const syntax::Invariant& invariant);
+/// The successes and the failures that a skill declares; a basic one without a success has one
+/// without a tag.
+[[nodiscard]] std::vector<Ending> outcomesOf(const SkillPlan& skill);
+
+/// How a skill starts, is refused and ends: the same for basic and composite skills. In the
+/// expanded edition the same transitions have a state of their own before and after them, so that
+/// every one can be named; what is atomic there is atomic here.
+class SkillFrame {
+public:
+  SkillFrame(Context& context, const SkillPlan& skill);
+
+  /// The states and transitions from a call to `first`, where it runs.
+  void addStart(fiacre::Process& process, std::string_view first);
+  /// The end, up to `to idle`.
+  [[nodiscard]] fiacre::Statement end(const Ending& ending);
+  /// The same in two halves: what tells this end from others, and what all ends share. Compact.
+  [[nodiscard]] fiacre::Statement outcome(const Ending& ending);
+  [[nodiscard]] fiacre::Statement giveBack();
+  /// The states behind the ends that were used, up to where the next call is awaited.
+  void addRest(fiacre::Process& process, std::string_view start = "start_");
+
+  /// A guard is false.
+  [[nodiscard]] fiacre::Expr fails(const syntax::Invariant& invariant);
+  /// It was asked to stop.
+  [[nodiscard]] fiacre::Expr stop() { return cell("stop"); }
+  [[nodiscard]] fiacre::Expr cell(std::string_view field) {
+    return context.cellField(skill.name(), field);
+  }
+  [[nodiscard]] OriginId origin(syntax::Range range, std::string_view words = {}) {
+    return context.origins.of(actor, range, words);
+  }
+  [[nodiscard]] OriginId place() { return origin(skill.skill().name.range); }
+
+private:
+  [[nodiscard]] fiacre::Statement entry(std::string_view satisfied, std::string_view refused,
+                                        std::string_view stopped);
+  [[nodiscard]] fiacre::Statement start(std::string_view next);
+  [[nodiscard]] fiacre::Statement refuse(std::string_view next);
+  [[nodiscard]] fiacre::Statement stopEarly(std::string_view next);
+  [[nodiscard]] fiacre::Expr isCalled();
+  [[nodiscard]] fiacre::Expr isReady();
+  [[nodiscard]] fiacre::Statement happens(const Ending& ending);
+  [[nodiscard]] fiacre::Statement checkPostcondition(const Ending& ending);
+  [[nodiscard]] fiacre::Statement postconditionFails(const Ending& ending);
+  [[nodiscard]] fiacre::Statement report(const Ending& ending);
+  [[nodiscard]] fiacre::Statement setResult(std::string_view status, std::string_view tag);
+  [[nodiscard]] fiacre::Statement returnControl();
+  [[nodiscard]] fiacre::Statement changeResources(fiacre::Op op);
+  [[nodiscard]] static std::string stateAfter(const Ending& ending);
+  void noteEndState(const std::string& state, const Ending& ending);
+  void addEndStates(fiacre::Process& process);
+  [[nodiscard]] std::string restingState() const;
+  void step(fiacre::Process& process, std::string_view from, std::string_view next,
+            std::string_view comment);
+
+  Context& context;
+  const SkillPlan& skill;
+  Actor actor;
+  std::vector<std::pair<std::string, Ending>> endStates; ///< expanded: those that are used
+};
+
+/// Adds a state with what can happen in it.
+void addState(fiacre::Process& process, std::string_view name, OriginId origin,
+              fiacre::Statement statement, std::string comment = {});
+
+} // namespace proskill::codegen

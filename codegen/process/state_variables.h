@@ -1,0 +1,21 @@
+#pragma once
+
+#include "codegen/term/context.h"
+
+namespace proskill::codegen {
+
+/// The automaton of a state variable. Exact: it goes to `error` at once when a forbidden move has
+/// raised the alarm. Paper: it has a state for each value, and polls the variable.
+/// \pre all effects have been translated, so that it is known which variables have an alarm.
+[[nodiscard]] fiacre::Process
+stateVariableAutomaton(Context& context,
+                       const analysis::Definition<syntax::StateVariable>& variable);
+
+/// The type of a state variable: a union of its values, or a range.
+[[nodiscard]] fiacre::TypeDeclaration
+stateVariableType(Context& context, const analysis::Definition<syntax::StateVariable>& variable);
+
+/// Its initial value.
+[[nodiscard]] fiacre::Expr initialValue(Context& context, const syntax::StateVariable& variable);
+
+} // namespace proskill::codegen

@@ -1,0 +1,243 @@
+#include "codegen/property/checks.h"
+
+#include "codegen/process/body_process.h"
+#include "codegen/property/properties.h"
+#include "codegen/term/conditions.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Observable;
+using fiacre::PatternKind;
+
+fiacre::Pattern absent(Observable observable) {
+  fiacre::Pattern pattern;
+  pattern.kind = PatternKind::Absent;
+  pattern.operands.push_back(std::move(observable));
+  return pattern;
+}
+
+std::string inTicks(std::string_view text) { return fmt::format("`{}`", text); }
+
+class Checks {
+public:
+  Checks(Context& context, Model& model)
+      : context(context), model(model), observer(context, model.fiacre) {}
+
+  void add() {
+    for (const auto& variable : context.program.stateVariables.all) addStateVariable(variable);
+    for (const auto& skill : context.plan.skills) addSkill(skill);
+    addProgram();
+    for (const auto& property : context.program.properties.all) addProperty(property);
+  }
+
+private:
+  // --- State variables
+
+  void addStateVariable(const analysis::Definition<syntax::StateVariable>& variable) {
+    const auto process = context.names.process({"sv", variable.name(), "automata"});
+    const bool marked = context.alarmed.contains(variable.name());
+    auto forbidden = marked ? observer.tag(context.names.tag({variable.name(), "forbidden"}))
+                            : observer.state(process, "error");
+    begin(variable.name(), {std::string(variable.name()), variable.file}, variable->name.range);
+    holds("no_forbidden_transition", "",
+          fmt::format("{} makes no forbidden move", inTicks(variable.name())), Weight::Error,
+          absent(std::move(forbidden)));
+  }
+
+  // --- Skills
+
+  void addSkill(const SkillPlan& skill) {
+    const auto& node = skill.skill();
+    begin(skill.name(), actorOf(skill), node.name.range);
+    reachable("can_run", "", "can run", tag({skill.name(), "run"}));
+    for (const auto& ending : endings(skill)) addEnding(skill, ending);
+    for (const auto& invariant : node.invariants) addEnding(skill, failureOf(invariant));
+    if (node.interrupt) addEnding(skill, interruptionOf(skill));
+    if (!skill.body) return;
+    if (skill.isWatched()) addWatchdog(skill);
+    forEachThread(*skill.body, [&](const BodyAutomaton& thread) { addStatements(skill, thread); });
+  }
+
+  /// The declared outcomes, and success without a tag where the end of the body can be reached.
+  static std::vector<Ending> endings(const SkillPlan& skill) {
+    auto all = outcomesOf(skill);
+    if (skill.body && !skill.body->states.back().statement) all.push_back(successOf(skill, {}));
+    return all;
+  }
+
+  void addEnding(const SkillPlan& skill, const Ending& ending) {
+    place = context.origins.of(actorOf(skill), ending.range);
+    const auto detail = std::string(ending.tag.text);
+    auto happens = tag({skill.name(), ending.status, ending.tag.text});
+    const auto with = ending.tag ? " with " + inTicks(ending.tag.text) : "";
+    if (ending.status == "success")
+      reachable("can_succeed", detail, "can succeed" + with, std::move(happens));
+    else if (ending.status == "failure")
+      reachable("can_fail", detail, "can fail" + with, std::move(happens));
+    else if (ending.status == "failed_inv")
+      reachable("invariant_may_fail", detail,
+                fmt::format("may have its invariant {} fail", inTicks(detail)), std::move(happens));
+    else
+      reachable("can_be_interrupted", "", "can be interrupted", std::move(happens));
+    if (ending.postcondition) addPostcondition(skill, ending);
+  }
+
+  void addPostcondition(const SkillPlan& skill, const Ending& ending) {
+    place = context.origins.of(actorOf(skill), ending.postcondition->range);
+    holds("postcondition", std::string(ending.tag.text),
+          fmt::format("the postcondition holds whenever {} {}", inTicks(subject), ending.words),
+          Weight::Warning,
+          absent(tag({skill.name(), ending.status, ending.tag.text, "postcondition"})));
+  }
+
+  void addWatchdog(const SkillPlan& skill) {
+    const auto& interval = *skill.skill().timeInterval;
+    const auto process = context.names.process({"skill", skill.name(), "watchdog"});
+    place = context.origins.of(actorOf(skill), interval.range);
+    if (interval.lower.numerator > 0 || interval.lowerOpen)
+      holds("no_undershoot", "",
+            fmt::format("{} takes at least {} s", inTicks(subject), toString(interval.lower)),
+            Weight::Error, absent(observer.state(process, "skill_undershoot")));
+    if (interval.upper)
+      holds("no_overshoot", "",
+            fmt::format("{} takes at most {} s", inTicks(subject), toString(*interval.upper)),
+            Weight::Error, absent(observer.state(process, "skill_overshoot")));
+  }
+
+  // --- Statements
+
+  void addStatements(const SkillPlan& skill, const BodyAutomaton& thread) {
+    const auto process = processOf(context, skill, thread);
+    for (const auto& state : thread.states) {
+      if (!state.statement) continue;
+      const auto range = state.statement->range;
+      place = context.origins.of(actorOf(skill, thread), range);
+      column = context.origins.position(skill.file(), range).column;
+      const auto line = std::to_string(context.origins.position(skill.file(), range).line);
+      const auto text = inTicks(context.origins.excerpt(skill.file(), range));
+      if (state.statement->kind == syntax::StatementKind::Call) addCall(thread, state, line, text);
+      question("reachable", line, text + " can be reached", Expectation::Reachable, Weight::Warning,
+               absent(observer.state(process, state.name)));
+    }
+  }
+
+  /// Only where a call may be refused, or find its skill busy, is it asked whether it ever is.
+  void addCall(const BodyAutomaton& thread, const BodyState& state, const std::string& line,
+               const std::string& text) {
+    const auto ask = [&](std::string_view how, std::string_view kind, const std::string& words) {
+      const auto& name = context.names.tag({thread.name, state.name, how});
+      if (observer.hasTag(name))
+        holds(kind, line, words, Weight::Warning, absent(observer.tag(name)));
+    };
+    ask("refused", "never_refused", text + " is never refused");
+    ask("busy", "never_busy", text + " never finds its skill busy");
+  }
+
+  // --- The program
+
+  /// Not asked where no skill runs: what does nothing may stop.
+  void addNoDeadlock() {
+    fiacre::Pattern deadlock;
+    deadlock.kind = PatternKind::DeadlockFree;
+    holds("no_deadlock", "", "the program never stops before its mission has ended", Weight::Error,
+          std::move(deadlock));
+  }
+
+  void addProgram() {
+    const auto* mission = context.plan.mission;
+    begin("program", mission ? actorOf(*mission) : Actor{},
+          mission ? mission->skill().name.range : syntax::Range{});
+    if (!context.plan.skills.empty()) addNoDeadlock();
+    fiacre::Pattern progress;
+    progress.kind = PatternKind::Progress;
+    holds("time_progress", "", "time can always go on", Weight::Error, std::move(progress));
+  }
+
+  void addProperty(const analysis::Definition<syntax::Property>& property) {
+    begin(property.name(), {std::string(property.name()), property.file}, property->bodyRange);
+    const bool asksToReach = property->kind == syntax::PropertyKind::Reachable;
+    Check check;
+    check.name = unique(std::string(property.name()));
+    check.kind = "property";
+    check.words = context.origins.excerpt(property.file, property->bodyRange);
+    check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
+    put(std::move(check), patternOf(context, observer, property.node()));
+  }
+
+  // --- Questions
+
+  void begin(std::string_view of, const Actor& actor, syntax::Range range) {
+    subject = of;
+    place = context.origins.of(actor, range);
+    column = 0;
+  }
+
+  Observable tag(std::initializer_list<std::string_view> parts) {
+    return observer.tag(context.names.tag(parts));
+  }
+
+  void holds(std::string_view kind, const std::string& detail, std::string words, Weight weight,
+             fiacre::Pattern pattern) {
+    question(kind, detail, std::move(words), Expectation::Holds, weight, std::move(pattern));
+  }
+
+  void reachable(std::string_view kind, const std::string& detail, std::string_view words,
+                 Observable observable) {
+    question(kind, detail, fmt::format("{} {}", inTicks(subject), words), Expectation::Reachable,
+             Weight::Warning, absent(std::move(observable)));
+  }
+
+  void question(std::string_view kind, const std::string& detail, std::string words,
+                Expectation good, Weight weight, fiacre::Pattern pattern) {
+    Check check;
+    check.name = unique(fmt::format("{}.{}{}{}", subject, kind, detail.empty() ? "" : ".", detail));
+    check.kind = kind;
+    check.words = std::move(words);
+    check.good = good;
+    check.weight = weight;
+    put(std::move(check), std::move(pattern));
+  }
+
+  void put(Check check, fiacre::Pattern pattern) {
+    check.subject = subject;
+    check.origin = place;
+    check.property = model.fiacre.properties.size();
+    fiacre::Property property;
+    property.name = context.names.property(sanitised(check.name));
+    property.pattern = std::move(pattern);
+    property.origin = place;
+    property.comment = check.words;
+    model.fiacre.properties.push_back(std::move(property));
+    model.checks.push_back(std::move(check));
+  }
+
+  /// Two statements of a line are told apart by their column, whatever else by a number.
+  std::string unique(const std::string& name) {
+    if (taken.insert(name).second) return name;
+    if (column > 0)
+      if (auto withColumn = fmt::format("{}:{}", name, column); taken.insert(withColumn).second)
+        return withColumn;
+    for (std::size_t i = 2;; ++i)
+      if (auto numbered = fmt::format("{}.{}", name, i); taken.insert(numbered).second)
+        return numbered;
+  }
+
+  Context& context;
+  Model& model;
+  Observer observer;
+  std::set<std::string> taken;
+  std::string subject;
+  OriginId place = 0;
+  std::uint32_t column = 0;
+};
+
+} // namespace
+
+void addChecks(Context& context, Model& model) { Checks(context, model).add(); }
+
+} // namespace proskill::codegen

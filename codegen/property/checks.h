@@ -1,0 +1,11 @@
+#pragma once
+
+#include "codegen/process/component.h"
+
+namespace proskill::codegen {
+
+/// Asks the default properties of every part of the program, then the program's own; each becomes a
+/// property of `model.fiacre`. \pre offline; the program was built
+void addChecks(Context& context, Model& model);
+
+} // namespace proskill::codegen

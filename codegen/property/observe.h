@@ -1,0 +1,37 @@
+#pragma once
+
+#include "codegen/process/component.h"
+
+#include <set>
+
+namespace proskill::codegen {
+
+/// What can be seen of the built model, for its properties.
+class Observer {
+public:
+  Observer(Context& context, const fiacre::Program& program);
+
+  [[nodiscard]] fiacre::Observable state(std::string_view process, std::string_view state) const;
+  /// A tag, whichever processes have it. One that none has never happens.
+  [[nodiscard]] fiacre::Observable tag(const std::string& tag) const;
+  [[nodiscard]] static fiacre::Observable value(fiacre::Expr condition);
+  /// A condition of a property, atoms included.
+  [[nodiscard]] fiacre::Observable condition(const syntax::Expr& expr);
+  [[nodiscard]] bool hasTag(const std::string& tag) const { return tags.contains(tag); }
+
+private:
+  [[nodiscard]] fiacre::Observable compound(fiacre::ObservableKind kind, const syntax::Expr& expr);
+  [[nodiscard]] fiacre::Observable event(std::string_view name) const;
+  [[nodiscard]] fiacre::Observable running(std::string_view skill) const;
+  [[nodiscard]] fiacre::Observable called(std::string_view skill) const;
+  [[nodiscard]] fiacre::Observable ended(const syntax::Expr& expr) const;
+  [[nodiscard]] fiacre::Observable atLabel(std::string_view label) const;
+  void addStatesAt(std::vector<fiacre::Observable>& found, const BodyAutomaton& thread,
+                   std::string_view process, std::string_view label) const;
+
+  Context& context;
+  Places places;
+  std::map<std::string, std::set<std::uint32_t>, std::less<>> tags; ///< the places of each
+};
+
+} // namespace proskill::codegen

@@ -1,0 +1,107 @@
+#include "codegen/property/properties.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::LtlKind;
+using fiacre::PatternKind;
+using syntax::ExprKind;
+using syntax::PropertyKind;
+
+PatternKind kindOf(PropertyKind kind) {
+  switch (kind) {
+  case PropertyKind::Always: return PatternKind::Always;
+  case PropertyKind::DeadlockFree: return PatternKind::DeadlockFree;
+  case PropertyKind::InfinitelyOften: return PatternKind::InfinitelyOften;
+  case PropertyKind::LeadsTo: return PatternKind::LeadsTo;
+  case PropertyKind::Precedes: return PatternKind::Precedes;
+  case PropertyKind::Present: return PatternKind::Present;
+  case PropertyKind::Ltl: return PatternKind::Ltl;
+  case PropertyKind::Missing:
+  case PropertyKind::Never:
+  case PropertyKind::Reachable:
+  case PropertyKind::Absent: return PatternKind::Absent;
+  }
+  std::unreachable();
+}
+
+LtlKind kindOf(ExprKind kind) {
+  switch (kind) {
+  case ExprKind::Globally: return LtlKind::Globally;
+  case ExprKind::Finally: return LtlKind::Finally;
+  case ExprKind::Next: return LtlKind::Next;
+  case ExprKind::Until: return LtlKind::Until;
+  case ExprKind::Not: return LtlKind::Not;
+  case ExprKind::And: return LtlKind::And;
+  case ExprKind::Or: return LtlKind::Or;
+  case ExprKind::Implies: return LtlKind::Implies;
+  case ExprKind::Missing:
+  case ExprKind::True:
+  case ExprKind::False:
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Parameter:
+  case ExprKind::Access:
+  case ExprKind::Test:
+  case ExprKind::Equal:
+  case ExprKind::NotEqual:
+  case ExprKind::Less:
+  case ExprKind::LessEqual:
+  case ExprKind::Greater:
+  case ExprKind::GreaterEqual:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Value: break;
+  }
+  assert(false && "not an operator of LTL");
+  return LtlKind::Atom;
+}
+
+bool isTemporal(const syntax::Expr& expr) {
+  constexpr std::array kTemporal{ExprKind::Globally, ExprKind::Finally, ExprKind::Next,
+                                 ExprKind::Until};
+  return std::ranges::find(kTemporal, expr.kind) != kTemporal.end() ||
+         std::ranges::any_of(expr.operands, isTemporal);
+}
+
+fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
+  fiacre::Ltl ltl;
+  if (!isTemporal(expr)) {
+    ltl.atom = observer.condition(expr);
+    return ltl;
+  }
+  ltl.kind = kindOf(expr.kind);
+  for (const auto& operand : expr.operands) ltl.operands.push_back(formula(observer, operand));
+  return ltl;
+}
+
+} // namespace
+
+fiacre::Pattern patternOf(Context& context, Observer& observer, const syntax::Property& property) {
+  fiacre::Pattern pattern;
+  pattern.kind = kindOf(property.kind);
+  if (pattern.kind == PatternKind::Ltl)
+    pattern.ltl = formula(observer, property.operands[0]);
+  else
+    for (const auto& operand : property.operands)
+      pattern.operands.push_back(observer.condition(operand));
+  if (property.after) pattern.after = observer.condition(*property.after);
+  if (property.before) pattern.before = observer.condition(*property.before);
+  if (property.within) pattern.within = context.times.interval(*property.within);
+  if (property.forDuration) pattern.forInterval = context.times.interval(*property.forDuration);
+  if (property.lasting) pattern.lasting = context.times.units(*property.lasting);
+  return pattern;
+}
+
+} // namespace proskill::codegen

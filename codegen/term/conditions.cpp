@@ -1,0 +1,168 @@
+#include "codegen/term/conditions.h"
+
+#include "codegen/term/linear.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Op;
+using syntax::ExprKind;
+
+fiacre::Expr comparison(Context& context, Op op, const syntax::Expr& expr) {
+  return Linear::compare(op, Linear(context, expr.operands[0]), Linear(context, expr.operands[1]));
+}
+
+bool isEnumeration(const Context& context, const syntax::Expr& expr) {
+  if (expr.kind != ExprKind::Symbol) return false;
+  const auto* variable = context.program.stateVariables.find(expr.name.text);
+  return variable && !(*variable)->isNatural();
+}
+
+bool isMember(const syntax::Expr& expr, std::string_view member) {
+  return expr.kind == ExprKind::Access && expr.member.text == member;
+}
+
+/// A status, or its word. A skill that is not in the model has never run.
+fiacre::Expr status(Context& context, const syntax::Expr& expr) {
+  if (expr.kind != ExprKind::Access) return name(expr.name.text);
+  return context.plan.find(expr.name.text) ? context.cellField(expr.name.text, "status")
+                                           : name("no_status");
+}
+
+fiacre::Expr statusEquality(Context& context, const syntax::Expr& a, const syntax::Expr& b) {
+  auto left = status(context, a);
+  auto right = status(context, b);
+  const bool areWords = left.kind == fiacre::ExprKind::Name && right.kind == fiacre::ExprKind::Name;
+  return areWords ? boolean(left == right) : equal(std::move(left), std::move(right));
+}
+
+std::vector<std::string_view> resultTags(const syntax::Skill& skill) {
+  std::vector<std::string_view> tags;
+  const auto add = [&](const syntax::Name& tag) {
+    if (tag && std::ranges::find(tags, tag.text) == tags.end()) tags.push_back(tag.text);
+  };
+  for (const auto& outcome : skill.successes) add(outcome.tag);
+  for (const auto& outcome : skill.failures) add(outcome.tag);
+  for (const auto& invariant : skill.invariants) add(invariant.tag);
+  return tags;
+}
+
+/// The last outcome of a skill had this tag, whatever its status; `no_result` is no tag.
+fiacre::Expr resultIs(Context& context, std::string_view skill, std::string_view tag) {
+  const auto* plan = context.plan.find(skill);
+  if (!plan) return boolean(tag == "no_result");
+  const auto value = context.cellField(skill, "val");
+  const auto& node = plan->skill();
+  std::vector<fiacre::Expr> cases;
+  if (tag == "no_result") cases.push_back(equal(value, name("no_result")));
+  const auto addIfAny = [&](const auto& tagged, std::string_view status) {
+    if (std::ranges::any_of(tagged, [&](const auto& it) { return it.tag.text == tag; }))
+      cases.push_back(equal(value, context.result(skill, status, tag)));
+  };
+  addIfAny(node.successes, "success");
+  addIfAny(node.failures, "failure");
+  addIfAny(node.invariants, "failed_inv");
+  return disjunction(std::move(cases));
+}
+
+/// Each skill has results of its own, so two of them are equal when their tags are.
+fiacre::Expr sameResult(Context& context, std::string_view a, std::string_view b) {
+  std::vector<std::string_view> tags{"no_result"};
+  if (const auto* plan = context.plan.find(a)) {
+    const auto more = resultTags(plan->skill());
+    tags.insert(tags.end(), more.begin(), more.end());
+  }
+  std::vector<fiacre::Expr> cases;
+  for (const auto tag : tags)
+    cases.push_back(conjunction({resultIs(context, a, tag), resultIs(context, b, tag)}));
+  return disjunction(std::move(cases));
+}
+
+fiacre::Expr equality(Context& context, const syntax::Expr& a, const syntax::Expr& b) {
+  if (isMember(a, "status") || isMember(b, "status")) return statusEquality(context, a, b);
+  if (isMember(a, "res") && isMember(b, "res"))
+    return sameResult(context, a.name.text, b.name.text);
+  if (isMember(a, "res")) return resultIs(context, a.name.text, b.name.text);
+  if (isMember(b, "res")) return resultIs(context, b.name.text, a.name.text);
+  // The first operand that is a variable tells what the other word means.
+  if (isEnumeration(context, a)) return hasValue(context, a.name, b);
+  if (isEnumeration(context, b)) return hasValue(context, b.name, a);
+  return Linear::compare(Op::Equal, Linear(context, a), Linear(context, b));
+}
+
+std::vector<fiacre::Expr> conditions(Context& context, const syntax::List<syntax::Expr>& exprs) {
+  std::vector<fiacre::Expr> result;
+  for (const auto& expr : exprs) result.push_back(condition(context, expr));
+  return result;
+}
+
+} // namespace
+
+fiacre::Expr enumerationValue(Context& context, std::string_view variable, std::string_view word) {
+  const auto& states = context.stateVariable(variable).states;
+  const bool isValue = std::ranges::any_of(states, [&](const auto& it) { return it.text == word; });
+  return name(isValue ? context.names.value(variable, word) : context.names.variable(word));
+}
+
+fiacre::Expr hasValue(Context& context, const syntax::Name& variable, const syntax::Expr& value) {
+  if (context.stateVariable(variable.text).isNatural()) {
+    syntax::Expr symbol;
+    symbol.kind = ExprKind::Symbol;
+    symbol.name = variable;
+    return Linear::compare(Op::Equal, Linear(context, symbol), Linear(context, value));
+  }
+  auto left = name(context.names.variable(variable.text));
+  auto right = enumerationValue(context, variable.text, value.name.text);
+  return left == right ? boolean(true) : equal(std::move(left), std::move(right));
+}
+
+fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
+  switch (expr.kind) {
+  case ExprKind::True: return boolean(true);
+  case ExprKind::False: return boolean(false);
+  case ExprKind::And: return conjunction(conditions(context, expr.operands));
+  case ExprKind::Or: return disjunction(conditions(context, expr.operands));
+  case ExprKind::Not: return negation(condition(context, expr.operands[0]));
+  case ExprKind::Implies:
+    return disjunction(
+        {negation(condition(context, expr.operands[0])), condition(context, expr.operands[1])});
+  case ExprKind::Test:
+  case ExprKind::Value: return hasValue(context, expr.name, expr.operands[0]);
+  case ExprKind::Equal: return equality(context, expr.operands[0], expr.operands[1]);
+  case ExprKind::NotEqual: return negation(equality(context, expr.operands[0], expr.operands[1]));
+  case ExprKind::Less: return comparison(context, Op::Less, expr);
+  case ExprKind::LessEqual: return comparison(context, Op::LessEqual, expr);
+  case ExprKind::Greater: return comparison(context, Op::Greater, expr);
+  case ExprKind::GreaterEqual: return comparison(context, Op::GreaterEqual, expr);
+  case ExprKind::Missing:
+  case ExprKind::Number:
+  case ExprKind::Symbol:
+  case ExprKind::String:
+  case ExprKind::Parameter:
+  case ExprKind::Access:
+  case ExprKind::Add:
+  case ExprKind::Subtract:
+  case ExprKind::Running:
+  case ExprKind::Called:
+  case ExprKind::Ended:
+  case ExprKind::Occurs:
+  case ExprKind::At:
+  case ExprKind::Globally:
+  case ExprKind::Finally:
+  case ExprKind::Next:
+  case ExprKind::Until: break;
+  }
+  assert(false && "not a condition of the program");
+  return boolean(false);
+}
+
+fiacre::Expr precondition(Context& context, const syntax::Skill& skill) {
+  std::vector<fiacre::Expr> all;
+  for (const auto& each : skill.preconditions) all.push_back(condition(context, each.condition));
+  return conjunction(std::move(all));
+}
+
+} // namespace proskill::codegen

@@ -1,0 +1,30 @@
+#include "codegen/term/context.h"
+
+#include <algorithm>
+
+namespace proskill::codegen {
+
+fiacre::Expr Context::cellField(std::string_view thread, std::string_view field) {
+  return codegen::field(element(name("skill"), name(names.cell(thread))), field);
+}
+
+fiacre::Expr Context::result(std::string_view skill, std::string_view status,
+                             std::string_view tag) {
+  const auto& constructor = names.result(skill, status, tag);
+  if (std::ranges::find(results, constructor) == results.end()) results.push_back(constructor);
+  return name(constructor);
+}
+
+Actor actorOf(const SkillPlan& skill) { return {std::string(skill.name()), skill.file()}; }
+
+Actor actorOf(const SkillPlan& skill, const BodyAutomaton& thread) {
+  auto actor = actorOf(skill);
+  std::string separator = " branch ";
+  for (const auto index : thread.path) {
+    actor.name += separator + std::to_string(index);
+    separator = ".";
+  }
+  return actor;
+}
+
+} // namespace proskill::codegen

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "codegen/model.h"
+#include "codegen/plan/names.h"
+#include "codegen/plan/origins.h"
+#include "codegen/plan/plan.h"
+#include "codegen/term/build.h"
+#include "codegen/term/times.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proskill::codegen {
+
+/// What every part of the generator works with: the program, what was decided about it, and what
+/// the parts leave for each other.
+struct Context {
+  const analysis::Program& program;
+  const Options& options;
+  Plan plan;
+  Times times;
+  Names names;
+  Origins origins;
+  std::vector<std::string> results;   ///< constructors of `skill_result` in use, `no_result` aside
+  std::set<std::string_view> alarmed; ///< state variables of which some move may be forbidden
+  std::optional<fiacre::Function> invariantActive; ///< where any skill has an invariant
+  /// Runtime: of each call, the index of its arguments; 0 where it has none.
+  std::map<const syntax::Statement*, std::int64_t> argumentIndex;
+
+  [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
+  /// Every state is named, not only those where time passes.
+  [[nodiscard]] bool isExpanded() const { return options.edition != Edition::Offline; }
+
+  [[nodiscard]] const syntax::StateVariable& stateVariable(std::string_view name) const {
+    return program.stateVariables.find(name)->node();
+  }
+  /// For the comment above what a definition has become.
+  template <class Node>
+  [[nodiscard]] std::string definitionOf(const analysis::Definition<Node>& definition) const {
+    return origins.definition(definition.file, *definition.form, definition.name());
+  }
+  [[nodiscard]] std::int64_t capacity(std::string_view resource) const {
+    const auto& capacity = program.resources.find(resource)->node().capacity;
+    return capacity ? capacity->number.numerator : 1;
+  }
+  /// `skill[takeoff].status`, of a skill or a branch.
+  [[nodiscard]] fiacre::Expr cellField(std::string_view thread, std::string_view field);
+  /// A constructor of `skill_result`, which is thereby in use.
+  [[nodiscard]] fiacre::Expr result(std::string_view skill, std::string_view status,
+                                    std::string_view tag);
+};
+
+/// The actor that a skill, or the thread of one, is in a trace.
+[[nodiscard]] Actor actorOf(const SkillPlan& skill);
+[[nodiscard]] Actor actorOf(const SkillPlan& skill, const BodyAutomaton& thread);
+
+} // namespace proskill::codegen

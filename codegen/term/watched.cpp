@@ -1,0 +1,52 @@
+#include "codegen/term/watched.h"
+
+#include "fiacre/syntax/print.h"
+
+namespace proskill::codegen {
+
+namespace {
+
+using Words = std::map<std::string, std::string>;
+
+Words valuesOf(Context& context, const syntax::StateVariable& variable) {
+  Words words;
+  for (const auto& state : variable.states)
+    words[context.names.value(variable.name.text, state.text)] = state.text;
+  return words;
+}
+
+Words resultsOf(Context& context, const syntax::Skill& skill) {
+  Words words;
+  const auto add = [&](const auto& tagged, std::string_view status) {
+    for (const auto& each : tagged)
+      if (each.tag)
+        words[context.names.result(skill.name.text, status, each.tag.text)] = each.tag.text;
+  };
+  add(skill.successes, "success");
+  add(skill.failures, "failure");
+  add(skill.invariants, "failed_inv");
+  return words;
+}
+
+} // namespace
+
+std::vector<fiacre::Watched> watchedVariables(Context& context) {
+  std::vector<fiacre::Watched> all;
+  for (const auto& variable : context.program.stateVariables.all)
+    all.push_back({context.names.variable(variable.name()), std::string(variable.name()),
+                   valuesOf(context, variable.node())});
+  for (const auto& skill : context.plan.skills) {
+    const auto add = [&](std::string_view field, std::string_view member, Words words) {
+      all.push_back({fiacre::printLvalue(context.cellField(skill.name(), field)),
+                     std::string(skill.name()) + "." + std::string(member), std::move(words)});
+    };
+    add("status", "status", {});
+    if (skill.resultIsRead) add("val", "res", resultsOf(context, skill.skill()));
+  }
+  for (const auto& resource : context.program.resources.all)
+    all.push_back(
+        {context.names.used(resource.name()), std::string(resource.name()) + " in use", {}});
+  return all;
+}
+
+} // namespace proskill::codegen

@@ -1,0 +1,423 @@
+#include "fiacre/format/format_lines.h"
+#include "fiacre/syntax/words.h"
+#include "fiacre/syntax/writer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::fiacre {
+namespace {
+
+using Shape = FormatLine::Shape;
+
+/// What stands before an expression, so that `[]` behind it is an empty array.
+constexpr auto kBeforeExpression =
+    std::to_array<std::string_view>({":=", ",", "=", "<>", "!", "?", ":", "return", "on", "where",
+                                     "not", "and", "or", "case", "if", "while", "elsif"});
+
+template <std::size_t N>
+bool isOneOf(std::string_view text, const std::array<std::string_view, N>& texts) {
+  return std::ranges::find(texts, text) != texts.end();
+}
+
+class Splitter {
+public:
+  Splitter(std::string_view read, const std::vector<Token>& tokens) : text(read), all(tokens) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!isComment(all[i])) words.push_back(i);
+  }
+
+  std::vector<FormatLine> run() {
+    while (peek().kind != TokenKind::End) step();
+    ended = true;
+    takeComments();
+    return std::move(lines);
+  }
+
+private:
+  enum class Block : std::uint8_t { Body, If, Select, Case, Loop };
+  struct Frame {
+    Block block;
+    std::size_t indent;
+  };
+
+  // Tokens, the comments apart.
+  [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
+    return all[words[std::min(at + ahead, words.size() - 1)]];
+  }
+  [[nodiscard]] bool isAt(std::string_view wanted, std::size_t ahead = 0) const {
+    const Token& token = peek(ahead);
+    return token.text == wanted && token.kind != TokenKind::String;
+  }
+  [[nodiscard]] const Token* previous() const { return at == 0 ? nullptr : &all[words[at - 1]]; }
+  [[nodiscard]] bool commentsBefore() const {
+    return words[at] > 0 && isComment(all[words[at] - 1]);
+  }
+  /// The user has written the next token on the line of the one before.
+  [[nodiscard]] bool besidePrevious() const {
+    return previous() && !commentsBefore() && !isLineBreak(text, *previous(), peek());
+  }
+
+  void step() {
+    if (depth > 0) return take();
+    if (isAtDeclaration()) return declaration();
+    if (isAtEntry()) return entry();
+    if (isAt("par") && !frames.empty()) frames.clear();
+    if (head) return takeHead();
+    if (isAtSection()) return section();
+    if (compositions > 0) return composition();
+    if (!frames.empty()) return statement();
+    take();
+  }
+
+  // Declarations and their parts.
+  [[nodiscard]] bool isAtDeclaration() const {
+    return isOneOf(peek().text, kDeclarations) && peek().kind == TokenKind::Name &&
+           !(previous() && previous()->text == "/");
+  }
+
+  [[nodiscard]] bool isAtEntry() const {
+    if (peek().kind != TokenKind::Name || isReserved(peek().text) || !previous()) return false;
+    const bool last = peek(1).kind == TokenKind::End || isOneOf(peek(1).text, kDeclarations) ||
+                      isAt(">", 1) || isAt(">", 2);
+    const Token& before = *previous();
+    const bool behindAll = before.kind == TokenKind::Number || before.kind == TokenKind::String ||
+                           !isReserved(before.text);
+    const bool named = before.kind != TokenKind::Symbol || before.text == ")" || before.text == "]";
+    return last && ((behindAll && named) || before.text == "end");
+  }
+
+  void declaration() {
+    const auto word = peek().text;
+    attached = false;
+    frames.clear();
+    compositions = 0;
+    inFunction = word == "function";
+    head = word == "process" || word == "component" || word == "function";
+    start(0);
+    auto& line = lines.back();
+    if (head) separate();
+    if (word == "process" || word == "component") line.shape = Shape::Head;
+    if (word == "process" || word == "component" || word == "event" || word == "task" ||
+        word == "extern" || word == "function")
+      line.kind = LineKind::Head;
+    if (word == "property" || word == "assert" || word == "prove") line.kind = LineKind::Property;
+    if (word == "type") line.shape = Shape::Type;
+    take();
+  }
+
+  /// The model's name, or `observer > model`: of these there may be several in a row.
+  void entry() {
+    const bool attaches = isAt(">", 1);
+    frames.clear();
+    start(0);
+    if (!attaches || !attached) separate();
+    attached = attaches;
+    take();
+    for (int i = 0; attaches && i < 2; ++i) take();
+    ended = true;
+  }
+
+  void takeHead() {
+    head = !isAt("is");
+    take();
+    ended = !head;
+  }
+
+  [[nodiscard]] bool isAtSection() const {
+    constexpr auto kSections = std::to_array<std::string_view>(
+        {"states", "var", "port", "priority", "init", "begin", "from", "par"});
+    return isOneOf(peek().text, kSections);
+  }
+
+  void section() {
+    const auto word = peek().text;
+    if (word == "par") return openComposition();
+    frames.clear();
+    start(word == "var" && inFunction ? Writer::kStep : 0);
+    auto& line = lines.back();
+    if (word == "var" || word == "port" || word == "priority") {
+      line.shape = Shape::Items;
+      line.hang = word.size() + 1;
+    }
+    if (word == "port") line.kind = LineKind::Ports;
+    if (word == "from") separate();
+    take();
+    if (word == "from") take();
+    if (word != "init" && word != "begin" && word != "from") return;
+    ended = true;
+    frames.push_back({Block::Body, 0});
+  }
+
+  // Compositions.
+  void openComposition() {
+    const auto indent = compositions * Writer::kStep;
+    if (compositions == 0) start(0);
+    ++compositions;
+    lines.back().kind = LineKind::Head;
+    take();
+    if (isAtPortSet())
+      while (!isAt("in")) take();
+    if (isAt("in")) take();
+    ended = true;
+    nextInstance(indent, "");
+  }
+
+  [[nodiscard]] bool isAtPortSet() const {
+    std::size_t ahead = 0;
+    while (peek(ahead).kind == TokenKind::Name && isAt(",", ahead + 1)) ahead += 2;
+    return isAt("in", ahead + 1);
+  }
+
+  void nextInstance(std::size_t indent, std::string_view sign) {
+    start(indent, sign, 4);
+    lines.back().kind = LineKind::Head;
+  }
+
+  void composition() {
+    const auto indent = (compositions - 1) * Writer::kStep;
+    if (isAt("||")) {
+      nextInstance(indent, "||");
+      ++at;
+      return;
+    }
+    if (!isAt("end")) return take();
+    start(indent);
+    take();
+    --compositions;
+    ended = compositions == 0;
+  }
+
+  // Statements.
+  void statement() {
+    const Frame frame = frames.back();
+    if (isAt("[") && isAt("]", 1) && peek().end() == peek(1).begin && isSeparator())
+      return branch(frame);
+    if (isAt("|") && frame.block == Block::Case) return pattern(frame, "|");
+    const auto word = peek().kind == TokenKind::Name ? peek().text : std::string_view();
+    if (word == "unless" || word == "else" || word == "elsif") return otherArm(frame);
+    if (word == "end") return close(frame);
+    if (ended) start(frame.indent + Writer::kStep);
+    const auto indent = lines.back().indent + lines.back().leadWidth;
+    if (word == "if" || word == "while" || word == "foreach") {
+      if (staysOnOneLine(indent)) return takeBlock();
+      open(word == "if" ? Block::If : Block::Loop, indent);
+    } else if (word == "select" || word == "case") {
+      open(word == "select" ? Block::Select : Block::Case, indent);
+      ended = word == "select";
+    } else if (word == "of" && frame.block == Block::Case) {
+      take();
+      ended = true;
+      pattern(frame, "");
+    } else {
+      const bool ends = word == "then" || word == "do" || isAt(";");
+      const bool arrow = isAt("->");
+      take();
+      ended = ends || (arrow && !simpleBeside());
+    }
+  }
+
+  [[nodiscard]] bool isSeparator() const {
+    return previous() && !isOneOf(previous()->text, kBeforeExpression);
+  }
+
+  void open(Block block, std::size_t indent) {
+    frames.push_back({block, indent});
+    take();
+  }
+
+  void branch(const Frame& frame) {
+    at += 2;
+    const bool beside = besidePrevious();
+    at -= 2;
+    start(frame.indent, "[]", 4);
+    at += 2;
+    ended = !beside;
+    if (!beside) lines.back().leadWidth = 2;
+  }
+
+  void pattern(const Frame& frame, std::string_view sign) {
+    start(frame.indent, sign, 2);
+    if (!sign.empty()) ++at;
+  }
+
+  void otherArm(const Frame& frame) {
+    const bool complete = !isAt("elsif");
+    start(frame.indent);
+    take();
+    ended = complete;
+  }
+
+  void close(const Frame& frame) {
+    start(frame.indent);
+    take();
+    if (isAt("if") || isAt("case") || isAt("select")) take();
+    frames.pop_back();
+  }
+
+  /// One statement on the line of its pattern.
+  [[nodiscard]] bool simpleBeside() const {
+    if (!besidePrevious()) return false;
+    for (std::size_t ahead = 0;; ++ahead) {
+      const auto word = peek(ahead).text;
+      if (word == "|" || word == "end") return true;
+      if (peek(ahead).kind == TokenKind::End || isComment(all[words[at + ahead] + 1])) return false;
+      if (isOneOf(word, std::to_array<std::string_view>(
+                            {";", "if", "select", "case", "while", "foreach"})))
+        return false;
+    }
+  }
+
+  /// Tokens up to the `end` of the block at hand, with the word behind it.
+  [[nodiscard]] std::size_t blockLength() const {
+    std::size_t open = 0;
+    for (std::size_t ahead = 0; peek(ahead).kind != TokenKind::End; ++ahead) {
+      const auto word = peek(ahead).text;
+      if (word == "if" || word == "while" || word == "foreach") ++open;
+      if (word == "end" && --open == 0) return ahead + (isAt("if", ahead + 1) ? 2 : 1);
+    }
+    return 0;
+  }
+
+  /// The user has it on one line, there is one thing in each branch, and it fits.
+  [[nodiscard]] bool staysOnOneLine(std::size_t indent) const {
+    const auto length = blockLength();
+    std::vector<Token> tokens;
+    for (std::size_t ahead = 0; ahead < length; ++ahead) {
+      tokens.push_back(peek(ahead));
+      const auto word = peek(ahead).text;
+      if (word == ";" || word == "select" || word == "case") return false;
+      if (ahead + 1 == length) break;
+      if (isComment(all[words[at + ahead] + 1])) return false;
+      if (isLineBreak(text, peek(ahead), peek(ahead + 1))) return false;
+    }
+    constexpr std::size_t kSemicolon = 1;
+    const auto width = onOneLine(LineKind::Plain, tokens).size() + kSemicolon;
+    return length > 0 && indent + width <= Writer::kWidth;
+  }
+
+  void takeBlock() {
+    for (auto left = blockLength(); left > 0; --left) take();
+  }
+
+  // Lines.
+  void start(std::size_t indent, std::string_view lead = {}, std::size_t leadWidth = 0) {
+    ended = true;
+    takeComments();
+    ended = false;
+    FormatLine line{.indent = indent, .lead = std::string(lead), .leadWidth = leadWidth};
+    line.blank = blankBefore(words[at]);
+    lines.push_back(std::move(line));
+  }
+
+  /// Takes a token, an interval of time as a whole.
+  void take() {
+    if (ended && depth == 0 && previous()) start(lines.empty() ? 0 : lines.back().indent);
+    if (lines.empty()) start(0);
+    takeComments();
+    const bool interval = (isAt("[") || isAt("]")) && previous() && isBeforeInterval();
+    if (!interval) return takeOne();
+    while (!isAt(",")) takeOne();
+    while (!isAt("[") && !isAt("]")) takeOne();
+    takeOne();
+    depth = 0;
+  }
+
+  [[nodiscard]] bool isBeforeInterval() const {
+    return isOneOf(previous()->text,
+                   std::to_array<std::string_view>({"wait", "in", "within", "interval"}));
+  }
+
+  void takeOne() {
+    takeComments();
+    const Token& token = peek();
+    lines.back().tokens.push_back(token);
+    if (token.kind == TokenKind::Symbol) {
+      if (token.text == "(" || token.text == "[" || token.text == "{" || token.text == "{|")
+        ++depth;
+      if ((token.text == ")" || token.text == "]" || token.text == "}" || token.text == "|}") &&
+          depth > 0)
+        --depth;
+    }
+    ++at;
+  }
+
+  [[nodiscard]] std::size_t newlinesBefore(std::size_t index) const {
+    const auto from = index == 0 ? 0 : all[index - 1].end();
+    const auto gap = text.substr(from, all[index].begin - from);
+    return static_cast<std::size_t>(std::ranges::count(gap, '\n'));
+  }
+  [[nodiscard]] bool blankBefore(std::size_t index) const { return newlinesBefore(index) > 1; }
+
+  [[nodiscard]] std::size_t column(const Token& token) const {
+    const auto newline = text.substr(0, token.begin).rfind('\n');
+    return token.begin - (newline == std::string_view::npos ? 0 : newline + 1);
+  }
+
+  /// The comments before the next token: those behind the last line's end stay there, the others
+  /// get lines. Where the line goes on, they are part of it.
+  void takeComments() {
+    for (auto i = at == 0 ? 0 : words[at - 1] + 1; i < words[at]; ++i) {
+      if (i < taken) continue;
+      taken = i + 1;
+      const bool trails = newlinesBefore(i) == 0 && !lines.empty();
+      if (!ended || (trails && lines.back().shape != Shape::Comment))
+        lines.back().tokens.push_back(all[i]);
+      else
+        lines.push_back({.shape = Shape::Comment,
+                         .indent = commentIndent(i),
+                         .blank = blankBefore(i),
+                         .tokens = {all[i]}});
+    }
+  }
+
+  /// A comment belongs to what it touches; to what follows where it touches both or neither.
+  [[nodiscard]] std::size_t commentIndent(std::size_t i) const {
+    const Token& next = peek();
+    const auto inComposition = compositions * Writer::kStep;
+    const auto body = frames.empty() ? inComposition : frames.back().indent + Writer::kStep;
+    const bool closes = next.text == "end" || next.text == "else" || next.text == "elsif" ||
+                        next.text == "unless" || next.text == "|" || next.text == "[";
+    const bool atSection = isAtSection() || isAtDeclaration() || next.kind == TokenKind::End;
+    auto last = i;
+    while (isComment(all[last + 1]) && newlinesBefore(last + 1) == 1) ++last;
+    const bool behind = !blankBefore(i) && blankBefore(last + 1);
+    if (atSection || isAtEntry()) return behind ? body : 0;
+    if (closes && !frames.empty())
+      return column(all[i]) > column(next) ? body : frames.back().indent;
+    return body;
+  }
+
+  /// An empty line before the line at hand, or before the comments that touch it.
+  void separate() {
+    auto line = lines.size() - 1;
+    while (line > 0 && !lines[line].blank && lines[line - 1].shape == Shape::Comment) --line;
+    lines[line].blank = true;
+  }
+
+  std::string_view text;
+  const std::vector<Token>& all;
+  std::vector<std::size_t> words; ///< places in `all`
+  std::size_t at = 0;             ///< in `words`
+  std::size_t taken = 0;          ///< comments before it are in lines
+  std::vector<FormatLine> lines;
+  bool ended = true; ///< the next token begins a line
+  std::size_t depth = 0;
+  bool head = false;
+  bool inFunction = false;
+  bool attached = false;        ///< the line before is `observer > model`
+  std::size_t compositions = 0; ///< `par`s that are open
+  std::vector<Frame> frames;
+};
+
+} // namespace
+
+bool isLineBreak(std::string_view text, const Token& before, const Token& after) {
+  return text.substr(before.end(), after.begin - before.end()).contains('\n');
+}
+
+std::vector<FormatLine> splitLines(std::string_view text, const std::vector<Token>& tokens) {
+  return Splitter(text, tokens).run();
+}
+
+} // namespace proskill::fiacre

@@ -1,0 +1,357 @@
+#include "fiacre/syntax/parser.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace proskill::fiacre {
+namespace {
+
+struct Connective {
+  std::string_view word;
+  LtlKind ltl;
+  std::optional<ObservableKind> observable; ///< nothing: of time
+};
+
+/// From the loosest to the tightest.
+constexpr auto kConnectives = std::to_array<Connective>({
+    {"=>", LtlKind::Implies, ObservableKind::Implies},
+    {"or", LtlKind::Or, ObservableKind::Or},
+    {"and", LtlKind::And, ObservableKind::And},
+    {"until", LtlKind::Until, {}},
+});
+
+bool isAtom(const Ltl& ltl) { return ltl.kind == LtlKind::Atom; }
+
+/// What joins formulas of one moment is itself one of a moment.
+Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
+  if (!connective.observable || !std::ranges::all_of(operands, isAtom))
+    return {.kind = connective.ltl, .operands = std::move(operands)};
+  Ltl result{.kind = LtlKind::Atom, .atom = {.kind = *connective.observable}};
+  for (auto& operand : operands) result.atom.operands.push_back(std::move(operand.atom));
+  return result;
+}
+
+Ltl negated(Ltl inner) {
+  if (!isAtom(inner)) return {.kind = LtlKind::Not, .operands = {std::move(inner)}};
+  return {.kind = LtlKind::Atom,
+          .atom = {.kind = ObservableKind::Not, .operands = {std::move(inner.atom)}}};
+}
+
+Ltl of(LtlKind kind, std::vector<Ltl> operands) {
+  return {.kind = kind, .operands = std::move(operands)};
+}
+
+/// What a pattern without scope and times says of a run; nothing for others.
+std::optional<Ltl> ofRuns(const Pattern& pattern) {
+  if (pattern.after || pattern.before || pattern.until || pattern.within || pattern.forInterval ||
+      pattern.forDuration || pattern.lasting || pattern.first)
+    return std::nullopt;
+  const auto atom = [&](std::size_t i) { return Ltl{.atom = pattern.operands[i]}; };
+  using enum LtlKind;
+  switch (pattern.kind) {
+  case PatternKind::Ltl: return pattern.ltl;
+  case PatternKind::Present: return of(Finally, {atom(0)});
+  case PatternKind::Always: return of(Globally, {atom(0)});
+  case PatternKind::Absent: return of(Globally, {negated(atom(0))});
+  case PatternKind::InfinitelyOften: return of(Globally, {of(Finally, {atom(0)})});
+  case PatternKind::Mortal: return of(Finally, {of(Globally, {negated(atom(0))})});
+  case PatternKind::LeadsTo: return of(Globally, {of(Implies, {atom(0), of(Finally, {atom(1)})})});
+  case PatternKind::Precedes: // no second before the first
+    return of(LtlKind::Or,
+              {of(Until, {negated(atom(1)), atom(0)}), of(Globally, {negated(atom(1))})});
+  case PatternKind::DeadlockFree:
+  case PatternKind::Progress:
+  case PatternKind::NoError: return std::nullopt;
+  }
+  std::unreachable();
+}
+
+} // namespace
+
+Ltl Parser::formula() {
+  const Deeper deeper(*this);
+  return formulaChain(0);
+}
+
+/// `a => b => c` is `a => (b => c)`; the others are joined as many as there are.
+Ltl Parser::formulaChain(std::size_t level) {
+  if (level == kConnectives.size()) return formulaPrefix();
+  const auto& connective = kConnectives[level];
+  std::vector<Ltl> operands{formulaChain(level + 1)};
+  const bool toTheRight = connective.ltl == LtlKind::Implies || connective.ltl == LtlKind::Until;
+  const auto joins = [&] {
+    if (connective.word == separator) return false;
+    return accept(connective.word) || (connective.ltl == LtlKind::Until && accept("U"));
+  };
+  while (joins()) {
+    operands.push_back(formulaChain(toTheRight ? level : level + 1));
+    if (toTheRight) break;
+  }
+  return operands.size() == 1 ? std::move(operands[0]) : joined(connective, std::move(operands));
+}
+
+Ltl Parser::formulaPrefix() {
+  const Deeper deeper(*this);
+  if (accept("not")) return negated(formulaPrefix());
+  const auto temporal = [&](LtlKind kind, std::size_t tokens) {
+    at += tokens;
+    return Ltl{.kind = kind, .operands = {formulaPrefix()}};
+  };
+  if (isAtPair("[", "]")) return temporal(LtlKind::Globally, 2);
+  if (isAtPair("(", ")")) return temporal(LtlKind::Next, 2);
+  if (isAt("<>")) return temporal(LtlKind::Finally, 1);
+  for (auto [word, kind] :
+       {std::pair{"enter", ObservableKind::Enter}, {"leave", ObservableKind::Leave}}) {
+    if (!accept(word)) continue;
+    Ltl inner = formulaPrefix();
+    if (!isAtom(inner)) fail(fmt::format("`{}` takes no formula of time", word));
+    return {.kind = LtlKind::Atom, .atom = {.kind = kind, .operands = {std::move(inner.atom)}}};
+  }
+  return formulaPrimary();
+}
+
+Ltl Parser::formulaPrimary() {
+  if (joinsPatterns && isAtPattern()) return joinedPattern(peek(), {});
+  if (accept("(")) {
+    const Token first = peek();
+    const auto outside = std::exchange(separator, {});
+    Ltl inner = formula();
+    if (joinsPatterns && (isAt("leadsto") || isAt("precedes")))
+      inner = joinedPattern(first, std::move(inner));
+    separator = outside;
+    expect(")");
+    return inner;
+  }
+  if (isAtName() && !isAt("/", 1)) {
+    if (const auto named = formulas.find(peek().text); named != formulas.end()) {
+      mention(NameKind::Property);
+      ++at;
+      return named->second;
+    }
+    fail(fmt::format("`{}` is the name of no formula; a path begins `NAME/`", peek().text));
+  }
+  return {.kind = LtlKind::Atom, .atom = atom()};
+}
+
+/// A formula of one moment.
+Observable Parser::observable() {
+  const Token first = peek();
+  return momentary(formula(), first);
+}
+
+/// One that ends at a word which would join it to what follows.
+Observable Parser::observableUpTo(std::string_view word) {
+  separator = word;
+  const Token first = peek();
+  Ltl read = formula();
+  separator = {};
+  return momentary(std::move(read), first);
+}
+
+Observable Parser::momentary(Ltl result, const Token& first) {
+  if (isAtom(result)) return std::move(result.atom);
+  report("a formula of time stands where one of a moment is needed", first);
+  throw CannotRead();
+}
+
+/// A place in `par`, or the name of what is there.
+std::optional<std::uint32_t> Parser::step() {
+  if (isAtName() && isAt("/", 1)) {
+    const auto known = steps.find(peek().text);
+    if (known == steps.end()) fail(fmt::format("no part of the model is called `{}`", peek().text));
+    ++at;
+    return known->second;
+  }
+  if (peek().kind != TokenKind::Number) return std::nullopt;
+  const auto place = number().number;
+  if (place < 1 || place > std::int64_t{1} << 31) fail("places in `par` count from 1");
+  return static_cast<std::uint32_t>(place);
+}
+
+/// `main/1/2/state idle`
+Observable Parser::atom() {
+  const Token first = peek();
+  Observable result;
+  result.observer = name("a path such as `main/1/state idle`", NameKind::Component);
+  paths.emplace_back(result.observer, first);
+  expect("/");
+  while (const auto place = step()) {
+    result.path.push_back(*place);
+    expect("/");
+  }
+  const Within within(*this, {result.observer, result.path});
+  if (accept("value")) {
+    constexpr std::size_t kEquality = 2;
+    result.kind = ObservableKind::Value;
+    result.value = binary(kEquality);
+    return result;
+  }
+  struct Named {
+    std::string_view word;
+    ObservableKind kind;
+    NameKind name;
+  };
+  for (auto [word, kind, named] : {Named{"state", ObservableKind::State, NameKind::State},
+                                   {"tag", ObservableKind::Tag, NameKind::Tag},
+                                   {"event", ObservableKind::Event, NameKind::Port}}) {
+    if (!accept(word)) continue;
+    result.kind = kind;
+    result.name = name(fmt::format("the name of a {}", word), named);
+    return result;
+  }
+  fail("`state`, `value`, `tag` or `event` is missing in the path");
+}
+
+/// A word that begins a pattern; others stand between two formulas.
+bool Parser::isAtPattern(std::size_t ahead) const {
+  constexpr std::string_view kWords[] = {"deadlockfree", "ltl",    "infinitelyoften", "mortal",
+                                         "present",      "absent", "always"};
+  return std::ranges::any_of(kWords, [&](auto word) { return isAt(word, ahead); });
+}
+
+Pattern Parser::pattern() {
+  if (accept("deadlockfree")) return {.kind = PatternKind::DeadlockFree};
+  if (accept("ltl")) return {.kind = PatternKind::Ltl, .ltl = formula()};
+  Pattern result;
+  for (auto [word, kind] : {std::pair{"infinitelyoften", PatternKind::InfinitelyOften},
+                            {"mortal", PatternKind::Mortal},
+                            {"present", PatternKind::Present},
+                            {"absent", PatternKind::Absent},
+                            {"always", PatternKind::Always}})
+    if (accept(word)) result.kind = kind;
+  result.operands.push_back(observable());
+  scopes(result);
+  return result;
+}
+
+/// A pattern as a formula of runs, which others are joined to. \param begun the formula before
+/// `leadsto` or `precedes`, if it is one of these
+Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
+  const bool outside = std::exchange(joinsPatterns, false);
+  const Pattern read = begun ? betweenTwo(momentary(std::move(*begun), first)) : pattern();
+  joinsPatterns = outside;
+  hasPatterns = true;
+  if (auto formula = ofRuns(read)) return *formula;
+  report("this pattern is not joined to others: assert it by itself, or write it as `ltl`", first);
+  throw CannotRead();
+}
+
+/// After the first formula.
+Pattern Parser::betweenTwo(Observable first) {
+  Pattern result{.kind = isAt("leadsto") ? PatternKind::LeadsTo : PatternKind::Precedes};
+  ++at;
+  result.first = result.kind == PatternKind::LeadsTo && accept("first");
+  result.operands.push_back(std::move(first));
+  result.operands.push_back(observable());
+  scopes(result);
+  return result;
+}
+
+/// Behind a word of a pattern that may come but once.
+void Parser::once(bool known) {
+  if (!known) return;
+  --at;
+  fail(fmt::format("`{}` comes twice in one pattern", peek().text));
+}
+
+/// `after`, with `until`, and `between` are one.
+void Parser::scopes(Pattern& pattern) {
+  for (;;) {
+    if (accept("after")) {
+      once(pattern.after.has_value());
+      pattern.after = observableUpTo("until");
+      if (accept("until")) pattern.until = observable();
+    } else if (accept("between")) {
+      once(pattern.after.has_value());
+      pattern.between = true;
+      pattern.after = observableUpTo("and");
+      expect("and");
+      pattern.until = observable();
+    } else if (accept("before")) {
+      once(pattern.before.has_value());
+      pattern.before = observable();
+    } else if (!times(pattern)) {
+      return;
+    }
+  }
+}
+
+/// Whether a time came.
+bool Parser::times(Pattern& pattern) {
+  if (accept("within")) {
+    once(pattern.within.has_value());
+    pattern.within = interval();
+  } else if (accept("lasting")) {
+    once(pattern.lasting.has_value());
+    pattern.lasting = time();
+  } else if (accept("for")) {
+    once(pattern.forDuration || pattern.forInterval);
+    if (accept("duration")) {
+      pattern.forDuration = time();
+    } else {
+      expect("interval");
+      pattern.forInterval = interval();
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Where patterns may stand in parentheses, joined by `and`, `or`, `not` and `=>`: `hasPatterns`
+/// tells.
+Ltl Parser::formulaOrPatterns() {
+  joinsPatterns = true;
+  hasPatterns = false;
+  try {
+    Ltl read = formula();
+    joinsPatterns = false;
+    return read;
+  } catch (const CannotRead&) {
+    joinsPatterns = false;
+    throw;
+  }
+}
+
+/// A property that is a formula of its own has a name that later ones use.
+void Parser::property() {
+  const auto begin = peek().begin;
+  Property result{.name = name("the name of a property", NameKind::Property, true),
+                  .asserted = false};
+  actor = "property " + result.name;
+  expect("is");
+  separator = {};
+  if (isAtPattern()) {
+    result.pattern = pattern();
+  } else {
+    const Token first = peek();
+    Ltl plain = formulaOrPatterns();
+    if (hasPatterns || !isAtom(plain)) {
+      result.pattern = {.kind = PatternKind::Ltl, .ltl = std::move(plain)};
+    } else if (isAt("leadsto") || isAt("precedes")) {
+      result.pattern = betweenTwo(momentary(std::move(plain), first));
+    } else {
+      formulas[result.name] = std::move(plain);
+      return;
+    }
+  }
+  if (auto named = ofRuns(result.pattern)) formulas[result.name] = std::move(*named);
+  result.origin = origin(begin);
+  parsed.program.properties.push_back(std::move(result));
+}
+
+/// `assert p`, with texts for its verdicts, which are not kept.
+void Parser::assertion() {
+  const Token token = peek();
+  auto asked = name("the name of a property", NameKind::Property);
+  while (isAt("-") && peek(1).kind == TokenKind::Name && peek(2).kind == TokenKind::String) at += 3;
+  const auto found = std::ranges::find(parsed.program.properties, asked, &Property::name);
+  if (found != parsed.program.properties.end())
+    found->asserted = true;
+  else
+    report(fmt::format("the property `{}` is not declared above", asked), token);
+}
+
+} // namespace proskill::fiacre

@@ -1,0 +1,210 @@
+#include "fiacre/syntax/arithmetic.h"
+#include "fiacre/syntax/parser.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace proskill::fiacre {
+
+/// Of an expression of numbers and constants that are declared above.
+std::optional<std::int64_t> Parser::value(const Expr& expr) const {
+  if (expr.kind == ExprKind::Number) return expr.number;
+  if (expr.kind == ExprKind::Name) {
+    const auto found = constants.find(expr.name);
+    return found == constants.end() ? std::nullopt : std::optional(found->second);
+  }
+  if (expr.kind == ExprKind::Unary) {
+    const auto inner = value(expr.operands[0]);
+    if (expr.op == Op::Coerce) return inner;
+    return inner && expr.op == Op::Negate ? compute(Op::Subtract, 0, *inner) : std::nullopt;
+  }
+  if (expr.kind != ExprKind::Binary) return std::nullopt;
+  const auto a = value(expr.operands[0]);
+  const auto b = value(expr.operands[1]);
+  return a && b ? compute(expr.op, *a, *b) : std::nullopt;
+}
+
+/// Without indices and fields: a `[` ends an interval, and indexes nothing.
+Expr Parser::constantExpr(std::size_t level) {
+  const bool before = std::exchange(constantsOnly, true);
+  try {
+    Expr result = binary(level);
+    constantsOnly = before;
+    return result;
+  } catch (const CannotRead&) {
+    constantsOnly = before;
+    throw;
+  }
+}
+
+std::int64_t Parser::natural(std::string_view what) {
+  constexpr std::size_t kSum = 4; // a comparison would take the `=` of what follows
+  const Token& first = peek();
+  const auto number = value(constantExpr(kSum));
+  if (!number) {
+    report(fmt::format("{} is no number known here", what), first);
+    throw CannotRead();
+  }
+  return *number;
+}
+
+Type Parser::type() {
+  const Deeper deeper(*this);
+  if (accept("bool")) return {.kind = TypeKind::Bool};
+  if (accept("nat")) return {.kind = TypeKind::Nat};
+  if (accept("int")) return {.kind = TypeKind::Int};
+  if (accept("record")) return records();
+  if (accept("union")) return unions();
+  for (auto [word, kind] : {std::pair{"array", TypeKind::Array}, {"queue", TypeKind::Queue}}) {
+    if (!accept(word)) continue;
+    Type result{.kind = kind, .size = natural("the size")};
+    expect("of");
+    result.element.push_back(type());
+    return result;
+  }
+  if (isAtName() && !isAt("..", 1) && !constants.contains(peek().text))
+    return {.kind = TypeKind::Named, .name = name("a type", NameKind::Type)};
+  return range();
+}
+
+Type Parser::range() {
+  if (peek().kind != TokenKind::Number && !isAt("-") && !isAt("(") && !isAt("$") && !isAtName())
+    fail("a type is missing");
+  Type result{.kind = TypeKind::Range, .low = natural("the lower bound")};
+  expect("..");
+  result.high = natural("the upper bound");
+  return result;
+}
+
+Type Parser::records() {
+  Type result{.kind = TypeKind::Record};
+  do {
+    const auto fields = names("the name of a field", NameKind::Field, true);
+    expect(":");
+    const Type shared = type();
+    for (const auto& field : fields) result.members.push_back({field, {shared}, {}});
+  } while (accept(","));
+  expect("end");
+  accept("record");
+  return result;
+}
+
+Type Parser::unions() {
+  Type result{.kind = TypeKind::Union};
+  do {
+    Member member{name("the name of a constructor", NameKind::Constructor, true), {}, {}};
+    if (accept("of")) member.type.push_back(type());
+    result.members.push_back(std::move(member));
+  } while (accept("|"));
+  expect("end");
+  accept("union");
+  return result;
+}
+
+std::int64_t Parser::time() {
+  const auto result = natural("the bound of time");
+  if (isAt(".")) fail("times are whole numbers: choose a smaller unit, and say which in a comment");
+  return result;
+}
+
+Interval Parser::interval() {
+  Interval result;
+  if (!isAt("[") && !isAt("]")) fail("an interval such as `[0,1]` or `[2,...[` is missing");
+  result.lowerOpen = isAt("]");
+  ++at;
+  result.lower = time();
+  expect(",");
+  if (accept("...")) {
+    expect("[");
+    return result;
+  }
+  result.upper = time();
+  result.upperOpen = isAt("[");
+  if (!accept("[")) expect("]");
+  return result;
+}
+
+/// `sync`, or the values that cross; `in` and `out` before them.
+void Parser::portType(Port& port) {
+  if (accept("sync") || accept("none")) return;
+  if (const auto channel = channels.find(peek().text); channel != channels.end()) {
+    mention(NameKind::Channel);
+    ++at;
+    port.values = channel->second.values;
+    port.in = channel->second.in;
+    port.out = channel->second.out;
+    return;
+  }
+  // `in [0,1]` belongs to a component's port of no type.
+  port.in = accept("in");
+  port.out = accept("out");
+  port.values = list("#", [&] { return type(); });
+}
+
+/// \param probed whether probes may be among them
+std::vector<Port> Parser::ports(bool probed) {
+  std::vector<Port> all;
+  do {
+    const auto declared = names("the name of a port", NameKind::Port, true);
+    Port port;
+    expect(":");
+    portType(port);
+    if (accept("in")) port.interval = interval();
+    if (isAt("is") && !probed)
+      fail("a probe belongs to a port that a component declares behind `port`");
+    if (const auto begin = peek().begin; accept("is")) {
+      port.probe = observable();
+      port.origin = origin(begin);
+    }
+    for (const auto& each : declared) {
+      port.name = each;
+      all.push_back(port);
+    }
+  } while (accept(","));
+  return all;
+}
+
+std::vector<Parameter> Parser::parameters() {
+  std::vector<Parameter> all;
+  expect("(");
+  do {
+    const auto first = all.size();
+    do {
+      const bool reference = accept("&");
+      all.push_back({name("the name of a parameter", NameKind::Parameter, true), {}, reference});
+    } while (accept(","));
+    expect(":");
+    while (accept("read") || accept("write")) {
+    }
+    const Type shared = type();
+    for (auto i = first; i < all.size(); ++i) all[i].type = shared;
+  } while (accept(","));
+  expect(")");
+  return all;
+}
+
+std::vector<Variable> Parser::variables() {
+  std::vector<Variable> all;
+  do {
+    const auto declared = names("the name of a variable", NameKind::Variable, true);
+    expect(":");
+    Variable variable{.type = type()};
+    if (accept(":=")) variable.init = expr();
+    for (const auto& each : declared) {
+      variable.name = each;
+      all.push_back(variable);
+    }
+  } while (accept(","));
+  return all;
+}
+
+std::vector<Type> Parser::typesInParentheses() {
+  expect("(");
+  if (accept(")")) return {};
+  auto all = list(",", [&] { return type(); });
+  expect(")");
+  return all;
+}
+
+} // namespace proskill::fiacre

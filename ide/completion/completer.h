@@ -1,0 +1,81 @@
+#pragma once
+
+#include "ide/completion/completion.h"
+
+#include <set>
+#include <span>
+
+namespace proskill::ide {
+
+/// Gathers what can be written at a place, in the order of its fitness. Used by `complete` alone.
+class Completer {
+public:
+  Completer(const Snapshot& snapshot, const View& view, const Path& path, const Place& place);
+
+  /// \pre the place is none in a comment
+  [[nodiscard]] std::vector<Completion> gather() &&;
+
+private:
+  using SymbolId = analysis::SymbolId;
+  using SymbolKind = analysis::SymbolKind;
+
+  void fill();
+  void fillNames();
+
+  /// With nothing but its label; valid until the next one.
+  Completion& add(std::string label, CompletionKind kind);
+
+  // The language's words.
+  void word(const Word& word);
+  void words(WordKind kind);
+  /// In parentheses, where it is a list and they are not there yet.
+  void form(const Word& word, bool isList);
+  void forms(WordKind kind, bool areLists = true);
+  void fields(WordKind kind);
+  void skeleton(std::string_view label, std::string_view insert, std::string_view snippet);
+  void conditions();
+  void statements();
+
+  // Names.
+  Completion& name(SymbolId symbol, CompletionKind kind);
+  void members(SymbolKind kind, SymbolId owner, CompletionKind as);
+  void values(std::string_view variable);
+  void test(SymbolId variable);
+  void variables(bool numbersOnly);
+  void operands();
+  void numbers();
+  void results(std::string_view skill);
+  void accesses();
+  void access();
+  [[nodiscard]] std::string argument(const syntax::Input& input, unsigned number) const;
+  void call(SymbolId skill);
+  void calls();
+  void interrupts();
+  void argumentNames();
+  void argumentValues();
+  void parameters();
+  void command();
+  void anyLabels();
+  void types();
+  void resources();
+  void files();
+
+  [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name) const;
+  /// The skill or environment that the place is in.
+  [[nodiscard]] SymbolId owner() const;
+  [[nodiscard]] const syntax::Skill& skill(SymbolId symbol) const;
+  [[nodiscard]] const syntax::StateVariable& variable(SymbolId symbol) const;
+  [[nodiscard]] bool isInList(std::string_view word) const;
+  [[nodiscard]] bool inEnvironment() const { return place.definition == "defenvironment"; }
+
+  const Snapshot& snapshot;
+  const View& view;
+  const Path& path;
+  const Place& place;
+  const analysis::SymbolTable& symbols;
+  std::set<SymbolId> deprecated;
+  std::vector<Completion> items;
+  unsigned rank = 0; ///< of what is added next
+};
+
+} // namespace proskill::ide

@@ -1,0 +1,306 @@
+#include "ide/completion/completer.h"
+#include "ide/description/describe.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace proskill::ide {
+
+namespace {
+
+using analysis::kNoSymbol;
+using analysis::SymbolId;
+using analysis::SymbolKind;
+
+/// `${1|A,B|}`, or nothing where there is no choice.
+std::string choice(unsigned number, const syntax::List<syntax::Name>& values) {
+  std::string all;
+  for (const auto& value : values)
+    if (value) all += fmt::format("{}{}", all.empty() ? "" : ",", value.text);
+  return all.empty() ? fmt::format("${{{}}}", number) : fmt::format("${{{}|{}|}}", number, all);
+}
+
+std::string_view placeholderOf(std::string_view type) {
+  if (type == "float") return "0.0";
+  if (type == "bool") return "true";
+  return "0";
+}
+
+} // namespace
+
+/// Places where names of the program stand.
+void Completer::fillNames() {
+  switch (place.slot) {
+  case Slot::VariableValue:
+  case Slot::EffectValue: return values(place.subject);
+  case Slot::Transition: return values(place.subject);
+  case Slot::InputType: return types();
+  case Slot::Command: return command();
+  case Slot::CommandArgument: return parameters();
+  case Slot::Resource: return resources();
+  case Slot::Effects:
+  case Slot::EffectItem: return variables(false);
+  case Slot::Operand: return operands();
+  case Slot::Number: return numbers();
+  case Slot::Label: return members(SymbolKind::Label, owner(), CompletionKind::Label);
+  case Slot::AnyLabel: return anyLabels();
+  case Slot::SuccessTag: return members(SymbolKind::SuccessTag, owner(), CompletionKind::Tag);
+  case Slot::FailureTag: return members(SymbolKind::FailureTag, owner(), CompletionKind::Tag);
+  case Slot::Event: return members(SymbolKind::Event, kNoSymbol, CompletionKind::Event);
+  case Slot::Skill: return members(SymbolKind::Skill, kNoSymbol, CompletionKind::Skill);
+  case Slot::Variable:
+    return members(SymbolKind::StateVariable, kNoSymbol, CompletionKind::Variable);
+  case Slot::ArgumentName: return argumentNames();
+  case Slot::ArgumentValue: return argumentValues();
+  case Slot::PrintArgument: parameters(); return operands();
+  default: return;
+  }
+}
+
+Completion& Completer::name(SymbolId symbol, CompletionKind kind) {
+  Completion& item = add(std::string(symbols[symbol].name), kind);
+  item.symbol = keyOf(symbols, symbol);
+  item.isDeprecated = deprecated.contains(symbol);
+  return item;
+}
+
+void Completer::members(SymbolKind kind, SymbolId owner, CompletionKind as) {
+  for (auto id : symbols.members(kind, owner)) {
+    const auto text = symbols[id].name;
+    if (text.empty() || symbols.find(kind, text, owner) != id) continue;
+    name(id, as);
+  }
+  ++rank;
+}
+
+void Completer::values(std::string_view variableName) {
+  const auto id = find(SymbolKind::StateVariable, variableName);
+  if (id == kNoSymbol) return;
+  if (!variable(id).isNatural()) return members(SymbolKind::Value, id, CompletionKind::Value);
+  if (place.slot != Slot::EffectValue || place.isHead) return;
+  for (const char sign : {'+', '-'}) {
+    Completion& item = add(fmt::format("({} {} 1)", sign, variableName), CompletionKind::Operator);
+    item.snippet = fmt::format("({} {} ${{1:1}})", sign, variableName);
+  }
+}
+
+/// `battery` in its parentheses; else with them, and its values to choose from.
+void Completer::test(SymbolId id) {
+  Completion& item = name(id, CompletionKind::Variable);
+  item.detail = valuesOf(variable(id));
+  if (place.isHead) return;
+  const auto& values = variable(id).states;
+  item.insert = fmt::format("({})", item.label);
+  item.snippet = fmt::format("({} {})", item.label, choice(1, values));
+}
+
+void Completer::variables(bool numbersOnly) {
+  for (auto id : symbols.members(SymbolKind::StateVariable, kNoSymbol)) {
+    const bool isFirst = find(SymbolKind::StateVariable, symbols[id].name) == id;
+    if (!isFirst || (numbersOnly && !variable(id).isNatural())) continue;
+    if (numbersOnly || place.slot == Slot::Operand || place.slot == Slot::PrintArgument)
+      name(id, CompletionKind::Variable).detail = valuesOf(variable(id));
+    else
+      test(id);
+  }
+  ++rank;
+}
+
+/// Beside what has values, these come first.
+void Completer::operands() {
+  const auto dot = place.subject.find('.');
+  if (!place.isHead && dot != std::string_view::npos) {
+    const auto skillName = place.subject.substr(0, dot);
+    if (place.subject.substr(dot) == ".status") return words(WordKind::Status);
+    if (place.subject.substr(dot) == ".res") return results(skillName);
+  }
+  if (place.isHead) return forms(WordKind::Arithmetic);
+  values(place.subject);
+  const bool beside = !items.empty();
+  variables(false);
+  if (beside) return;
+  accesses();
+  forms(WordKind::Arithmetic);
+}
+
+void Completer::numbers() {
+  if (!place.isHead) variables(true);
+  forms(WordKind::Arithmetic);
+}
+
+void Completer::results(std::string_view skillName) {
+  const auto id = find(SymbolKind::Skill, skillName);
+  if (id == kNoSymbol) return;
+  for (auto kind : {SymbolKind::SuccessTag, SymbolKind::FailureTag, SymbolKind::InvariantTag})
+    members(kind, id, CompletionKind::Tag);
+  words(WordKind::Result);
+}
+
+void Completer::accesses() {
+  for (const auto* member : {"status", "res"})
+    for (auto id : symbols.members(SymbolKind::Skill, kNoSymbol)) {
+      if (symbols[id].name.empty()) continue;
+      Completion& item = name(id, CompletionKind::Skill);
+      item.label = item.insert = item.filter = fmt::format("{}.{}", symbols[id].name, member);
+      item.detail = findWord(WordKind::Member, member)->sentence;
+    }
+  ++rank;
+}
+
+/// Behind the point of `skill.…`.
+void Completer::access() {
+  const auto skillName = path.prefix.substr(0, path.prefix.find('.'));
+  const auto id = find(SymbolKind::Skill, skillName);
+  if (id == kNoSymbol) return;
+  const bool isStatement = place.slot == Slot::Statement || place.slot == Slot::IfStatement ||
+                           place.slot == Slot::DoStatement;
+  for (const Word& member : wordsOf(WordKind::Member))
+    if ((member.text == "interrupt") == isStatement) word(member);
+}
+
+/// Fills in what the caller has of the same name, else something of the type.
+std::string Completer::argument(const syntax::Input& input, unsigned number) const {
+  const auto text = analysis::withoutDollar(input.name).text;
+  const auto self = owner();
+  if (self != kNoSymbol && symbols.find(SymbolKind::Parameter, text, self) != kNoSymbol)
+    return fmt::format("${{{}:\\${}}}", number, text);
+  const auto type = find(SymbolKind::StateVariable, input.type.text);
+  if (type != kNoSymbol) return choice(number, variable(type).states);
+  if (input.type.text == "string") return fmt::format("\"${{{}}}\"", number);
+  return fmt::format("${{{}:{}}}", number, placeholderOf(input.type.text));
+}
+
+void Completer::call(SymbolId id) {
+  Completion& item = name(id, CompletionKind::Skill);
+  item.detail = signature(view, id);
+  std::string arguments;
+  unsigned number = 0;
+  for (const auto& input : skill(id).inputs)
+    arguments +=
+        fmt::format(" {} {}", analysis::withoutDollar(input.name).text, argument(input, ++number));
+  item.snippet = item.label + arguments;
+  if (place.isHead) return;
+  item.insert = fmt::format("({})", item.label);
+  item.snippet = fmt::format("({})", item.snippet);
+}
+
+void Completer::calls() {
+  const auto self = owner();
+  for (auto id : symbols.members(SymbolKind::Skill, kNoSymbol)) {
+    const bool canBeCalled = id != self && !skill(id).monitor;
+    if (canBeCalled && find(SymbolKind::Skill, symbols[id].name) == id) call(id);
+  }
+  ++rank;
+}
+
+void Completer::interrupts() {
+  for (auto id : symbols.members(SymbolKind::Skill, kNoSymbol)) {
+    if (!skill(id).interrupt || id == owner()) continue;
+    Completion& item = name(id, CompletionKind::Skill);
+    item.label = item.filter = fmt::format("{}.interrupt", symbols[id].name);
+    item.insert = place.isHead ? item.label : fmt::format("({})", item.label);
+    item.detail = findWord(WordKind::Member, "interrupt")->sentence;
+  }
+  ++rank;
+}
+
+void Completer::argumentNames() {
+  const auto id = find(SymbolKind::Skill, place.subject);
+  if (id == kNoSymbol) return;
+  unsigned number = 0;
+  for (const auto& input : skill(id).inputs) {
+    const auto text = analysis::withoutDollar(input.name).text;
+    const auto symbol = symbols.find(SymbolKind::Parameter, text, id);
+    if (symbol == kNoSymbol || isInList(text)) continue;
+    Completion& item = name(symbol, CompletionKind::Parameter);
+    item.detail = input.type.text;
+    item.snippet = fmt::format("{} {}", text, argument(input, ++number));
+    ++rank;
+  }
+}
+
+void Completer::argumentValues() {
+  const auto id = find(SymbolKind::Skill, place.subject);
+  if (id == kNoSymbol || place.isHead) return parameters();
+  for (const auto& input : skill(id).inputs) {
+    if (analysis::withoutDollar(input.name).text != place.argument) continue;
+    values(input.type.text);
+    if (input.type.text == "bool") words(WordKind::Constant);
+  }
+  parameters();
+}
+
+void Completer::parameters() {
+  if (owner() == kNoSymbol) return;
+  for (auto id : symbols.members(SymbolKind::Parameter, owner())) {
+    Completion& item = name(id, CompletionKind::Parameter);
+    item.label = item.insert = item.filter = fmt::format("${}", symbols[id].name);
+    item.snippet = fmt::format("\\{}", item.label);
+    item.detail = signature(view, id);
+  }
+  ++rank;
+}
+
+/// The platform's commands are not known; most skills are called as their command.
+void Completer::command() {
+  if (place.owner.empty()) return;
+  Completion& item = add(std::string(place.owner), CompletionKind::Skill);
+  std::string arguments;
+  if (const auto self = owner(); self != kNoSymbol)
+    for (const auto& input : skill(self).inputs) arguments += fmt::format(" {}", input.name.text);
+  item.insert += arguments;
+  if (!place.isHead) item.insert = fmt::format("({})", item.insert);
+}
+
+void Completer::anyLabels() {
+  for (SymbolId id = 0; id < symbols.all().size(); ++id) {
+    const bool isFirst =
+        symbols[id].kind == SymbolKind::Label && symbols.labels(symbols[id].name).front() == id;
+    if (isFirst) name(id, CompletionKind::Label);
+  }
+}
+
+void Completer::types() {
+  words(WordKind::Type);
+  members(SymbolKind::StateVariable, kNoSymbol, CompletionKind::Type);
+}
+
+void Completer::resources() {
+  members(SymbolKind::Resource, kNoSymbol, CompletionKind::Resource);
+  std::erase_if(items, [&](const Completion& item) { return isInList(item.label); });
+}
+
+/// The files of the workspace, as a path from this one; not itself, and none that is included.
+void Completer::files() {
+  const auto& self = view.program().files[view.file].path;
+  const auto folder = self.parent_path();
+  std::set<std::string> included{self.native()};
+  for (const auto& target : includesOf(self, view.document()))
+    included.insert(snapshot.nameOf(target).native());
+  for (const auto& file : snapshot.files()) {
+    if (included.contains(file.native()) || snapshot.kindOf(file) != TextKind::File) continue;
+    const auto relative = file.lexically_relative(folder);
+    if (relative.empty()) continue;
+    Completion& item = add(relative.generic_string(), CompletionKind::File);
+    item.rank = static_cast<unsigned>(std::ranges::count(item.label, '/'));
+  }
+}
+
+SymbolId Completer::find(SymbolKind kind, std::string_view text) const {
+  return symbols.find(kind, text);
+}
+
+SymbolId Completer::owner() const {
+  return find(inEnvironment() ? SymbolKind::Environment : SymbolKind::Skill, place.owner);
+}
+
+const syntax::Skill& Completer::skill(SymbolId symbol) const {
+  return view.program().skills.all[symbols[symbol].definition].node();
+}
+
+const syntax::StateVariable& Completer::variable(SymbolId symbol) const {
+  return view.program().stateVariables.all[symbols[symbol].definition].node();
+}
+
+} // namespace proskill::ide

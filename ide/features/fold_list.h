@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ide/features/structure.h"
+
+#include <algorithm>
+
+namespace proskill::ide {
+
+/// The lines that things take, by the first of them; of two that begin in one line the longer one.
+class FoldList {
+public:
+  explicit FoldList(const syntax::LineIndex& lines) : lines(lines) {}
+
+  void add(syntax::Range range, FoldKind kind = FoldKind::Form) {
+    const auto first = lines.position(range.begin, near).line;
+    auto lineOfEnd = first;
+    const auto last = lines.position(range.end, lineOfEnd).line;
+    if (last > first) folds.push_back({first, last, kind});
+  }
+
+  [[nodiscard]] std::vector<Fold> take() {
+    std::ranges::stable_sort(folds, [](const Fold& a, const Fold& b) {
+      return a.firstLine != b.firstLine ? a.firstLine < b.firstLine : a.lastLine > b.lastLine;
+    });
+    const auto shorter = std::ranges::unique(folds, {}, &Fold::firstLine);
+    folds.erase(shorter.begin(), shorter.end());
+    return std::move(folds);
+  }
+
+private:
+  const syntax::LineIndex& lines;
+  std::uint32_t near = 0; ///< the line of the last one
+  std::vector<Fold> folds;
+};
+
+} // namespace proskill::ide

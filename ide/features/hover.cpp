@@ -1,0 +1,59 @@
+#include "ide/features/hover.h"
+
+#include "ide/description/describe.h"
+#include "ide/snapshot/flow_values.h"
+#include "ide/snapshot/word_at.h"
+
+namespace proskill::ide {
+
+namespace {
+
+using analysis::Role;
+using analysis::SymbolKind;
+
+void addValues(Markup& text, const View& view, const analysis::Occurrence& occurrence) {
+  const auto& symbol = view.index().symbols()[occurrence.symbol];
+  if (symbol.kind != SymbolKind::StateVariable) return;
+  auto values = occurrence.role == Role::Definition ? valuesEver(view, symbol.name)
+                                                    : valuesHere(view, occurrence.at, symbol.name);
+  if (!values.empty()) text.prose(values);
+}
+
+/// Of `takeoff.status`, the half where the cursor is counts.
+bool isMember(const Path& path, std::string_view text) {
+  const auto dot = text.find('.');
+  return dot != std::string_view::npos && path.prefix.size() > dot;
+}
+
+Hover ofMember(const View& view, const Word& word, syntax::Range range, std::string_view text) {
+  Hover result;
+  const auto dot = static_cast<syntax::Offset>(text.find('.'));
+  result.range = {range.begin + dot + 1, range.end};
+  result.text.code(text);
+  result.text.prose(word.sentence);
+  if (auto values = valuesHere(view, {view.file, range}, text); !values.empty())
+    result.text.prose(values);
+  return result;
+}
+
+} // namespace
+
+std::optional<Hover> hover(const View& view, syntax::Offset at) {
+  const Path path = pathTo(view.document(), at);
+  const auto text = std::string_view(view.text()).substr(path.word.begin, path.word.length());
+  const Word* word = wordAt(path, text);
+  if (word && isMember(path, text)) return ofMember(view, *word, path.word, text);
+  if (const auto* occurrence = view.index().at(view.file, at)) {
+    Hover result{{}, occurrence->at.range};
+    describe(result.text, view, occurrence->symbol);
+    addValues(result.text, view, *occurrence);
+    return result;
+  }
+  if (!word || word->kind == WordKind::Member) return std::nullopt;
+  Hover result{{}, path.word};
+  result.text.code(word->form);
+  result.text.prose(word->sentence);
+  return result;
+}
+
+} // namespace proskill::ide

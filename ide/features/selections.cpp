@@ -1,0 +1,84 @@
+#include "ide/features/structure.h"
+
+#include <algorithm>
+
+namespace proskill::ide {
+
+namespace {
+
+bool holds(syntax::Range range, syntax::Offset at) { return range.begin <= at && at <= range.end; }
+
+/// From the outside in; each within the one before it.
+class Selecting {
+public:
+  Selecting(std::string_view text, syntax::Offset at) : text(text), at(at) {}
+
+  void add(syntax::Range range) {
+    if (!holds(range, at) || range.empty()) return;
+    if (!result.empty() && (result.back() == range || !isWithin(range, result.back()))) return;
+    result.push_back(range);
+  }
+
+  /// A node, and what is between its parentheses or quotes.
+  void addNode(syntax::Range range) {
+    add(range);
+    bool enclosed = range.length() >= 2 && std::string_view("(\"").contains(text[range.begin]) &&
+                    std::string_view(")\"").contains(text[range.end - 1]);
+    if (enclosed && range.begin < at && at < range.end) add({range.begin + 1, range.end - 1});
+  }
+
+  std::vector<syntax::Range> run() && {
+    std::ranges::reverse(result);
+    return std::move(result);
+  }
+
+private:
+  static bool isWithin(syntax::Range inner, syntax::Range outer) {
+    return outer.begin <= inner.begin && inner.end <= outer.end;
+  }
+
+  std::string_view text;
+  syntax::Offset at;
+  std::vector<syntax::Range> result;
+};
+
+/// Where two nodes meet, the one that begins at the place is the one that is meant.
+void addNodes(Selecting& selecting, const syntax::Stretch& stretch, syntax::Offset at) {
+  const auto& tree = *stretch.tree;
+  auto inDocument = [&](const syntax::Node& node) {
+    return syntax::Range{node.range.begin + stretch.range.begin,
+                         node.range.end + stretch.range.begin};
+  };
+  std::size_t end = tree.size();
+  for (std::size_t node = 1; node < end;) {
+    auto range = inDocument(tree[node]);
+    std::size_t next = node + tree[node].size;
+    bool meets = next < end && inDocument(tree[next]).begin == at && range.end == at;
+    if (!holds(range, at) || meets) {
+      node = next;
+      continue;
+    }
+    selecting.addNode(range);
+    end = next;
+    ++node;
+  }
+}
+
+} // namespace
+
+std::vector<syntax::Range> selections(const syntax::Document& document, syntax::Offset at) {
+  Selecting selecting(document.text(), at);
+  selecting.add({0, static_cast<syntax::Offset>(document.text().size())});
+  for (const auto& form : document.forms())
+    if (!form.comment.empty()) selecting.add({form.comment.begin, form.range.end});
+  const syntax::Stretch* found = nullptr;
+  auto stretches = document.stretches();
+  for (const auto& stretch : stretches)
+    if (holds(stretch.range, at)) found = &stretch;
+  if (found) addNodes(selecting, *found, at);
+  auto result = std::move(selecting).run();
+  if (result.empty()) result.push_back({at, at});
+  return result;
+}
+
+} // namespace proskill::ide

@@ -1,0 +1,80 @@
+#include "ide/fiacre/fiacre_rename.h"
+
+#include "fiacre/syntax/words.h"
+#include "ide/fiacre/fiacre_text.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "syntax/text/edit.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+namespace proskill::ide {
+
+using syntax::Range;
+
+namespace {
+
+std::string renamed(std::string_view text, const std::vector<Range>& places,
+                    std::string_view newName) {
+  std::vector<syntax::TextEdit> edits;
+  for (const auto place : places) edits.push_back({place, std::string(newName)});
+  return syntax::applyEdits(text, edits);
+}
+
+std::string quoted(std::string_view name) { return fmt::format("`{}`", name); }
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// What is wrong with the model after a renaming that is not wrong with the one before, where it
+/// may be told of the old name; empty where there is no more wrong than before.
+std::string newlyWrong(std::string_view before, const std::string& after, std::string_view oldName,
+                       std::string_view newName) {
+  const auto known = readFiacre("before.fcr", std::string(before)).diagnostics;
+  const auto found = readFiacre("after.fcr", after).diagnostics;
+  if (found.size() <= known.size()) return {};
+  std::multiset<std::string> old;
+  for (const auto& each : known)
+    old.insert(replaced(each.message, quoted(oldName), quoted(newName)));
+  for (const auto& each : found) {
+    const auto same = old.find(each.message);
+    if (same == old.end()) return each.message;
+    old.erase(same);
+  }
+  std::unreachable();
+}
+
+} // namespace
+
+std::expected<Range, std::string> renameableInFiacre(std::string_view text, syntax::Offset at) {
+  for (const auto& use : FiacreText(text).uses(at, true))
+    if (use.range.begin <= at && at <= use.range.end) return use.range;
+  return std::unexpected("there is no name here that this text declares");
+}
+
+std::expected<std::vector<Range>, std::string>
+renameInFiacre(std::string_view text, syntax::Offset at, std::string_view newName) {
+  if (!fiacre::isIdentifier(newName))
+    return std::unexpected(fmt::format("`{}` is no name: letters, digits and `_`", newName));
+  if (fiacre::isKeyword(newName))
+    return std::unexpected(fmt::format("`{}` means something to Fiacre", newName));
+  const FiacreText read(text);
+  std::vector<Range> places;
+  for (const auto& use : read.uses(at, true)) places.push_back(use.range);
+  if (places.empty()) return std::unexpected("there is no name here that this text declares");
+  const auto after = renamed(text, places, newName);
+  if (FiacreText(after).meanings() != read.meanings())
+    return std::unexpected(
+        fmt::format("`{}` is taken: some name would mean something else than before", newName));
+  const auto oldName = text.substr(places.front().begin, places.front().length());
+  if (const auto wrong = newlyWrong(text, after, oldName, newName); !wrong.empty())
+    return std::unexpected(fmt::format("the model would be wrong: {}", wrong));
+  return places;
+}
+
+} // namespace proskill::ide

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "fiacre/syntax/parse.h"
+#include "ide/completion/completion.h"
+#include "ide/features/hover.h"
+#include "ide/features/structure.h"
+#include "ide/features/tokens.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What an editor asks of a text in Fiacre: each a function of the text and a place. A text that
+/// cannot be read as a whole is answered about as far as it can.
+namespace proskill::ide {
+
+/// Known in its process, component or function alone.
+[[nodiscard]] bool isLocalName(fiacre::NameKind kind);
+
+/// An entry of a text's outline.
+struct FiacreEntry {
+  std::string name;
+  std::string detail; ///< a type, a number of ports
+  fiacre::NameKind kind = fiacre::NameKind::Process;
+  syntax::Range range;     ///< of the whole declaration
+  syntax::Range selection; ///< of its name, within `range`
+  std::vector<FiacreEntry> children;
+};
+
+/// A text as it was read, with each name's declaration.
+class FiacreText {
+public:
+  /// \param text outlives it
+  explicit FiacreText(std::string_view text);
+  FiacreText(const FiacreText&) = delete;
+  FiacreText& operator=(const FiacreText&) = delete;
+
+  /// Where the name at a place was declared; the place may be just behind the name.
+  [[nodiscard]] std::optional<syntax::Range> definition(syntax::Offset at) const;
+
+  /// Every place of the name, in the order of the text; its declaration where asked for.
+  struct Use {
+    syntax::Range range;
+    bool declares = false;
+  };
+  [[nodiscard]] std::vector<Use> uses(syntax::Offset at, bool withDeclaration) const;
+
+  /// For each name of the text, in its order: which of them declares it, kNowhere where none does.
+  [[nodiscard]] const std::vector<std::size_t>& meanings() const { return declarations; }
+
+  /// The name of what is the model, where it stands as such; nothing where the text names none.
+  [[nodiscard]] std::optional<syntax::Range> model() const;
+  /// The names of the properties that are asserted, where they are declared.
+  [[nodiscard]] std::vector<syntax::Range> asserted() const;
+
+  /// The declaration and the comment above it.
+  [[nodiscard]] std::optional<Hover> hover(syntax::Offset at) const;
+  [[nodiscard]] std::vector<FiacreEntry> outline() const;
+  [[nodiscard]] std::vector<Token> tokens() const;
+  [[nodiscard]] std::vector<Fold> folds() const;
+  /// Words of the language that can stand anywhere, and the names that are known at a place.
+  [[nodiscard]] Completions complete(syntax::Offset at, CompletionTrigger trigger = {}) const;
+
+private:
+  using Place = std::size_t; ///< in `mentions()`
+  static constexpr Place kNowhere = static_cast<Place>(-1);
+
+  [[nodiscard]] const std::vector<fiacre::Mention>& mentions() const { return parsed.mentions; }
+  [[nodiscard]] std::string_view nameOf(const fiacre::Mention& mention) const;
+  [[nodiscard]] Place mentionAt(syntax::Offset at) const;
+  [[nodiscard]] const fiacre::Block* blockOf(const fiacre::Mention& mention) const;
+  [[nodiscard]] const fiacre::Block* blockNamed(std::string_view name) const;
+  [[nodiscard]] const fiacre::Block* atPath(const fiacre::PathTaken& path) const;
+  void resolve();
+  [[nodiscard]] const std::vector<Place>& declarationsOf(std::string_view name) const;
+  [[nodiscard]] Place find(const fiacre::Mention& mention) const;
+  [[nodiscard]] Place declaredIn(const fiacre::Block& block, std::string_view name,
+                                 fiacre::NameKind kind) const;
+  [[nodiscard]] Place declaredGlobally(std::string_view name, fiacre::NameKind kind) const;
+  // fiacre_hover.cpp
+  [[nodiscard]] std::string declarationText(Place declaration) const;
+  [[nodiscard]] std::string itemText(const fiacre::Mention& name) const;
+  [[nodiscard]] std::string headText(const fiacre::Block& block) const;
+  [[nodiscard]] std::string commentsOf(std::uint32_t begin) const;
+  [[nodiscard]] bool isKnownAt(Place declaration, const fiacre::Block* block) const;
+
+  std::string_view text;
+  fiacre::Parsed parsed;
+  std::vector<fiacre::Token> words;                      ///< with comments
+  std::map<std::string_view, std::vector<Place>> byName; ///< what declares a name
+  std::vector<Place> declarations;                       ///< of each mention
+  std::vector<const fiacre::Block*> blocks;              ///< of each mention; null: of none
+};
+
+} // namespace proskill::ide

@@ -1,0 +1,35 @@
+#include "ide/verdicts/verdicts.h"
+
+#include <algorithm>
+
+namespace proskill::ide {
+
+namespace {
+
+/// The text counts, not who parsed it: what was typed and taken back is the same text.
+bool isSame(const analysis::File& before, const analysis::File& now) {
+  return before.path == now.path &&
+         (before.document.isSameAs(now.document) || before.document.text() == now.document.text());
+}
+
+} // namespace
+
+bool areCurrent(const ProgramVerdicts& verdicts, const analysis::Program& now) {
+  return std::ranges::equal(verdicts.program->program.files, now.files, isSame);
+}
+
+std::shared_ptr<const ProgramVerdicts> currentVerdicts(const Verdicts& all, const View& view) {
+  auto found = all.find(view.program().files.front().path);
+  if (found == all.end() || !areCurrent(*found->second, view.program())) return nullptr;
+  return found->second;
+}
+
+std::vector<const PropertyVerdict*> verdictsOn(const ProgramVerdicts& verdicts,
+                                               std::string_view subject) {
+  std::vector<const PropertyVerdict*> result;
+  for (const auto& property : verdicts.properties)
+    if (property.subject == subject) result.push_back(&property);
+  return result;
+}
+
+} // namespace proskill::ide

@@ -1,0 +1,141 @@
+#include "ide/completion/completion.h"
+#include "ide/fiacre/fiacre_text.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "lsp/protocol/convert.h"
+#include "lsp/protocol/markup.h"
+#include "lsp/protocol/symbol_json.h"
+
+#include <fmt/format.h>
+
+namespace proskill::lsp {
+
+namespace {
+
+using ide::CompletionKind;
+
+/// The protocol's `CompletionItemKind`.
+int kindOf(CompletionKind kind) {
+  switch (kind) {
+  case CompletionKind::Keyword:
+  case CompletionKind::Statement: return 14;
+  case CompletionKind::Field: return 10;
+  case CompletionKind::Operator: return 24;
+  case CompletionKind::Variable:
+  case CompletionKind::Parameter: return 6;
+  case CompletionKind::Value: return 20;
+  case CompletionKind::Skill: return 3;
+  case CompletionKind::Event: return 23;
+  case CompletionKind::Resource: return 7;
+  case CompletionKind::Tag: return 21;
+  case CompletionKind::Label: return 18;
+  case CompletionKind::Type: return 25;
+  case CompletionKind::File: return 17;
+  }
+  return 1;
+}
+
+/// All that the items of one answer have in common.
+struct Shared {
+  std::string insert; ///< ranges, written
+  std::string replace;
+  std::string uri;
+  const ClientFeatures& client;
+};
+
+bool isSnippet(const ide::Completion& item, const Shared& shared) {
+  return shared.client.snippets && !item.snippet.empty();
+}
+
+void writeEdit(JsonWriter& json, const ide::Completion& item, const Shared& shared) {
+  json.key("textEdit").open('{');
+  json.member("newText", isSnippet(item, shared) ? item.snippet : item.insert);
+  if (shared.client.insertReplace)
+    json.key("insert").written(shared.insert).key("replace").written(shared.replace);
+  else
+    json.key("range").written(shared.insert);
+  json.close('}');
+}
+
+void writeData(JsonWriter& json, const ide::Completion& item, const std::string& uri) {
+  json.key("data").open('{').member("uri", uri);
+  if (item.symbol) write(json.key("symbol"), *item.symbol);
+  if (item.word) json.member("word", item.word - ide::vocabulary().data());
+  json.close('}');
+}
+
+Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shared) {
+  JsonWriter json;
+  json.open('{').member("label", item.label).member("kind", kindOf(item.kind));
+  json.member("filterText", item.filter).member("sortText", fmt::format("{:04}", place));
+  writeEdit(json, item, shared);
+  if (!item.detail.empty()) json.member("detail", item.detail);
+  if (isSnippet(item, shared)) json.member("insertTextFormat", 2);
+  if (item.isDeprecated && shared.client.completionTags)
+    json.key("tags").open('[').value(1).close(']');
+  else if (item.isDeprecated && shared.client.completionDeprecated)
+    json.member("deprecated", true);
+  if (item.symbol || item.word) writeData(json, item, shared.uri);
+  return written(json.close('}').str());
+}
+
+/// The character that was typed where that was what asked.
+ide::CompletionTrigger triggerOf(const Json& params) {
+  const auto& character = memberAt(params, {"context", "triggerCharacter"});
+  const bool typed = memberAt(params, {"context", "triggerKind"}) == 2;
+  if (!typed || !character.is_string() || character.get_ref<const std::string&>().size() != 1)
+    return {};
+  return {character.get_ref<const std::string&>().front()};
+}
+
+Answer completion(const Request& request) {
+  auto at = cursor(request);
+  if (!at) return std::unexpected(at.error());
+  const auto trigger = triggerOf(request.params);
+  const auto found = ide::isFiacre(at->view)
+                         ? ide::FiacreText(at->view.text()).complete(at->at, trigger)
+                         : ide::complete(request.snapshot, at->view, at->at, trigger);
+  const Converter convert(at->view, request);
+  auto rangeText = [&](syntax::Range range) {
+    JsonWriter json;
+    convert.write(json, at->view.file, range);
+    return json.take();
+  };
+  const Shared shared{rangeText(found.insert), rangeText(found.replace), convert.uri(at->view.file),
+                      request.client};
+  Json items = Json::array();
+  for (const auto& item : found.items) items.push_back(itemJson(item, items.size(), shared));
+  return Json{{"isIncomplete", !found.isComplete}, {"items", std::move(items)}};
+}
+
+/// The item that `data` is of; one of which nothing is known has no documentation.
+ide::Completion itemOf(const Json& data) {
+  ide::Completion item;
+  item.symbol = symbolKey(memberAt(data, {"symbol"}));
+  const auto& word = memberAt(data, {"word"});
+  const auto words = ide::vocabulary();
+  if (word.is_number_unsigned() && word.get<std::size_t>() < words.size())
+    item.word = &words[word.get<std::size_t>()];
+  return item;
+}
+
+Answer resolveCompletion(const Request& request) {
+  Json item = request.params;
+  const auto& data = memberAt(request.params, {"data"});
+  auto view = viewOfData(request, data);
+  if (!view) return item;
+  const auto text = ide::documentation(*view, itemOf(data));
+  if (!text.empty()) item["documentation"] = markupContent(text, request.client.markdownCompletion);
+  return item;
+}
+
+} // namespace
+
+void addCompletion(Registry& registry) {
+  registry.capabilities["completionProvider"] = {
+      {"triggerCharacters", Json::array({"(", ":", ".", "$", " ", "\"", "/"})},
+      {"resolveProvider", true}};
+  registry.add("textDocument/completion", completion);
+  registry.add("completionItem/resolve", resolveCompletion);
+}
+
+} // namespace proskill::lsp

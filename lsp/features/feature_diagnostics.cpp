@@ -1,0 +1,194 @@
+#include "analysis/program/stop.h"
+#include "ide/description/diagnostics.h"
+#include "lsp/protocol/convert.h"
+#include "lsp/protocol/diagnostics.h"
+#include "lsp/verification/verdict_json.h"
+#include "lsp/workspace/fingerprint.h"
+#include "report/uri.h"
+
+#include "syntax/diagnostics/codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+namespace proskill::lsp {
+
+namespace {
+
+using syntax::Code;
+
+int severityOf(syntax::Severity severity) {
+  switch (severity) {
+  case syntax::Severity::Error: return 1;
+  case syntax::Severity::Warning: return 2;
+  case syntax::Severity::Hint: return 4;
+  }
+  return 1;
+}
+
+/// What an editor shows faded: it could be taken out, and nothing would change.
+bool isUnnecessary(Code code) {
+  constexpr std::array kCodes{Code::UnreachableStatement, Code::UnusedSkill,    Code::UnusedEvent,
+                              Code::UnusedStateVariable,  Code::UnusedResource, Code::UnusedLabel,
+                              Code::UnusedInput};
+  return std::ranges::find(kCodes, code) != kCodes.end();
+}
+
+/// The protocol's `DiagnosticTag`.
+std::optional<int> tagOf(Code code) {
+  if (isUnnecessary(code)) return 1;
+  if (code == Code::DeprecatedName) return 2;
+  return std::nullopt;
+}
+
+void writeCode(JsonWriter& json, std::string_view code, const ClientFeatures& client) {
+  json.member("code", code);
+  const auto link = client.manual ? client.manual->linkTo(code) : std::string();
+  if (!link.empty()) json.key("codeDescription").open('{').member("href", link).close('}');
+}
+
+void writeRelated(JsonWriter& json, const syntax::Diagnostic& diagnostic,
+                  const Converter& convert) {
+  json.key("relatedInformation").open('[');
+  for (const auto& entry : diagnostic.related) {
+    if (!convert.isShown(entry.location.file)) continue;
+    convert.write(json.open('{').key("location"), entry.location);
+    json.member("message", entry.message).close('}');
+  }
+  json.close(']');
+}
+
+void writeFixes(JsonWriter& json, const syntax::Diagnostic& diagnostic, const Converter& convert) {
+  json.key("data").open('{').key("fixes").open('[');
+  for (const auto& fix : diagnostic.fixes) {
+    json.open('{').member("title", fix.title).member("uri", convert.uri(fix.location.file));
+    convert.write(json.key("range"), fix.location.file, fix.location.range);
+    json.member("newText", fix.text).close('}');
+  }
+  json.close(']').close('}');
+}
+
+/// Names what the items say: the same items, the same name, in every session.
+std::string resultIdOf(const Json& items) { return fingerprint(dump(items)); }
+
+/// `unchanged` where the client has just this already.
+Json report(Json items, const Json& previous) {
+  auto id = resultIdOf(items);
+  if (previous == id) return {{"kind", "unchanged"}, {"resultId", id}};
+  return {{"kind", "full"}, {"resultId", id}, {"items", std::move(items)}};
+}
+
+Json itemsOf(const Request& request, const std::filesystem::path& path) {
+  return request.settings->diagnostics
+             ? diagnosticsOf(request.snapshot, path, request.client, *request.verdicts)
+             : Json::array();
+}
+
+Answer documentDiagnostics(const Request& request) {
+  auto path = documentFile(request);
+  if (!path) return std::unexpected(path.error());
+  return report(itemsOf(request, *path), memberAt(request.params, {"previousResultId"}));
+}
+
+using Previous = std::map<std::filesystem::path, std::pair<std::string, Json>>;
+
+/// What the client was told before, by path: its URI and the result's identifier.
+Previous previousOf(const Json& params) {
+  Previous result;
+  const Json& list = memberAt(params, {"previousResultIds"});
+  if (!list.is_array()) return result;
+  for (const auto& each : list)
+    if (const Json& uri = memberAt(each, {"uri"}); uri.is_string())
+      result[pathOf(uri.get<std::string>())] = {uri, memberAt(each, {"value"})};
+  return result;
+}
+
+Json itemOf(const Request& request, const std::filesystem::path& path, const Previous& previous) {
+  auto before = previous.find(path);
+  auto item =
+      report(itemsOf(request, path), before == previous.end() ? Json() : before->second.second);
+  auto open = request.snapshot.open().find(path);
+  const bool isOpen = open != request.snapshot.open().end();
+  item["uri"] = isOpen ? open->second.uri : toUri(path);
+  item["version"] = isOpen ? Json(open->second.version) : Json();
+  return item;
+}
+
+/// An empty report for what the client still shows of a file that is no more.
+Json goneItem(const std::string& uri) {
+  return {{"uri", uri}, {"version", nullptr}, {"kind", "full"}, {"items", Json::array()}};
+}
+
+/// Of every file of the workspace, open or not; in parts where the client takes them.
+Answer workspaceDiagnostics(const Request& request) {
+  const auto previous = previousOf(request.params);
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : request.snapshot.files())
+    if (request.snapshot.kindOf(file) != ide::TextKind::Notebook) files.push_back(file);
+  Json items = Json::array();
+  auto give = [&](Json item) {
+    if (request.progress->wantsParts())
+      request.progress->part({{"items", Json::array({std::move(item)})}});
+    else
+      items.push_back(std::move(item));
+  };
+  request.progress->begin("Checking programs");
+  std::size_t done = 0;
+  for (const auto& path : files) {
+    if (request.cancellation.isCancelled()) break;
+    give(itemOf(request, path, previous));
+    ++done;
+    request.progress->report(fmt::format("{} of {} files", done, files.size()),
+                             static_cast<unsigned>(100 * done / files.size()));
+  }
+  for (const auto& [path, told] : previous)
+    if (!request.snapshot.knows(path)) give(goneItem(told.first));
+  return Json{{"items", items}};
+}
+
+} // namespace
+
+Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
+                    const ClientFeatures& client) {
+  const auto& diagnostic = *finding.diagnostic;
+  JsonWriter json;
+  convert.write(json.open('{').key("range"), diagnostic.location.file, diagnostic.location.range);
+  json.member("severity", severityOf(diagnostic.severity));
+  writeCode(json, syntax::info(diagnostic.code).id, client);
+  json.member("source", "proskill");
+  json.member("message", diagnostic.message);
+  if (const auto tag = tagOf(diagnostic.code); client.diagnosticTags && tag)
+    json.key("tags").open('[').value(*tag).close(']');
+  if (client.relatedInformation && !diagnostic.related.empty())
+    writeRelated(json, diagnostic, convert);
+  if (!diagnostic.fixes.empty()) writeFixes(json, diagnostic, convert);
+  return written(json.close('}').str());
+}
+
+Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
+                   const ClientFeatures& client, const ide::Verdicts& verdicts) {
+  Json result = Json::array();
+  for (const auto& finding : ide::diagnostics(snapshot, path)) {
+    analysis::stopIfAsked();
+    const Converter convert(finding.owner->program, snapshot.open(), client.encoding);
+    result.push_back(diagnosticJson(finding, convert, client));
+  }
+  for (auto& verdict : verdictDiagnostics(verdicts, snapshot, path, client))
+    result.push_back(std::move(verdict));
+  return result;
+}
+
+void addDiagnostics(Registry& registry) {
+  registry.capabilities["diagnosticProvider"] = {{"identifier", "proskill"},
+                                                 {"interFileDependencies", true},
+                                                 {"workspaceDiagnostics", true},
+                                                 {"workDoneProgress", true}};
+  registry.add("textDocument/diagnostic", documentDiagnostics);
+  registry.add("workspace/diagnostic", workspaceDiagnostics, Priority::Background);
+}
+
+} // namespace proskill::lsp

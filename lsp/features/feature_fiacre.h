@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lsp/protocol/registry.h"
+
+namespace proskill::lsp {
+
+/// What there is of Fiacre takes the place of what the methods of `textDocument` do for programs,
+/// where the document is in Fiacre. \pre all others are added
+void addFiacre(Registry& registry);
+
+} // namespace proskill::lsp

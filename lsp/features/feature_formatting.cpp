@@ -1,0 +1,70 @@
+#include "lsp/protocol/convert.h"
+#include "lsp/protocol/edits.h"
+#include "syntax/format/format.h"
+
+namespace proskill::lsp {
+
+namespace {
+
+using Edits = std::vector<syntax::TextEdit>;
+
+/// The style is one, so the options of a request (`tabSize`, …) change nothing.
+Answer formatting(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  return textEdits(Converter(*view, request), view->file, syntax::format(view->document()));
+}
+
+Answer formatRanges(const Request& request, const ide::View& view, const Json& ranges) {
+  Edits all;
+  for (const auto& range : ranges) {
+    auto lines = rangeOf(view, range, request.client.encoding);
+    if (!lines) return std::unexpected(lines.error());
+    for (auto& edit : syntax::formatRange(view.document(), *lines))
+      if (std::ranges::find(all, edit) == all.end()) all.push_back(std::move(edit));
+  }
+  std::ranges::sort(all, {}, [](const auto& edit) { return edit.range.begin; });
+  return textEdits(Converter(view, request), view.file, all);
+}
+
+Answer rangeFormatting(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  auto range = rangeIn(*view, request.params, request.client.encoding);
+  if (!range) return std::unexpected(range.error());
+  return textEdits(Converter(*view, request), view->file,
+                   syntax::formatRange(view->document(), *range));
+}
+
+Answer rangesFormatting(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  if (!request.params.contains("ranges") || !request.params["ranges"].is_array())
+    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`ranges` is missing"});
+  return formatRanges(request, *view, request.params["ranges"]);
+}
+
+Answer onTypeFormatting(const Request& request) {
+  auto at = cursor(request);
+  if (!at) return std::unexpected(at.error());
+  const auto typed = textIn(request.params, "ch");
+  if (!typed) return std::unexpected(typed.error());
+  auto edits = typed->size() == 1 ? syntax::formatTyped(at->view.document(), at->at, typed->front())
+                                  : Edits{};
+  return textEdits(Converter(at->view, request), at->view.file, edits);
+}
+
+} // namespace
+
+void addFormatting(Registry& registry) {
+  registry.add("textDocument/formatting", formatting);
+  registry.add("textDocument/rangeFormatting", rangeFormatting);
+  registry.add("textDocument/rangesFormatting", rangesFormatting);
+  registry.add("textDocument/onTypeFormatting", onTypeFormatting);
+  registry.capabilities["documentFormattingProvider"] = true;
+  registry.capabilities["documentRangeFormattingProvider"] = {{"rangesSupport", true}};
+  registry.capabilities["documentOnTypeFormattingProvider"] = {{"firstTriggerCharacter", "\n"},
+                                                               {"moreTriggerCharacter", {")"}}};
+}
+
+} // namespace proskill::lsp

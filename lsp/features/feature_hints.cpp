@@ -1,0 +1,114 @@
+#include "ide/features/inlay_hints.h"
+#include "lsp/protocol/convert.h"
+
+namespace proskill::lsp {
+
+namespace {
+
+struct AskedRange {
+  ide::View view;
+  syntax::Range range;
+};
+
+std::expected<AskedRange, RpcError> askedRange(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  const auto encoding = request.client.encoding;
+  auto begin = offsetOf(*view, memberAt(request.params, {"range", "start"}), encoding);
+  if (!begin) return std::unexpected(begin.error());
+  auto end = offsetOf(*view, memberAt(request.params, {"range", "end"}), encoding);
+  if (!end) return std::unexpected(end.error());
+  return AskedRange{std::move(*view), {*begin, std::max(*begin, *end)}};
+}
+
+/// 1: type, 2: parameter.
+int kindOf(ide::HintKind kind) { return kind == ide::HintKind::ArgumentType ? 2 : 1; }
+
+/// Adds what is only of use to who looks at a hint.
+void addTooltip(Json& json, const ide::InlayHint& hint) { json["tooltip"] = hint.tooltip; }
+void addLocation(Json& json, const ide::InlayHint& hint, const Converter& convert) {
+  if (hint.about) json["label"][0]["location"] = convert.location(*hint.about);
+}
+
+/// A label that leads somewhere is a list of parts, here of one.
+Json labelOf(const ide::InlayHint& hint) {
+  return hint.about ? Json::array({{{"value", hint.label}}}) : Json(hint.label);
+}
+
+const Json& textOfLabel(const Json& label) {
+  return label.is_array() && !label.empty() ? memberAt(label[0], {"value"}) : label;
+}
+
+std::int64_t versionOf(const Request& request, const ide::View& view) {
+  return request.snapshot.open().at(view.program().files[view.file].path).version;
+}
+
+Answer inlayHint(const Request& request) {
+  auto asked = askedRange(request);
+  if (!asked) return std::unexpected(asked.error());
+  const Converter convert(asked->view, request);
+  const bool laterTooltip = request.client.resolvedOfHints.contains("tooltip");
+  const bool laterLocation = request.client.resolvedOfHints.contains("label.location");
+  const Json data{{"textDocument", request.params["textDocument"]},
+                  {"version", versionOf(request, asked->view)}};
+  Json result = Json::array();
+  for (const auto& hint : ide::inlayHints(asked->view, asked->range)) {
+    Json json{{"position", convert.position(asked->view.file, hint.at)},
+              {"label", labelOf(hint)},
+              {"kind", kindOf(hint.kind)},
+              {"paddingLeft", hint.kind != ide::HintKind::ArgumentType}};
+    if (!laterTooltip) addTooltip(json, hint);
+    if (!laterLocation) addLocation(json, hint, convert);
+    if (laterTooltip || laterLocation) json["data"] = data;
+    result.push_back(std::move(json));
+  }
+  return result;
+}
+
+/// Computes the hints of the place again; the text must be the same still.
+Answer resolveHint(const Request& request) {
+  const auto& data = memberAt(request.params, {"data"});
+  if (data.is_null()) return request.params; // it had all from the beginning
+  const Request ofText{data, request.snapshot, request.client, request.cancellation};
+  auto view = documentView(ofText);
+  if (!view) return std::unexpected(view.error());
+  if (memberAt(data, {"version"}) != versionOf(request, *view))
+    return std::unexpected(RpcError{ErrorCode::ContentModified, "the text has changed since"});
+  auto at = offsetOf(*view, memberAt(request.params, {"position"}), request.client.encoding);
+  if (!at) return std::unexpected(at.error());
+  Json json = request.params;
+  for (const auto& hint : ide::inlayHints(*view, {*at - std::min(*at, 1U), *at})) {
+    if (hint.at != *at || textOfLabel(memberAt(json, {"label"})) != hint.label) continue;
+    addTooltip(json, hint);
+    addLocation(json, hint, Converter(*view, request));
+  }
+  return json;
+}
+
+/// What a debugger has not come to yet is not shown.
+Answer inlineValue(const Request& request) {
+  auto asked = askedRange(request);
+  if (!asked) return std::unexpected(asked.error());
+  const auto& stopped = memberAt(request.params, {"context", "stoppedLocation", "end"});
+  auto last = offsetOf(asked->view, stopped, request.client.encoding);
+  if (last) asked->range.end = std::min(asked->range.end, std::max(*last, asked->range.begin));
+  const Converter convert(asked->view, request);
+  Json result = Json::array();
+  for (const auto& variable : ide::inlineVariables(asked->view, asked->range))
+    result.push_back({{"range", convert.range(asked->view.file, variable.range)},
+                      {"variableName", variable.name},
+                      {"caseSensitiveLookup", true}});
+  return result;
+}
+
+} // namespace
+
+void addHints(Registry& registry) {
+  registry.capabilities["inlayHintProvider"] = {{"resolveProvider", true}};
+  registry.capabilities["inlineValueProvider"] = true;
+  registry.add("textDocument/inlayHint", inlayHint);
+  registry.add("inlayHint/resolve", resolveHint);
+  registry.add("textDocument/inlineValue", inlineValue);
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,83 @@
+#include "ide/features/navigation.h"
+#include "lsp/protocol/convert.h"
+
+namespace proskill::lsp {
+
+namespace {
+
+using Places = std::vector<analysis::Location>;
+
+Json locations(const Cursor& cursor, const Request& request, const Places& places) {
+  const Converter convert(cursor.view, request);
+  Json result = Json::array();
+  for (auto place : places) result.push_back(convert.location(place));
+  return result;
+}
+
+/// A handler for a request that asks for the places that belong to a cursor.
+Handler places(std::function<Places(const Cursor&, const Request&)> find) {
+  return [find = std::move(find)](const Request& request) -> Answer {
+    auto at = cursor(request);
+    if (!at) return std::unexpected(at.error());
+    return locations(*at, request, find(*at, request));
+  };
+}
+
+Places onePlace(std::optional<analysis::Location> place) {
+  return place ? Places{*place} : Places{};
+}
+
+bool wantsDeclaration(const Json& params) {
+  auto context = params.find("context");
+  return context != params.end() && context->is_object() &&
+         context->value("includeDeclaration", false);
+}
+
+/// 1: text, 2: read, 3: write.
+int highlightKind(analysis::Role role) {
+  switch (role) {
+  case analysis::Role::Read:
+  case analysis::Role::Call:
+  case analysis::Role::Interrupt: return 2;
+  case analysis::Role::Definition:
+  case analysis::Role::Write: return 3;
+  case analysis::Role::Mention: return 1;
+  }
+  return 1;
+}
+
+Answer documentHighlight(const Request& request) {
+  auto at = cursor(request);
+  if (!at) return std::unexpected(at.error());
+  const Converter convert(at->view, request);
+  Json result = Json::array();
+  for (const auto& occurrence : ide::highlights(at->view, at->at))
+    result.push_back(
+        {{"range", convert.range(occurrence.at)}, {"kind", highlightKind(occurrence.role)}});
+  return result;
+}
+
+} // namespace
+
+void addNavigation(Registry& registry) {
+  auto definition = places(
+      [](const Cursor& at, const Request&) { return onePlace(ide::definition(at.view, at.at)); });
+  registry.add("textDocument/definition", definition);
+  registry.add("textDocument/declaration", definition);
+  registry.add("textDocument/typeDefinition", places([](const Cursor& at, const Request&) {
+                 return onePlace(ide::typeDefinition(at.view, at.at));
+               }));
+  registry.add("textDocument/implementation", places([](const Cursor& at, const Request&) {
+                 return ide::implementations(at.view, at.at);
+               }));
+  registry.add("textDocument/references", places([](const Cursor& at, const Request& request) {
+                 return ide::references(at.view, at.at, wantsDeclaration(request.params));
+               }));
+  registry.add("textDocument/documentHighlight", documentHighlight);
+  for (const auto* capability :
+       {"definitionProvider", "declarationProvider", "typeDefinitionProvider",
+        "implementationProvider", "referencesProvider", "documentHighlightProvider"})
+    registry.capabilities[capability] = true;
+}
+
+} // namespace proskill::lsp

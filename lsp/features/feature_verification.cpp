@@ -1,0 +1,127 @@
+#include "ide/fiacre/fiacre_text.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "lsp/protocol/progress.h"
+#include "lsp/verification/verdict_json.h"
+#include "lsp/verification/verification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::lsp {
+
+namespace {
+
+RpcError failed(std::string message) { return {ErrorCode::RequestFailed, std::move(message)}; }
+
+/// The first program of a file, open or not.
+std::expected<ide::View, RpcError> programOf(const Request& request) {
+  auto path = documentFile(request);
+  if (!path) return std::unexpected(path.error());
+  return request.snapshot.view(*path);
+}
+
+std::vector<std::string> namesIn(const Json& params) {
+  std::vector<std::string> names;
+  auto found = params.find("names");
+  if (found == params.end() || !found->is_array()) return names;
+  for (const auto& name : *found)
+    if (name.is_string()) names.push_back(name.get<std::string>());
+  return names;
+}
+
+std::optional<RpcError> whyNot(const ide::View& view) {
+  if (ide::isFiacre(view) && !ide::FiacreText(view.text()).model())
+    return failed("the text names no model");
+  const auto& found = ide::isFiacre(view) ? view.owner->findings() : view.analysis().diagnostics;
+  for (const auto& diagnostic : found)
+    if (diagnostic.severity == syntax::Severity::Error)
+      return failed("the program has errors: " + diagnostic.message);
+  return std::nullopt;
+}
+
+std::string wordsOf(const WorkerProgress& now) {
+  constexpr std::uint64_t kMegabyte = 1 << 20;
+  return fmt::format("{} of {} decided, {} states, {:.0f} a second, {} MB, {:.0f} s", now.decided,
+                     now.total, now.classes, now.rate(), now.bytes / kMegabyte, now.seconds);
+}
+
+unsigned percentageOf(const WorkerProgress& now) {
+  return now.total > 0 ? static_cast<unsigned>(100 * now.decided / now.total) : 0;
+}
+
+/// Of what was asked for: the model's order, as the report has it.
+Json resultJson(const Verified& verified, const Converter& convert) {
+  return {{"program", convert.uri(0)},
+          {"main", verified.mainSkill.empty() ? Json() : Json(verified.mainSkill)},
+          {"verdicts", verdictsJson(*verified.verdicts, convert)},
+          {"exploration", explorationSummary(verified.verdicts->exploration)},
+          {"texts", textsJson(*verified.verdicts, convert)}};
+}
+
+} // namespace
+
+Answer Verification::verifyRequested(const Request& request) {
+  const auto chosen = settingsNow();
+  if (!chosen.trusted)
+    return std::unexpected(
+        failed("the workspace is not trusted: nothing is verified, only static checks run"));
+  auto view = programOf(request);
+  if (!view) return std::unexpected(view.error());
+  if (auto error = whyNot(*view)) return std::unexpected(*error);
+  auto job = jobFor(view->program());
+  job.names = namesIn(request.params);
+  job.budget = withLimits(chosen.requestBudget, request.params.value("limits", Json()));
+  const auto& open = request.snapshot.open();
+  Progress workDone([this](std::string_view method,
+                           const Json& params) { outside.send(notification(method, params)); },
+                    request.params.value("workDoneToken", Json()), nullptr);
+  workDone.begin("Verifying " + view->program().files.front().path.filename().string());
+  board.set(view->owner, VerificationState::Checking);
+  auto verified = run(view->owner, open, job, request.cancellation, [&](const auto& progress) {
+    workDone.report(wordsOf(progress), percentageOf(progress));
+    board.setProgress(view->owner, progress);
+  });
+  if (!verified) {
+    const auto& failure = verified.error();
+    workDone.end(failure.message);
+    board.set(view->owner,
+              failure.cancelled ? VerificationState::Waiting : VerificationState::Failed,
+              failure.cancelled ? "cancelled" : failure.message);
+    return std::unexpected(
+        RpcError{failure.cancelled ? ErrorCode::RequestCancelled : ErrorCode::RequestFailed,
+                 failure.message});
+  }
+  const Converter convert(view->program(), open, request.client.encoding);
+  auto result = resultJson(*verified, convert);
+  workDone.end(fmt::format("{} verdicts", verified->verdicts->properties.size()));
+  record(view->owner, std::move(*verified));
+  return result;
+}
+
+Answer Verification::traceRequested(const Request& request) const {
+  auto view = programOf(request);
+  if (!view) return std::unexpected(view.error());
+  const auto wanted = textIn(request.params, "name");
+  if (!wanted) return std::unexpected(wanted.error());
+  const auto state = board.of(view->program().files.front().path);
+  if (!state || !state->verified)
+    return std::unexpected(failed("the program has not been verified yet"));
+  const auto& known = *state->verified;
+  if (!known.traces.contains(*wanted))
+    return std::unexpected(failed(fmt::format("there is no trace of `{}`", *wanted)));
+  const bool stale = !ide::areCurrent(*known.verdicts, view->program());
+  const Converter convert(known.verdicts->program->program, request.snapshot.open(),
+                          request.client.encoding);
+  return traceOf(known, *wanted, stale, convert);
+}
+
+void Verification::addMethods(Registry& registry) {
+  registry.add(
+      "proskill/verify", [this](const Request& request) { return verifyRequested(request); },
+      Priority::Long);
+  registry.add("proskill/trace",
+               [this](const Request& request) { return traceRequested(request); });
+}
+
+} // namespace proskill::lsp

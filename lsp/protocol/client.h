@@ -1,0 +1,53 @@
+#pragma once
+
+#include "lsp/protocol/manual.h"
+#include "rpc/rpc.h"
+#include "syntax/text/position.h"
+
+#include <memory>
+#include <set>
+#include <string>
+
+namespace proskill::lsp {
+
+/// What the client said that it can do, as far as the server asks.
+struct ClientFeatures {
+  Encoding encoding = Encoding::Utf16;
+  bool pullDiagnostics = false; ///< asks for diagnostics; else it is told
+  bool relatedInformation = false;
+  bool watchedFiles = false; ///< may be registered dynamically
+  bool workDoneProgress = false;
+  bool snippets = false;
+  bool insertReplace = false; ///< completions may say both what to insert and to replace
+  bool completionTags = false;
+  bool completionDeprecated = false; ///< the older way to say the same
+  bool markdownCompletion = false;   ///< in the documentation of completions
+  bool markdownSignature = false;
+  bool labelOffsets = false; ///< of a signature's parameters
+  bool hierarchicalSymbols = false;
+  bool markdownHover = false;
+  bool resolvesActions = false; ///< asks for the edit of a code action when it was chosen
+  bool documentChanges = false; ///< workspace edits with versions
+  bool diagnosticTags = false;
+  bool codeDescription = false; ///< shows links from the codes of diagnostics
+  /// Where these lead; null where it shows none.
+  std::shared_ptr<const Manual> manual;
+  bool configuration = false;        ///< may be asked for its settings
+  bool dynamicConfiguration = false; ///< registers for changes of them
+  /// Methods that it asks again where a request was refused because the text has changed.
+  std::set<std::string> retried;
+  /// Members of inlay hints that it asks for when they are looked at: `label.location`.
+  std::set<std::string> resolvedOfHints;
+  /// Requests by which it may be told to ask for something again: `workspace/codeLens/refresh`.
+  std::set<std::string> refreshes;
+};
+
+/// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension
+/// included. \param name the client's, as `clientInfo` has it
+[[nodiscard]] ClientFeatures readClientFeatures(const Json& capabilities,
+                                                const Json& name = nullptr);
+
+/// The encoding's name in the protocol.
+[[nodiscard]] std::string_view nameOf(Encoding encoding);
+
+} // namespace proskill::lsp

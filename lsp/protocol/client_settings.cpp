@@ -1,0 +1,29 @@
+#include "lsp/protocol/client_settings.h"
+
+namespace proskill::lsp {
+
+namespace {
+
+/// Longer than this nobody waits; and an absurd number must not overflow a clock.
+constexpr std::uint64_t kLongestDebounce = 60'000;
+
+void read(const Json& value, bool& setting) {
+  if (value.is_boolean()) setting = value.get<bool>();
+}
+
+} // namespace
+
+ClientSettings readClientSettings(const Json& json) {
+  const Json& whole = memberAt(json, {"proskill"});
+  const Json& section = whole.is_object() ? whole : json;
+  ClientSettings settings;
+  read(memberAt(section, {"diagnostics", "enabled"}), settings.diagnostics);
+  read(memberAt(section, {"diagnostics", "style"}), settings.style);
+  const Json& debounce = memberAt(section, {"diagnostics", "debounce"});
+  if (debounce.is_number_unsigned())
+    settings.debounce =
+        std::chrono::milliseconds(std::min(debounce.get<std::uint64_t>(), kLongestDebounce));
+  return settings;
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ide/description/diagnostics.h"
+#include "ide/verdicts/verdicts.h"
+#include "lsp/protocol/convert.h"
+
+namespace proskill::lsp {
+
+[[nodiscard]] Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
+                                  const ClientFeatures& client);
+
+/// The diagnostics of an open text in the protocol's form, from all programs that it belongs to,
+/// each once; those of bad verdicts last.
+[[nodiscard]] Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
+                                 const ClientFeatures& client, const ide::Verdicts& verdicts);
+
+} // namespace proskill::lsp

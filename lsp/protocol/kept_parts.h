@@ -1,0 +1,69 @@
+#pragma once
+
+#include "syntax/tree/tree.h"
+
+#include <algorithm>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+/// Answers about whole texts are put together of parts, one a stretch (`syntax::Stretch`). What an
+/// edit did not touch is taken from the last answer.
+namespace proskill::lsp {
+
+/// What is made of a text, the last one of each text and of few texts. Any thread may use it.
+template <class Value> class LastOfTexts {
+public:
+  /// Null where it is not known.
+  [[nodiscard]] std::shared_ptr<const Value> find(const std::string& uri) const {
+    const std::lock_guard lock(mutex);
+    const auto found = std::ranges::find(entries, uri, &Entry::uri);
+    return found == entries.end() ? nullptr : found->value;
+  }
+
+  void keep(const std::string& uri, std::shared_ptr<const Value> value) {
+    const std::lock_guard lock(mutex);
+    entries.remove_if([&](const Entry& entry) { return entry.uri == uri; });
+    if (entries.size() >= kMost) entries.pop_back();
+    entries.push_front({uri, std::move(value)});
+  }
+
+private:
+  struct Entry {
+    std::string uri;
+    std::shared_ptr<const Value> value;
+  };
+  static constexpr std::size_t kMost = 32;
+
+  mutable std::mutex mutex;
+  std::list<Entry> entries; ///< the newest first
+};
+
+template <class Part> using Parts = std::vector<std::shared_ptr<const Part>>;
+
+/// Finds the parts of an earlier answer by the trees of their stretches, asked for in the order of
+/// the text.
+template <class Part> class EarlierParts {
+public:
+  explicit EarlierParts(Parts<Part> parts) : parts(std::move(parts)) {
+    for (std::size_t i = 0; i < this->parts.size(); ++i) places[this->parts[i]->tree.get()] = i;
+  }
+
+  /// Null where the stretch is new, or another one is before it that was behind it.
+  [[nodiscard]] std::shared_ptr<const Part> find(const std::shared_ptr<const syntax::Tree>& tree) {
+    const auto found = places.find(tree.get());
+    if (found == places.end() || found->second < next) return nullptr;
+    next = found->second + 1;
+    return parts[found->second];
+  }
+
+private:
+  const Parts<Part> parts;
+  std::unordered_map<const syntax::Tree*, std::size_t> places;
+  std::size_t next = 0; ///< those before it have been passed
+};
+
+} // namespace proskill::lsp

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "ide/snapshot/snapshot.h"
+#include "ide/verdicts/verdicts.h"
+#include "lsp/protocol/client.h"
+#include "lsp/protocol/client_settings.h"
+#include "lsp/protocol/progress.h"
+#include "rpc/rpc.h"
+#include "rpc/scheduler.h"
+
+#include <expected>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace proskill::lsp {
+
+/// A request on its way through a handler. The handler runs on any thread, on a snapshot that
+/// nobody changes.
+struct Request {
+  const Json& params;
+  const ide::Snapshot& snapshot;
+  const ClientFeatures& client;
+  Cancellation cancellation;
+  /// The last verdicts of every program; never null.
+  std::shared_ptr<const ide::Verdicts> verdicts = std::make_shared<const ide::Verdicts>();
+  /// What the user sets in the editor; never null.
+  std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
+  /// For work that takes long, and for results in parts; never null.
+  std::shared_ptr<Progress> progress = std::make_shared<Progress>();
+};
+
+using Answer = std::expected<Json, RpcError>;
+using Handler = std::function<Answer(const Request&)>;
+
+struct Method {
+  Handler handler;
+  Priority priority = Priority::Interactive;
+};
+
+/// The requests that the server answers, and what it tells the client of them. Each group of
+/// features has a file `lsp/feature_GROUP.cpp` with one function that adds its methods and its
+/// capabilities.
+struct Registry {
+  std::map<std::string, Method, std::less<>> methods;
+  Json capabilities = Json::object();
+
+  void add(std::string method, Handler handler, Priority priority = Priority::Interactive) {
+    methods[std::move(method)] = {std::move(handler), priority};
+  }
+};
+
+void addAutomaton(Registry& registry);
+void addCompletion(Registry& registry);
+void addActions(Registry& registry);
+void addDiagnostics(Registry& registry);
+void addFormatting(Registry& registry);
+void addHierarchy(Registry& registry);
+void addHints(Registry& registry);
+void addHover(Registry& registry);
+void addLenses(Registry& registry);
+void addModel(Registry& registry);
+void addStructure(Registry& registry);
+void addTokens(Registry& registry);
+void addNavigation(Registry& registry);
+void addRename(Registry& registry);
+void addSymbols(Registry& registry);
+
+[[nodiscard]] Registry allFeatures();
+
+} // namespace proskill::lsp

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "rpc/peer.h"
+
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace proskill::lsp {
+
+/// Tells the user things in the editor, sparingly: the same words at most once a minute, and no
+/// more than a few of any kind in that time. All of them go to the editor's log. Of the main
+/// thread.
+class Announcer {
+public:
+  using Time = std::chrono::steady_clock::time_point;
+  enum class Kind : std::uint8_t { Error = 1, Warning = 2, Info = 3 };
+
+  explicit Announcer(Peer& peer) : peer(peer) {}
+
+  void show(Kind kind, const std::string& message, Time now = std::chrono::steady_clock::now()) {
+    const Json params{{"type", static_cast<int>(kind)}, {"message", message}};
+    peer.notify("window/logMessage", params);
+    std::erase_if(shown, [&](const auto& entry) { return now - entry.second >= kPause; });
+    if (shown.size() >= kMost || !shown.try_emplace(message, now).second) return;
+    peer.notify("window/showMessage", params);
+  }
+
+private:
+  static constexpr std::chrono::minutes kPause{1};
+  static constexpr std::size_t kMost = 3;
+
+  Peer& peer;
+  std::map<std::string, Time> shown;
+};
+
+} // namespace proskill::lsp

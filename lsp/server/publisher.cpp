@@ -1,0 +1,104 @@
+#include "lsp/server/publisher.h"
+
+#include "analysis/program/stop.h"
+#include "lsp/protocol/diagnostics.h"
+
+#include <algorithm>
+
+namespace proskill::lsp {
+
+namespace {
+
+constexpr const char* kMethod = "textDocument/publishDiagnostics";
+
+template <class Pointer> bool isSame(const Pointer& a, const Pointer& b) {
+  return !a.owner_before(b) && !b.owner_before(a);
+}
+
+} // namespace
+
+void Publisher::changed(std::chrono::milliseconds debounce) {
+  ++revision;
+  running.cancel();
+  {
+    // Whoever has changed the texts holds the old ones, and forgets them when nobody waits.
+    const std::lock_guard lock(mutex);
+    latest.reset();
+  }
+  dueAt = std::chrono::steady_clock::now() + debounce;
+}
+
+void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled) {
+  dueAt.reset();
+  retract(*snapshot, enabled);
+  if (!enabled) return;
+  running = {};
+  {
+    const std::lock_guard lock(mutex);
+    latest = snapshot;
+  }
+  for (const auto& [path, text] : snapshot->open()) {
+    if (text.kind == ide::TextKind::Notebook) continue;
+    scheduler.post(Priority::Background,
+                   [this, path = path, asked = revision.load(), wanted = running] {
+                     if (wanted.isCancelled()) return;
+                     const analysis::StopWhen stop([&] { return wanted.isCancelled(); });
+                     publishLatest(path, asked);
+                   });
+  }
+}
+
+/// What waits holds no texts: of those that a fast typist leaves behind there would be many.
+void Publisher::publishLatest(const Path& path, std::uint64_t asked) {
+  std::shared_ptr<const ide::Snapshot> snapshot;
+  {
+    const std::lock_guard lock(mutex);
+    snapshot = latest;
+  }
+  if (snapshot && snapshot->open().contains(path)) publish(*snapshot, path, asked);
+}
+
+/// An empty list for each text that is open no longer, or for all.
+void Publisher::retract(const ide::Snapshot& snapshot, bool enabled) {
+  const std::lock_guard lock(mutex);
+  std::erase_if(told, [&](const auto& entry) {
+    const auto& [path, last] = entry;
+    if (enabled && snapshot.open().contains(path)) return false;
+    if (last.sent) peer.notify(kMethod, {{"uri", last.uri}, {"diagnostics", Json::array()}});
+    return true;
+  });
+}
+
+bool Publisher::isTold(const Path& path, const Told& now) {
+  const std::lock_guard lock(mutex);
+  const auto& last = told[path];
+  return last.sent && last.version == now.version && last.uri == now.uri &&
+         last.verdicts == now.verdicts &&
+         std::ranges::equal(last.owners, now.owners, isSame<Owners::value_type>);
+}
+
+void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked) {
+  const auto& text = snapshot.open().at(path);
+  try {
+    auto start = std::chrono::steady_clock::now();
+    Told now{text.uri, text.version, {}, verdicts(), true};
+    for (const auto& view : snapshot.views(path)) now.owners.emplace_back(view.owner);
+    if (isTold(path, now)) return;
+    scheduler.giveWay();
+    auto list = diagnosticsOf(snapshot, path, client, *now.verdicts);
+    std::unique_lock lock(mutex);
+    if (asked != revision) return;
+    peer.notify(kMethod,
+                {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(list)}});
+    told[path] = std::move(now);
+    statistics.add(kMethod, std::chrono::steady_clock::now() - start);
+    lock.unlock();
+    onPublished(snapshot);
+    (void)snapshot.takeReplaced();     // now that nobody waits for it
+  } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
+  } catch (const std::exception& error) {
+    onFailure(kMethod, {{"uri", text.uri}}, error.what());
+  }
+}
+
+} // namespace proskill::lsp

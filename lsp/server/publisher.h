@@ -1,0 +1,83 @@
+#pragma once
+
+#include "ide/verdicts/verdicts.h"
+#include "lsp/protocol/client.h"
+#include "lsp/server/statistics.h"
+#include "lsp/workspace/workspace.h"
+#include "rpc/peer.h"
+#include "rpc/scheduler.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace proskill::lsp {
+
+/// Tells the client the diagnostics of its open texts once they have been left alone for a moment.
+/// What a newer edit has made useless is not computed further and never sent; what has not changed
+/// is not sent again.
+class Publisher {
+public:
+  using Time = std::chrono::steady_clock::time_point;
+  using GetVerdicts = std::function<std::shared_ptr<const ide::Verdicts>()>;
+  using OnPublished = std::function<void(const ide::Snapshot& snapshot)>;
+  using OnFailure =
+      std::function<void(std::string_view method, const Json& params, std::string_view error)>;
+
+  /// All of them outlive the publisher's tasks.
+  Publisher(Peer& peer, Scheduler& scheduler, Statistics& statistics, const ClientFeatures& client,
+            GetVerdicts verdicts, OnPublished onPublished, OnFailure onFailure)
+      : peer(peer),
+        scheduler(scheduler),
+        statistics(statistics),
+        client(client),
+        verdicts(std::move(verdicts)),
+        onPublished(std::move(onPublished)),
+        onFailure(std::move(onFailure)) {}
+
+  /// The main thread's: texts or settings have changed; `debounce` from now on is soon enough.
+  void changed(std::chrono::milliseconds debounce);
+  /// When `publish` is to be called next.
+  [[nodiscard]] std::optional<Time> due() const { return dueAt; }
+  /// The main thread's. \param enabled false: what was told is taken back
+  void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
+
+private:
+  using Path = std::filesystem::path;
+  using Owners = std::vector<std::weak_ptr<const ide::AnalysedProgram>>;
+
+  /// What the client was last told of a text.
+  struct Told {
+    std::string uri;
+    std::int64_t version = 0;
+    Owners owners;                                 ///< the programs that it came from
+    std::shared_ptr<const ide::Verdicts> verdicts; ///< that it tells
+    bool sent = false;
+  };
+
+  void retract(const ide::Snapshot& snapshot, bool enabled);
+  void publishLatest(const Path& path, std::uint64_t asked);
+  void publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked);
+  [[nodiscard]] bool isTold(const Path& path, const Told& now);
+
+  Peer& peer;
+  Scheduler& scheduler;
+  Statistics& statistics;
+  const ClientFeatures& client;
+  GetVerdicts verdicts;
+  OnPublished onPublished; ///< by any thread: the findings of a text have been told
+  OnFailure onFailure;
+  std::optional<Time> dueAt;
+  std::atomic<std::uint64_t> revision{0}; ///< of the texts
+  Cancellation running;                   ///< of what was posted for the last revision
+  std::mutex mutex; ///< of what follows, and of looking at the revision and sending
+  std::map<Path, Told> told;
+  std::shared_ptr<const ide::Snapshot> latest; ///< to be published; null once it is stale
+};
+
+} // namespace proskill::lsp

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ide/snapshot/snapshot.h"
+#include "lsp/protocol/client.h"
+#include "rpc/peer.h"
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <set>
+
+namespace proskill::lsp {
+
+/// Has the client ask anew for what it shows of open texts, where that may have changed by
+/// something else than an edit of the text itself.
+class Refresher {
+public:
+  using Time = std::chrono::steady_clock::time_point;
+  using Path = std::filesystem::path;
+  using Snapshot = std::shared_ptr<const ide::Snapshot>;
+
+  /// Both outlive the refresher.
+  Refresher(Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
+
+  // The main thread's:
+  /// A file was edited, opened, closed or written to disk; `delay` from now on is soon enough.
+  void changed(const Path& file, const ide::Snapshot& before, std::chrono::milliseconds delay);
+  /// All open texts may mean something else now.
+  void allChanged(std::chrono::milliseconds delay);
+  /// Findings are weighed otherwise, or those of closed files are others.
+  void findingsChanged(std::chrono::milliseconds delay);
+  /// When `refresh` is to be called next.
+  [[nodiscard]] std::optional<Time> due() const { return stopped ? std::nullopt : dueAt; }
+  void refresh(const ide::Snapshot& now);
+  /// For good: a client that leaves is asked nothing.
+  void stop() { stopped = true; }
+
+  // Any thread's, at once:
+  void verdictsChanged() { ask({"workspace/diagnostic/refresh", "workspace/codeLens/refresh"}); }
+  void hintsChanged() { ask({"workspace/inlayHint/refresh"}); }
+
+private:
+  void delayBy(std::chrono::milliseconds delay);
+  [[nodiscard]] bool concernsOthers(const ide::Snapshot& now) const;
+  void ask(std::initializer_list<const char*> methods);
+
+  Peer& peer;
+  const ClientFeatures& client;
+  std::atomic<bool> stopped = false;
+  std::optional<Time> dueAt;
+  bool all = false;
+  bool findings = false;
+  std::set<Path> files;                            ///< that have changed since the last time
+  std::shared_ptr<const ide::IncludeGraph> before; ///< as it was before the first of them
+};
+
+} // namespace proskill::lsp

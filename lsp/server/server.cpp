@@ -1,0 +1,422 @@
+#include "lsp/server/server.h"
+
+#include "analysis/program/stop.h"
+
+#include "lsp/features/explain.h"
+#include "lsp/protocol/convert.h"
+#include "report/uri.h"
+
+#include <thread>
+
+namespace proskill::lsp {
+
+namespace {
+
+/// A result longer than this is sent in parts, where the client takes them.
+constexpr std::size_t kPart = 200;
+
+/// So many edits are applied as one at most, that what comes behind them need not wait for long.
+constexpr unsigned kMostGathered = 1000;
+
+const Json& idOf(const Json& params) { return memberAt(params, {"id"}); }
+
+std::string uriOf(const Json& params) {
+  const Json& uri = memberAt(params, {"textDocument", "uri"});
+  return uri.is_string() ? uri.get<std::string>() : std::string();
+}
+
+bool isEdit(const Message& message) {
+  return message.kind == MessageKind::Notification && message.method == "textDocument/didChange" &&
+         memberAt(message.params, {"contentChanges"}).is_array() &&
+         memberAt(message.params, {"textDocument", "version"}).is_number_integer();
+}
+
+/// Whether this is the edit after that one.
+bool continues(const Message& next, const Message& edit) {
+  return isEdit(next) && uriOf(next.params) == uriOf(edit.params) &&
+         next.params["textDocument"]["version"] > edit.params["textDocument"]["version"];
+}
+
+/// Sends a list as parts; what is left for the answer is nothing. LSP 3.17: the answer of a request
+/// whose parts were sent is empty.
+Json inParts(Json list, const Progress& progress) {
+  if (!progress.wantsParts() || !list.is_array() || list.size() <= kPart) return list;
+  Json part = Json::array();
+  for (auto& item : list) {
+    part.push_back(std::move(item));
+    if (part.size() == kPart) progress.part(std::exchange(part, Json::array()));
+  }
+  if (!part.empty()) progress.part(part);
+  return Json::array();
+}
+
+} // namespace
+
+Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
+               ServerOptions serverOptions)
+    : connection(connection),
+      options(std::move(serverOptions)),
+      outbox(connection),
+      peer(outbox),
+      announcer(peer),
+      workspace(std::move(disk)),
+      verification({options.worker, [this](std::string_view body) { outbox.send(body); },
+                    [this] { inbox.put([this] { verdictsChanged(); }); }, options.log}),
+      publisher(
+          peer, scheduler, statistics, client, [this] { return verification.verdicts(); },
+          [this](const ide::Snapshot& snapshot) { findingsTold(snapshot); },
+          [this](std::string_view method, const Json& params, std::string_view error) {
+            failed(method, params, error);
+          }),
+      scheduler(options.threads) {
+  verification.addMethods(registry);
+  registry.add("proskill/status",
+               [this](const Request& request) -> Answer { return status(request.snapshot); });
+  registry.capabilities["executeCommandProvider"] = {{"commands", Json::array({kExplainCommand})}};
+  registry.add("workspace/executeCommand",
+               [this](const Request& request) { return execute(request.params); });
+}
+
+/// What was asked for is shown at once, however often: it is the user who asks.
+Answer Server::execute(const Json& params) {
+  const auto& command = memberAt(params, {"command"});
+  if (command != kExplainCommand)
+    return std::unexpected(RpcError{ErrorCode::InvalidParams, "there is no such command"});
+  const auto& arguments = memberAt(params, {"arguments"});
+  auto answer = explain(arguments.is_array() && !arguments.empty() ? arguments[0] : Json());
+  if (!answer) return answer;
+  peer.notify("window/showMessage",
+              {{"type", static_cast<int>(Announcer::Kind::Info)}, {"message", (*answer)["plain"]}});
+  return Json();
+}
+
+int Server::run() {
+  std::jthread reader([this] { readStream(); });
+  while (true) {
+    auto incident = inbox.take(nextDeadline());
+    if (!incident) {
+      if (parentIsGone()) break;
+      onDeadline();
+    } else if (!handle(*incident)) {
+      break;
+    }
+  }
+  pending.cancelAll();
+  connection.close();
+  return phase == Phase::ShutDown ? 0 : 1;
+}
+
+std::optional<Server::Time> Server::nextDeadline() const {
+  std::optional<Time> first;
+  for (const auto& due : {publisher.due(), refresher.due(), parentDue})
+    if (due && (!first || *due < *first)) first = due;
+  return first;
+}
+
+void Server::onDeadline() {
+  const auto now = std::chrono::steady_clock::now();
+  if (publisher.due() && *publisher.due() <= now) {
+    publisher.publish(workspace.snapshot(), settings->diagnostics);
+    showMistakes();
+  }
+  if (refresher.due() && *refresher.due() <= now) refresher.refresh(*workspace.snapshot());
+}
+
+void Server::readStream() {
+  FrameReader frames;
+  for (auto bytes = connection.read(); !bytes.empty(); bytes = connection.read()) {
+    frames.feed(bytes);
+    while (auto next = frames.next()) receive(*next);
+  }
+  inbox.put(EndOfStream{});
+}
+
+void Server::receive(const Frame& frame) {
+  if (const auto* error = std::get_if<FramingError>(&frame))
+    return inbox.put(MalformedMessage{{ErrorCode::ParseError, error->message}, {}});
+  auto message = parseMessage(std::get<std::string>(frame));
+  if (!message) return inbox.put(message.error());
+  receive(std::move(*message));
+}
+
+/// Cancels on the spot: a cancellation must not wait behind what it cancels.
+void Server::receive(Message message) {
+  if (message.kind == MessageKind::Notification && message.method == "$/cancelRequest") {
+    const Json& id = idOf(message.params);
+    if (pending.cancel(id)) outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
+    return;
+  }
+  if (message.kind != MessageKind::Request)
+    return inbox.put(Received{std::move(message), {}, pending.count()});
+  auto cancellation = pending.begin(message);
+  if (!cancellation)
+    return inbox.put(
+        MalformedMessage{{ErrorCode::InvalidRequest, "`id` is that of a request that waits"},
+                         std::move(message.id)});
+  inbox.put(Received{std::move(message), std::move(*cancellation)});
+}
+
+/// False where the server's life ends here.
+bool Server::handle(Incident& incident) {
+  if (std::holds_alternative<EndOfStream>(incident)) return false;
+  if (auto* received = std::get_if<Received>(&incident)) return handleMessage(*received);
+  if (auto* errand = std::get_if<Errand>(&incident)) {
+    (*errand)();
+    return true;
+  }
+  const auto& malformed = std::get<MalformedMessage>(incident);
+  log("malformed message: " + malformed.error.message);
+  outbox.send(replyError(malformed.id, malformed.error));
+  return true;
+}
+
+/// What a message does to this thread is that message's error, and nobody's end.
+bool Server::handleMessage(Received& received) {
+  auto& message = received.message;
+  try {
+    switch (message.kind) {
+    case MessageKind::Request: handleRequest(received); return true;
+    case MessageKind::Notification: return handleNotification(received);
+    case MessageKind::Response:
+      if (!peer.answered(message)) log("an answer to no question");
+      return true;
+    }
+  } catch (const std::exception& error) {
+    failed(message.method, message.params, error.what());
+    if (pending.finish(message.id))
+      outbox.send(replyError(message.id, {ErrorCode::InternalError, error.what()}));
+  }
+  return true;
+}
+
+void Server::handleRequest(Received& received) {
+  const auto& message = received.message;
+  auto refuse = [&](ErrorCode code, std::string why) {
+    if (pending.finish(message.id)) outbox.send(replyError(message.id, {code, std::move(why)}));
+  };
+  auto give = [&](const Json& result) {
+    if (pending.finish(message.id)) outbox.send(lsp::reply(message.id, result));
+  };
+  if (phase == Phase::ShutDown)
+    return refuse(ErrorCode::InvalidRequest, "the server has been shut down");
+  if (message.method == "initialize") {
+    if (phase != Phase::Fresh)
+      return refuse(ErrorCode::InvalidRequest, "the server is initialised already");
+    return give(initialize(message.params));
+  }
+  if (phase == Phase::Fresh)
+    return refuse(ErrorCode::ServerNotInitialized, "`initialize` comes first");
+  if (message.method == "shutdown") {
+    phase = Phase::ShutDown;
+    refresher.stop();
+    return give(nullptr);
+  }
+  auto method = registry.methods.find(message.method);
+  if (method == registry.methods.end())
+    return refuse(ErrorCode::MethodNotFound, "there is no method " + message.method);
+  dispatch(received, method->second);
+}
+
+bool Server::handleNotification(Received& received) {
+  if (received.message.method == "exit") return false;
+  if (phase == Phase::Running) notified(received);
+  return true;
+}
+
+void Server::notified(Received& received) {
+  const auto& [method, params] = std::tie(received.message.method, received.message.params);
+  if (method == "initialized") return initialized();
+  if (method.starts_with("textDocument/did")) return handleText(received);
+  if (method.starts_with("notebookDocument/did")) return handleNotebook(received);
+  if (method == "workspace/didChangeWatchedFiles") return handleWatchedFiles(params);
+  if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
+  if (method == "workspace/didChangeConfiguration")
+    return client.configuration ? askForSettings() : setSettings(memberAt(params, {"settings"}));
+  if (method == "proskill/view") {
+    if (auto path = documentPath(params)) verification.setView(*path);
+    return;
+  }
+  if (method == "$/setTrace") return setTrace(memberAt(params, {"value"}));
+  if (!method.starts_with("$/")) log("a notification that is not served: " + method);
+}
+
+/// The edits that wait behind one of the same text become one with it: what lies between them
+/// nobody has asked about, and a text is parsed sooner once than often.
+void Server::gatherEdits(Message& edit) {
+  for (unsigned i = 0; i < kMostGathered; ++i) {
+    auto next = inbox.takeIf([&](const Incident& incident) {
+      const auto* received = std::get_if<Received>(&incident);
+      return received && continues(received->message, edit);
+    });
+    if (!next) return;
+    auto& params = std::get<Received>(*next).message.params;
+    edit.params["textDocument"] = std::move(params["textDocument"]);
+    for (auto& change : params["contentChanges"])
+      edit.params["contentChanges"].push_back(std::move(change));
+  }
+}
+
+void Server::handleText(Received& received) {
+  Message& message = received.message;
+  if (isEdit(message)) gatherEdits(message);
+  Workspace::Outcome outcome;
+  auto before = workspace.snapshot();
+  if (message.method == "textDocument/didOpen")
+    outcome = workspace.open(message.params);
+  else if (message.method == "textDocument/didChange")
+    outcome = workspace.change(message.params);
+  else if (message.method == "textDocument/didClose")
+    outcome = workspace.close(message.params);
+  else if (message.method == "textDocument/didSave")
+    outcome = workspace.saved(message.params);
+  else
+    return log("a notification that is not served: " + message.method);
+  if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
+  if (message.method == "textDocument/didChange")
+    refuseStale(uriOf(message.params), received.order);
+  std::vector<Path> texts;
+  if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
+    texts.push_back(*path);
+  textsChanged(texts, std::move(before));
+}
+
+void Server::handleNotebook(const Received& received) {
+  const auto& [method, params] = std::tie(received.message.method, received.message.params);
+  auto before = workspace.snapshot();
+  Notebooks::Outcome outcome;
+  if (method == "notebookDocument/didOpen")
+    outcome = notebooks.open(params);
+  else if (method == "notebookDocument/didChange")
+    outcome = notebooks.change(params);
+  else if (method == "notebookDocument/didClose")
+    outcome = notebooks.close(params);
+  else if (method != "notebookDocument/didSave")
+    log("a notification that is not served: " + method);
+  for (const auto& problem : outcome.problems) {
+    log(method + ": " + problem);
+    announcer.show(Announcer::Kind::Error, problem);
+  }
+  for (const auto& path : outcome.changed)
+    if (auto text = before->open().find(path); text != before->open().end())
+      refuseStale(text->second.uri, received.order);
+  if (!outcome.changed.empty()) textsChanged(outcome.changed, std::move(before));
+}
+
+/// By the client; the last of them is in view.
+void Server::textsChanged(const std::vector<Path>& texts,
+                          std::shared_ptr<const ide::Snapshot> before) {
+  changed();
+  for (const auto& path : texts) refresher.changed(path, *before, debounce());
+  verification.textsChanged(workspace.snapshot(),
+                            texts.empty() ? std::nullopt : std::optional(texts.back()));
+  forget(std::move(before));
+}
+
+/// What was asked about the text before the edit, and is asked again by the client.
+void Server::refuseStale(const std::string& uri, std::uint64_t order) {
+  for (const auto& [id, method] : pending.about(uri, client.retried, order))
+    if (pending.cancel(id))
+      outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
+  static const std::set<std::string> kPulled{"textDocument/diagnostic"};
+  for (const auto& [id, method] : pending.about(uri, kPulled, order))
+    if (pending.cancel(id))
+      outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
+                                  Json{{"retriggerRequest", true}}}));
+}
+
+void Server::dispatch(Received& received, const Method& method) {
+  auto& pool = method.priority == Priority::Long ? longWork : scheduler;
+  pool.post(method.priority, [this, received = std::move(received), &method,
+                              snapshot = workspace.snapshot(), settings = settings] {
+    const auto& message = received.message;
+    if (received.cancellation.isCancelled()) return;
+    auto notify = [this](std::string_view what, const Json& params) { peer.notify(what, params); };
+    Request request{message.params, *snapshot, client, received.cancellation};
+    request.verdicts = verification.verdicts();
+    request.settings = settings;
+    request.progress =
+        std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
+                                   memberAt(message.params, {"partialResultToken"}));
+    answer(message, method, request);
+    if (message.method.ends_with("/diagnostic")) findingsTold(*snapshot);
+    if (auto replaced = snapshot->takeReplaced(); !replaced.empty()) forget(std::move(replaced));
+  });
+}
+
+/// A bug in a handler is that request's error, and no other's.
+void Server::answer(const Message& message, const Method& method, const Request& request) {
+  auto start = std::chrono::steady_clock::now();
+  Answer result;
+  auto bug = [&](std::string_view what) {
+    ++errors;
+    failed(message.method, message.params, what);
+    result = std::unexpected(RpcError{ErrorCode::InternalError, std::string(what)});
+  };
+  const analysis::StopWhen stop([&] { return request.cancellation.isCancelled(); });
+  try {
+    result = method.handler(request);
+  } catch (const analysis::Stopped&) {
+    result = std::unexpected(RpcError{ErrorCode::RequestCancelled, "cancelled"});
+  } catch (const std::exception& error) {
+    bug(error.what());
+  } catch (...) {
+    bug("an error of an unknown kind");
+  }
+  auto latency = std::chrono::steady_clock::now() - start;
+  statistics.add(message.method, latency);
+  const bool cancelled = request.cancellation.isCancelled();
+  logAnswer(message,
+            cancelled ? "cancelled"
+            : result  ? "ok"
+                      : "error: " + result.error().message,
+            latency);
+  reply(message, std::move(result), *request.progress);
+}
+
+/// Whole programs may go with old texts: not here, where an answer or the next edit would wait for
+/// it, unless edits come faster than they can be forgotten.
+template <class Old> void Server::forget(Old old) {
+  constexpr int kMostForgotten = 3;
+  if (forgotten.load() >= kMostForgotten) return;
+  ++forgotten;
+  scheduler.post(Priority::Background, [this, old = std::move(old)]() mutable {
+    scheduler.giveWay();
+    old = Old();
+    --forgotten;
+  });
+}
+
+void Server::reply(const Message& message, Answer result, Progress& progress) {
+  if (!pending.finish(message.id)) return;
+  progress.end();
+  outbox.send(result ? lsp::reply(message.id, inParts(std::move(*result), progress))
+                     : replyError(message.id, result.error()));
+}
+
+void Server::changed() {
+  if (!client.pullDiagnostics) publisher.changed(debounce());
+}
+
+/// Other texts than the one that a user edits.
+void Server::textsChanged() {
+  changed();
+  verification.textsChanged(workspace.snapshot(), std::nullopt);
+}
+
+/// The texts are as they were; what shows verdicts is told anew.
+void Server::verdictsChanged() {
+  if (phase != Phase::Running) return;
+  refresher.verdictsChanged();
+  if (!client.pullDiagnostics) publisher.changed(std::chrono::milliseconds(0));
+}
+
+/// Hints of a large program do not wait for its flow, but the findings do: now it is there.
+void Server::findingsTold(const ide::Snapshot& snapshot) {
+  if (snapshot.takeMissedFlow()) refresher.hintsChanged();
+}
+
+std::chrono::milliseconds Server::debounce() const {
+  return settings->debounce.value_or(options.debounce);
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,128 @@
+#pragma once
+
+#include "lsp/protocol/registry.h"
+#include "lsp/server/announcer.h"
+#include "lsp/server/publisher.h"
+#include "lsp/server/refresher.h"
+#include "lsp/server/statistics.h"
+#include "lsp/verification/verification.h"
+#include "lsp/workspace/notebooks.h"
+#include "lsp/workspace/workspace.h"
+#include "rpc/inbox.h"
+#include "rpc/outbox.h"
+#include "rpc/peer.h"
+#include "rpc/pending.h"
+
+#include <chrono>
+#include <memory>
+#include <string_view>
+
+namespace proskill::lsp {
+
+struct ServerOptions {
+  std::string version;                    ///< told to the client
+  unsigned threads = 3;                   ///< beside those that read and dispatch; at least 2
+  std::chrono::milliseconds debounce{50}; ///< from the last edit to the diagnostics that are pushed
+  std::function<void(std::string_view)> log{}; ///< a line each; from any thread
+  std::filesystem::path manual{}; ///< its page of diagnostics, for links; need not be there
+  /// What runs `runVerifyWorker`: by default this program.
+  std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
+};
+
+/// The language server. Three kinds of threads: one reads the stream and cancels at once; the main
+/// one applies edits in order and hands requests out; the pool answers them on snapshots.
+class Server {
+public:
+  Server(Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
+         ServerOptions options);
+
+  /// Serves until `exit` or the end of the stream. 0 where the client asked for `shutdown` before,
+  /// else 1.
+  int run();
+
+private:
+  enum class Phase : std::uint8_t { Fresh, Running, ShutDown };
+  enum class Trace : std::uint8_t { Off, Messages, Verbose };
+  using Time = std::chrono::steady_clock::time_point;
+  using Path = std::filesystem::path;
+
+  void readStream();
+  void receive(const Frame& frame);
+  void receive(Message message);
+  [[nodiscard]] std::optional<Time> nextDeadline() const;
+  void onDeadline();
+  bool handle(Incident& incident);
+  bool handleMessage(Received& received);
+  void handleRequest(Received& received);
+  bool handleNotification(Received& received);
+  void notified(Received& received);
+  void gatherEdits(Message& edit);
+  void handleText(Received& received);
+  void handleNotebook(const Received& received);
+  void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
+  void refuseStale(const std::string& uri, std::uint64_t order);
+  void dispatch(Received& received, const Method& method);
+  [[nodiscard]] Answer execute(const Json& params);
+  void answer(const Message& message, const Method& method, const Request& request);
+  void reply(const Message& message, Answer result, Progress& progress);
+  template <class Old> void forget(Old old);
+  void changed();
+  [[nodiscard]] std::chrono::milliseconds debounce() const;
+  void textsChanged();
+  void verdictsChanged();
+  void findingsTold(const ide::Snapshot& snapshot);
+
+  // server_lifecycle.cpp
+  Json initialize(const Json& params);
+  void initialized();
+  void registerCapabilities();
+  void askForSettings();
+  void setSettings(const Json& settings);
+  void changeFolders(const Json& params);
+  void readFolders(std::vector<Path> folders);
+  void catchUp();
+  void handleWatchedFiles(const Json& params);
+  void showMistakes();
+  void setTrace(const Json& value);
+  bool parentIsGone();
+
+  // server_log.cpp
+  void failed(std::string_view method, const Json& params, std::string_view error) const;
+  void logAnswer(const Message& message, std::string_view outcome,
+                 std::chrono::nanoseconds latency);
+  [[nodiscard]] Json status(const ide::Snapshot& snapshot) const;
+  void log(std::string_view line) const;
+
+  Connection& connection;
+  ServerOptions options;
+  Registry registry = allFeatures();
+  Outbox outbox;
+  Peer peer;
+  Announcer announcer;
+  Inbox inbox;
+  Pending pending;
+  Statistics statistics;
+  Workspace workspace;
+  Notebooks notebooks{workspace};
+  ClientFeatures client;
+  std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
+  Phase phase = Phase::Fresh;
+  std::atomic<Trace> trace = Trace::Off;
+  std::vector<Path> folders;
+  unsigned readings = 0; ///< of folders, under way
+  std::vector<Path> changedMeanwhile;
+  std::vector<Path> removedMeanwhile;
+  std::map<Path, SettingsMistake> mistakes; ///< in files of settings, as the client was told
+  std::optional<int> parent;                ///< process whose end is ours
+  std::optional<Time> parentDue;            ///< when to look for it
+  Time started = std::chrono::steady_clock::now();
+  std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
+  std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
+  Verification verification;
+  Publisher publisher;
+  Refresher refresher{peer, client};
+  Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above
+  Scheduler scheduler;
+};
+
+} // namespace proskill::lsp

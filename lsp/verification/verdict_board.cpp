@@ -1,0 +1,136 @@
+#include "lsp/verification/verdict_board.h"
+
+#include <algorithm>
+
+namespace proskill::lsp {
+
+namespace {
+
+const std::filesystem::path& rootOf(const ide::AnalysedProgram& program) {
+  return program.program.files.front().path;
+}
+
+bool isOpen(const analysis::Program& program, const ide::OpenTexts& open) {
+  return std::ranges::any_of(program.files,
+                             [&](const auto& file) { return open.contains(file.path); });
+}
+
+bool isRoot(const std::filesystem::path& file, const ide::IncludeGraph& includes) {
+  const auto roots = includes.rootsOf(file);
+  return std::ranges::find(roots, file) != roots.end();
+}
+
+} // namespace
+
+bool hasChanged(const analysis::Program& program,
+                const std::map<std::filesystem::path, std::int64_t>& wereOpen,
+                const ide::OpenTexts& open) {
+  return std::ranges::any_of(program.files, [&](const analysis::File& file) {
+    auto text = open.find(file.path);
+    if (text == open.end()) return wereOpen.contains(file.path); // closed: what is on disk, now?
+    return !file.document.isSameAs(text->second.document) &&
+           file.document.text() != text->second.document.text();
+  });
+}
+
+std::shared_ptr<const ide::Verdicts> VerdictBoard::verdicts() const {
+  const std::lock_guard lock(mutex);
+  return published;
+}
+
+std::optional<ProgramState> VerdictBoard::of(const std::filesystem::path& root) const {
+  const std::lock_guard lock(mutex);
+  auto found = entries.find(root);
+  return found == entries.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// \pre the mutex is held
+ProgramState& VerdictBoard::entry(const std::shared_ptr<const ide::AnalysedProgram>& program) {
+  auto& state = entries[rootOf(*program)];
+  state.program = program;
+  state.stale = state.verified && !ide::areCurrent(*state.verified->verdicts, program->program);
+  return state;
+}
+
+void VerdictBoard::set(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                       VerificationState now, std::string message) {
+  const std::lock_guard lock(mutex);
+  const bool isNew = !entries.contains(rootOf(*program));
+  const bool wasStale = !isNew && entries[rootOf(*program)].stale;
+  auto& state = entry(program);
+  if (now == VerificationState::Waiting && state.verified && !state.stale)
+    now = VerificationState::Done; // nothing is waited for
+  if (!isNew && now == state.state && message == state.message && wasStale == state.stale) return;
+  state.state = now;
+  state.message = std::move(message);
+  state.progress.reset();
+  tell(state);
+}
+
+void VerdictBoard::setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                               const WorkerProgress& progress) {
+  const std::lock_guard lock(mutex);
+  auto& state = entry(program);
+  state.state = VerificationState::Checking;
+  state.progress = progress;
+  tell(state);
+}
+
+void VerdictBoard::setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                               Verified verified, const ide::OpenTexts& open) {
+  const std::lock_guard lock(mutex);
+  auto& state = entry(program);
+  if (state.verified) verified = merged(*state.verified, std::move(verified));
+  state.verified = std::make_shared<const Verified>(std::move(verified));
+  state.stale = hasChanged(program->program, state.verified->verdicts->versions, open);
+  state.state = state.stale ? VerificationState::Waiting : VerificationState::Done;
+  state.message.clear();
+  state.progress.reset();
+  publish();
+  tell(state);
+}
+
+/// \pre the mutex is held
+void VerdictBoard::forget(ProgramState& state, std::string why) {
+  state.state = VerificationState::Off;
+  state.message = std::move(why);
+  tell(state);
+}
+
+bool VerdictBoard::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes) {
+  const std::lock_guard lock(mutex);
+  bool changed = false;
+  for (auto it = entries.begin(); it != entries.end();) {
+    auto& state = it->second;
+    const bool isGone = !isOpen(state.program->program, open);
+    if (isGone || !isRoot(it->first, includes)) {
+      forget(state, isGone ? "the program is not open any more" : "the file is part of a program");
+      it = entries.erase(it);
+      changed = true;
+      continue;
+    }
+    ++it;
+    if (!state.verified) continue;
+    const auto& verdicts = *state.verified->verdicts;
+    const bool stale = hasChanged(verdicts.program->program, verdicts.versions, open);
+    if (stale == state.stale) continue;
+    state.stale = stale;
+    if (state.state != VerificationState::Off)
+      state.state = stale ? VerificationState::Waiting : VerificationState::Done;
+    state.message.clear();
+    tell(state);
+    changed = true;
+  }
+  if (changed) publish();
+  return changed;
+}
+
+/// \pre the mutex is held
+void VerdictBoard::publish() {
+  auto all = std::make_shared<ide::Verdicts>();
+  for (const auto& [root, state] : entries)
+    if (state.verified) (*all)[root] = state.verified->verdicts;
+  published = std::move(all);
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "ide/snapshot/include_graph.h"
+#include "lsp/verification/verified.h"
+#include "worker/run_worker.h"
+
+#include <functional>
+#include <mutex>
+#include <set>
+
+namespace proskill::lsp {
+
+enum class VerificationState : std::uint8_t { Waiting, Checking, Done, Errors, Failed, Off };
+
+/// What is known of a program, and what is being done about it.
+struct ProgramState {
+  std::shared_ptr<const ide::AnalysedProgram> program; ///< of the last that was looked at
+  std::shared_ptr<const Verified> verified;            ///< null: never yet
+  VerificationState state = VerificationState::Waiting;
+  bool stale = false; ///< `verified` is for older texts
+  std::string message;
+  std::optional<WorkerProgress> progress; ///< while it is checked
+};
+
+/// The last verdicts of each program, by the path of its root. Any thread may use it; every change
+/// is told, in its order.
+class VerdictBoard {
+public:
+  using Told = std::function<void(const ProgramState& state)>;
+
+  /// \param tell of every change; never called by two threads at once
+  explicit VerdictBoard(Told tell) : tell(std::move(tell)) {}
+
+  /// What features may show.
+  [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const;
+  [[nodiscard]] std::optional<ProgramState> of(const std::filesystem::path& root) const;
+
+  /// These change the state of a program; what was verified stays, and is stale where it is not for
+  /// just these texts.
+  void set(const std::shared_ptr<const ide::AnalysedProgram>& program, VerificationState state,
+           std::string message = {});
+  void setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                   const WorkerProgress& progress);
+  /// \param open the texts as they are now: they may have changed while it was verified
+  void setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified verified,
+                   const ide::OpenTexts& open);
+
+  /// After an edit: verdicts become stale where a text of theirs has another content, and current
+  /// again where it is undone. Says whether any did. Programs of which no text is open are
+  /// forgotten, and files that are parts of other programs now.
+  bool noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes);
+
+private:
+  using Entries = std::map<std::filesystem::path, ProgramState>;
+
+  void forget(ProgramState& state, std::string why);
+  ProgramState& entry(const std::shared_ptr<const ide::AnalysedProgram>& program);
+  void publish();
+
+  Told tell;
+  mutable std::mutex mutex;
+  Entries entries;
+  std::shared_ptr<const ide::Verdicts> published = std::make_shared<const ide::Verdicts>();
+};
+
+/// Whether a text of the program has another content now, as far as open texts tell.
+[[nodiscard]] bool hasChanged(const analysis::Program& program,
+                              const std::map<std::filesystem::path, std::int64_t>& wereOpen,
+                              const ide::OpenTexts& open);
+
+} // namespace proskill::lsp

@@ -1,0 +1,280 @@
+#include "lsp/verification/verification.h"
+
+#include "ide/fiacre/fiacre_text.h"
+#include "ide/snapshot/fiacre_file.h"
+
+#include "lsp/verification/verdict_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::lsp {
+
+namespace {
+
+bool hasErrors(const ide::AnalysedProgram& program) {
+  const bool byHand = ide::isFiacre(program.program.files.front().path);
+  const auto& found = byHand ? program.findings() : program.analysis.diagnostics;
+  return std::ranges::any_of(
+      found, [](const auto& diagnostic) { return diagnostic.severity == syntax::Severity::Error; });
+}
+
+/// Environments and properties alone are no models.
+bool isVerifiable(const ide::AnalysedProgram& program) {
+  const auto& root = program.program.files.front();
+  return !ide::isFiacre(root.path) || ide::FiacreText(root.document.text()).model().has_value();
+}
+
+std::string_view nameOf(VerificationState state) {
+  switch (state) {
+  case VerificationState::Waiting: return "waiting";
+  case VerificationState::Checking: return "checking";
+  case VerificationState::Done: return "done";
+  case VerificationState::Errors: return "errors";
+  case VerificationState::Failed: return "failed";
+  case VerificationState::Off: return "off";
+  }
+  return "";
+}
+
+std::map<std::filesystem::path, std::int64_t> versionsOf(const analysis::Program& program,
+                                                         const ide::OpenTexts& open) {
+  std::map<std::filesystem::path, std::int64_t> versions;
+  for (const auto& file : program.files)
+    if (auto text = open.find(file.path); text != open.end())
+      versions[file.path] = text->second.version;
+  return versions;
+}
+
+constexpr std::string_view kUntrusted =
+    "the workspace is not trusted: nothing is verified, only static checks run";
+
+} // namespace
+
+Verification::Verification(Outside with)
+    : outside(std::move(with)),
+      board([this](const ProgramState& state) { announce(state); }),
+      thread([this](const std::stop_token& stop) { live(stop); }) {}
+
+Verification::~Verification() {
+  thread.request_stop();
+  {
+    const std::lock_guard lock(mutex);
+    running.cancel();
+  }
+  wake.notify_all();
+}
+
+void Verification::start(const ClientFeatures& client, VerificationSettings chosen) {
+  const std::lock_guard lock(mutex);
+  encoding = client.encoding;
+  settings = chosen;
+  started = true;
+}
+
+void Verification::configure(const Json& section) {
+  {
+    const std::lock_guard lock(mutex);
+    settings = withSettings(settings, section);
+    due = std::chrono::steady_clock::now();
+    if (!settings.live) running.cancel();
+  }
+  wake.notify_all();
+}
+
+void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
+                                const std::optional<std::filesystem::path>& inView) {
+  {
+    const std::lock_guard lock(mutex);
+    snapshot = std::move(now);
+    if (inView) view(*inView);
+    edited = true;
+    due = std::chrono::steady_clock::now() + settings.delay;
+    if (runningOn && hasChanged(runningOn->program, runningVersions, snapshot->open()))
+      running.cancel();
+  }
+  wake.notify_all();
+}
+
+void Verification::setView(const std::filesystem::path& path) {
+  {
+    const std::lock_guard lock(mutex);
+    if (!snapshot || !snapshot->open().contains(path)) return;
+    view(path);
+    due = std::chrono::steady_clock::now() + settings.delay;
+  }
+  wake.notify_all();
+}
+
+/// \pre the mutex is held
+void Verification::view(const std::filesystem::path& path) {
+  viewed.remove(path);
+  viewed.push_front(path);
+}
+
+/// Where the last one has been closed, as an editor does with a file that a refactoring changed, the
+/// one before. \pre the mutex is held
+std::optional<std::filesystem::path> Verification::inView() {
+  if (!snapshot) return std::nullopt;
+  viewed.remove_if([&](const auto& path) { return !snapshot->open().contains(path); });
+  return viewed.empty() ? std::nullopt : std::optional(viewed.front());
+}
+
+VerificationSettings Verification::settingsNow() const {
+  const std::lock_guard lock(mutex);
+  return settings;
+}
+
+void Verification::live(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  while (!stop.stop_requested()) {
+    const bool ripe = due && std::chrono::steady_clock::now() >= *due;
+    if (!edited && !ripe) {
+      if (due)
+        wake.wait_until(lock, *due);
+      else
+        wake.wait(lock);
+      continue;
+    }
+    const auto now = snapshot;
+    if (std::exchange(edited, false)) {
+      lock.unlock();
+      noticeEdit(*now);
+    } else {
+      due.reset();
+      const auto path = inView();
+      if (!started || !now || !path) continue;
+      running = Cancellation();
+      const auto chosen = settings;
+      const auto cancellation = running;
+      lock.unlock();
+      try {
+        checkLive(*now, *path, chosen, cancellation);
+      } catch (const std::exception& error) {
+        log(fmt::format("live verification failed: {}", error.what()));
+      }
+    }
+    lock.lock();
+  }
+}
+
+void Verification::noticeEdit(const ide::Snapshot& now) {
+  if (board.noticeEdit(now.open(), *now.includes())) outside.changed();
+}
+
+void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,
+                             const VerificationSettings& chosen, const Cancellation& cancellation) {
+  for (const auto& of : now.views(path)) {
+    if (cancellation.isCancelled()) return;
+    if (!isVerifiable(*of.owner)) continue;
+    if (!chosen.trusted)
+      board.set(of.owner, VerificationState::Off, std::string(kUntrusted));
+    else if (!chosen.live)
+      board.set(of.owner, VerificationState::Off, "live verification is switched off");
+    else
+      checkProgram(of.owner, now, chosen, cancellation);
+  }
+}
+
+void Verification::checkProgram(const Programs& program, const ide::Snapshot& now,
+                                const VerificationSettings& chosen,
+                                const Cancellation& cancellation) {
+  if (hasErrors(*program))
+    return board.set(program, VerificationState::Errors, "the program has errors");
+  const auto known = board.of(program->program.files.front().path);
+  if (known && known->verified && ide::areCurrent(*known->verified->verdicts, program->program)) {
+    const bool told = known->state == VerificationState::Done && !known->stale;
+    if (!told) board.set(program, VerificationState::Done);
+    if (known->stale) outside.changed();
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex);
+    runningOn = program;
+    runningVersions = versionsOf(program->program, now.open());
+  }
+  auto job = jobFor(program->program);
+  job.budget = chosen.liveBudget;
+  board.set(program, VerificationState::Checking);
+  auto verified = run(program, now.open(), job, cancellation, [&](const WorkerProgress& progress) {
+    board.setProgress(program, progress);
+  });
+  {
+    const std::lock_guard lock(mutex);
+    runningOn.reset();
+  }
+  if (verified) {
+    record(program, std::move(*verified));
+  } else if (verified.error().cancelled) {
+    board.set(program, VerificationState::Waiting);
+  } else {
+    board.set(program, VerificationState::Failed, verified.error().message);
+  }
+}
+
+void Verification::record(const Programs& program, Verified verified) {
+  std::shared_ptr<const ide::Snapshot> now;
+  {
+    const std::lock_guard lock(mutex);
+    now = snapshot;
+  }
+  board.setVerified(program, std::move(verified), now ? now->open() : ide::OpenTexts());
+  outside.changed();
+}
+
+std::expected<Verified, WorkerFailure>
+Verification::run(const Programs& program, const ide::OpenTexts& open, const WorkerJob& job,
+                  const Cancellation& cancellation,
+                  const std::function<void(const WorkerProgress&)>& progress) {
+  const auto& root = program->program.files.front().path;
+  log(fmt::format("verifying {}", root.string()));
+  auto report = runWorker(outside.worker, job, cancellation, progress);
+  if (!report) {
+    log(fmt::format("verifying {}: {}", root.string(), report.error().message));
+    return std::unexpected(report.error());
+  }
+  auto verified = readReport(*report, program, open);
+  if (!verified)
+    return std::unexpected(
+        WorkerFailure{false, "the process that verifies gave a report of an unknown form"});
+  return std::move(*verified);
+}
+
+/// Called by the board, one at a time.
+void Verification::announce(const ProgramState& state) {
+  std::shared_ptr<const ide::Snapshot> now;
+  Encoding counted{};
+  {
+    const std::lock_guard lock(mutex);
+    now = snapshot;
+    counted = encoding;
+  }
+  const ide::OpenTexts none;
+  const auto& open = now ? now->open() : none;
+  const Converter here(state.program->program, open, counted);
+  const auto& root = state.program->program.files.front().path;
+  Json json{{"program", here.uri(0)},
+            {"label", root.filename().string()},
+            {"main", nullptr},
+            {"state", nameOf(state.state)},
+            {"stale", state.stale},
+            {"message", state.message},
+            {"progress", state.progress ? progressJson(*state.progress) : Json()},
+            {"counts", countsJson({})},
+            {"verdicts", Json::array()},
+            {"exploration", nullptr},
+            {"texts", textsJson(state.program->program, open)}};
+  if (state.verified) {
+    const auto& verdicts = *state.verified->verdicts;
+    const Converter there(verdicts.program->program, open, counted);
+    if (!state.verified->mainSkill.empty()) json["main"] = state.verified->mainSkill;
+    json["counts"] = countsJson(verdicts.properties);
+    json["verdicts"] = verdictsJson(verdicts, there);
+    json["exploration"] = explorationSummary(verdicts.exploration);
+    json["texts"] = textsJson(verdicts, there);
+  }
+  outside.send(notification("proskill/verdicts", json));
+}
+
+} // namespace proskill::lsp

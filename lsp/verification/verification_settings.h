@@ -1,0 +1,28 @@
+#pragma once
+
+#include "worker/worker_job.h"
+
+#include <chrono>
+
+namespace proskill::lsp {
+
+/// Whether and how programs are verified. docs/lsp.md has the names and the defaults.
+struct VerificationSettings {
+  bool trusted = true; ///< else nothing is verified, whatever else is said
+  bool live = true;
+  std::chrono::milliseconds delay{500}; ///< without an edit, before live verification begins
+  Budget liveBudget{2, 512, {}};
+  Budget requestBudget{60, 2048, {}};
+};
+
+/// The settings with those that a `verify` section gives; what is absent or has the wrong form
+/// stays as it is. `trusted` is the client's word alone, and not a setting of the workspace.
+[[nodiscard]] VerificationSettings withSettings(VerificationSettings settings, const Json& section);
+
+/// Those of `initializationOptions`.
+[[nodiscard]] VerificationSettings initialSettings(const Json& options);
+
+/// The budget with the limits that a request gives.
+[[nodiscard]] Budget withLimits(Budget budget, const Json& limits);
+
+} // namespace proskill::lsp

@@ -1,0 +1,133 @@
+#include "lsp/verification/verified.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::lsp {
+
+namespace {
+
+constexpr std::size_t kMostWaypoints = 40;
+
+std::optional<ide::Verdict> verdictOf(std::string_view words) {
+  using enum ide::Verdict;
+  for (auto verdict : {Holds, Violated, Reachable, Unreachable, Inconclusive})
+    if (words == ide::toString(verdict)) return verdict;
+  return std::nullopt;
+}
+
+std::vector<ide::Waypoint> wayOf(const analysis::Program& program, const OrderedJson& trace) {
+  std::vector<ide::Waypoint> way;
+  for (const auto& step : trace.at("steps")) {
+    auto location = locationIn(program, step.at("location"));
+    if (!location || way.size() == kMostWaypoints) continue;
+    way.push_back(
+        {*location,
+         fmt::format("{} s: {} {}", step.at("date").at("exact").get<std::string>(),
+                     step.at("actor").get<std::string>(), step.at("words").get<std::string>())});
+  }
+  return way;
+}
+
+ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJson& json) {
+  ide::PropertyVerdict property;
+  property.name = json.at("name").get<std::string>();
+  property.kind = json.at("kind").get<std::string>();
+  property.subject = json.at("subject").get<std::string>();
+  property.words = json.at("words").get<std::string>();
+  property.verdict = verdictOf(json.at("verdict").get<std::string>()).value();
+  property.weight =
+      json.at("severity") == "error" ? codegen::Weight::Error : codegen::Weight::Warning;
+  property.location = locationIn(program, json.at("location"));
+  property.reason = json.value("reason", "");
+  if (const auto& trace = json.at("trace"); !trace.is_null()) {
+    property.steps = trace.at("steps").size();
+    if (property.bad()) property.way = wayOf(program, trace);
+  }
+  return property;
+}
+
+verify::Exploration explorationOf(const OrderedJson& json) {
+  verify::Exploration exploration;
+  exploration.classes = json.at("classes").get<std::uint64_t>();
+  exploration.markings = json.at("markings").get<std::uint64_t>();
+  exploration.domains = json.at("domains").get<std::uint64_t>();
+  exploration.transitions = json.at("transitions").get<std::uint64_t>();
+  exploration.bytes = json.at("bytes").get<std::uint64_t>();
+  exploration.seconds = json.at("seconds").get<double>();
+  exploration.complete = json.at("complete").get<bool>();
+  exploration.stopped = json.at("stopped").get<std::string>();
+  return exploration;
+}
+
+Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> analysed,
+              const ide::OpenTexts& open) {
+  const auto& program = analysed->program;
+  Verified verified;
+  auto verdicts = std::make_shared<ide::ProgramVerdicts>();
+  for (const auto& file : program.files)
+    if (auto text = open.find(file.path); text != open.end())
+      verdicts->versions[file.path] = text->second.version;
+  for (const auto& json : report.at("properties")) {
+    auto property = propertyOf(program, json);
+    if (property.steps) verified.traces[property.name] = json.at("trace").dump();
+    verdicts->properties.push_back(std::move(property));
+  }
+  verdicts->exploration = explorationOf(report.at("exploration"));
+  verdicts->program = std::move(analysed);
+  verified.verdicts = std::move(verdicts);
+  if (const auto& main = report.at("main"); main.is_string())
+    verified.mainSkill = main.get<std::string>();
+  return verified;
+}
+
+} // namespace
+
+std::optional<analysis::Location> locationIn(const analysis::Program& program,
+                                             const OrderedJson& json) {
+  if (!json.is_object()) return std::nullopt;
+  const auto name = json.at("file").get<std::string>();
+  auto file = std::ranges::find_if(
+      program.files, [&](const analysis::File& it) { return it.path.generic_string() == name; });
+  if (file == program.files.end()) return std::nullopt;
+  const auto size = static_cast<syntax::Offset>(file->document.text().size());
+  const auto bytes = json.at("bytes").get<std::array<syntax::Offset, 2>>();
+  return analysis::Location{static_cast<analysis::FileId>(file - program.files.begin()),
+                            {std::min(bytes[0], size), std::min(bytes[1], size)}};
+}
+
+std::optional<Verified> readReport(const OrderedJson& report,
+                                   std::shared_ptr<const ide::AnalysedProgram> program,
+                                   const ide::OpenTexts& open) {
+  try {
+    return read(report, std::move(program), open);
+  } catch (const OrderedJson::exception&) {
+    return std::nullopt;
+  } catch (const std::bad_optional_access&) {
+    return std::nullopt;
+  }
+}
+
+Verified merged(const Verified& older, Verified newer) {
+  if (!ide::areCurrent(*older.verdicts, newer.verdicts->program->program)) return newer;
+  auto all = std::make_shared<ide::ProgramVerdicts>(*newer.verdicts);
+  all->properties = older.verdicts->properties;
+  for (const auto& property : newer.verdicts->properties) {
+    auto known = std::ranges::find(all->properties, property.name, &ide::PropertyVerdict::name);
+    if (known == all->properties.end())
+      all->properties.push_back(property);
+    else
+      *known = property;
+  }
+  // What the newer ones have no trace of has none any more.
+  for (const auto& [name, trace] : older.traces) {
+    auto again = std::ranges::find(newer.verdicts->properties, name, &ide::PropertyVerdict::name);
+    if (again == newer.verdicts->properties.end()) newer.traces.try_emplace(name, trace);
+  }
+  newer.verdicts = std::move(all);
+  return newer;
+}
+
+} // namespace proskill::lsp

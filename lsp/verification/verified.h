@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ide/verdicts/verdicts.h"
+#include "report/report_json.h"
+#include "rpc/rpc.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace proskill::lsp {
+
+/// A finished verification as the server keeps it: the verdicts, and the traces as JSON that nobody
+/// has read yet.
+struct Verified {
+  std::shared_ptr<const ide::ProgramVerdicts> verdicts;
+  std::string mainSkill;                     ///< empty: none
+  std::map<std::string, std::string> traces; ///< by the property's name, as `traceJson` writes it
+};
+
+/// Reads a report (docs/verify.schema.json) on this program. Nothing where it has not that form.
+[[nodiscard]] std::optional<Verified>
+readReport(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> program,
+           const ide::OpenTexts& open);
+
+/// What is known after some properties have been verified again: the newer verdict of each, where
+/// both are for the same texts; else the newer ones alone.
+[[nodiscard]] Verified merged(const Verified& older, Verified newer);
+
+/// The place that a report gives in `json`, in the program that it is about.
+[[nodiscard]] std::optional<analysis::Location> locationIn(const analysis::Program& program,
+                                                           const OrderedJson& json);
+
+} // namespace proskill::lsp

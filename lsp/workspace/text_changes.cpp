@@ -1,0 +1,135 @@
+#include "lsp/workspace/text_changes.h"
+
+#include <string>
+#include <utility>
+
+namespace proskill::lsp {
+
+namespace {
+
+/// Changes farther apart than this, in bytes, are edits of their own.
+constexpr std::size_t kTogether = 4096;
+/// So many edits cost what it costs to parse a long text anew.
+constexpr unsigned kMostEdits = 16;
+
+/// Whether it gives the text as a whole.
+bool isWhole(const Json& change) { return !change.contains("range"); }
+
+std::optional<EditorPosition> editorPosition(const Json& json) {
+  const Json& line = memberAt(json, {"line"});
+  const Json& character = memberAt(json, {"character"});
+  if (!line.is_number_unsigned() || !character.is_number_unsigned()) return std::nullopt;
+  return EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
+}
+
+/// The bytes that a change replaces; nothing where its range is none of the text.
+std::optional<syntax::Range> rangeIn(std::string_view text, const syntax::LineIndex& lines,
+                                     const Json& range, Encoding encoding) {
+  const auto start = editorPosition(memberAt(range, {"start"}));
+  const auto end = editorPosition(memberAt(range, {"end"}));
+  if (!start || !end || *end < *start || end->line > lines.lineCount()) return std::nullopt;
+  return syntax::Range{fromEditor(text, lines, *start, encoding),
+                       fromEditor(text, lines, *end, encoding)};
+}
+
+/// A document, and a text that differs from its own in one stretch.
+class Edited {
+public:
+  explicit Edited(syntax::Document from) : document(std::move(from)), text(document.text()) {}
+
+  bool apply(const Json& change, Encoding encoding) {
+    const Json& words = memberAt(change, {"text"});
+    if (!words.is_string()) return false;
+    const auto& inserted = words.get_ref<const std::string&>();
+    if (isWhole(change)) {
+      replace({0, static_cast<syntax::Offset>(text.size())}, inserted);
+      return true;
+    }
+    const syntax::LineIndex lines(text);
+    const auto range = rangeIn(text, lines, change["range"], encoding);
+    if (!range) return false;
+    if (dirty && edits < kMostEdits && isFar(*range)) parse();
+    replace(*range, inserted);
+    return true;
+  }
+
+  syntax::Document parsed() && {
+    parse();
+    return std::move(document);
+  }
+
+private:
+  [[nodiscard]] bool isFar(syntax::Range range) const {
+    return range.begin > now.end + kTogether || range.end + kTogether < now.begin;
+  }
+
+  void replace(syntax::Range range, std::string_view inserted) {
+    if (!dirty) now = before = range;
+    dirty = true;
+    if (range.begin < now.begin) {
+      before.begin -= now.begin - range.begin;
+      now.begin = range.begin;
+    }
+    if (range.end > now.end) {
+      before.end += range.end - now.end;
+      now.end = range.end;
+    }
+    now.end += static_cast<syntax::Offset>(inserted.size());
+    now.end -= range.end - range.begin;
+    text.replace(range.begin, range.end - range.begin, inserted);
+  }
+
+  void parse() {
+    if (!dirty) return;
+    const bool whole = before.begin == 0 && before.end == document.text().size();
+    document = whole ? syntax::Document::parse(text)
+                     : document.edit(before,
+                                     std::string_view(text).substr(now.begin, now.end - now.begin));
+    dirty = false;
+    ++edits;
+  }
+
+  syntax::Document document;
+  std::string text;
+  bool dirty = false;
+  syntax::Range before; ///< the stretch in the document
+  syntax::Range now;    ///< in the text
+  unsigned edits = 0;
+};
+
+/// What typing sends, and so without a second text.
+std::optional<syntax::Document> changedOnce(const syntax::Document& document, const Json& change,
+                                            Encoding encoding) {
+  const Json& words = memberAt(change, {"text"});
+  if (!words.is_string()) return std::nullopt;
+  const auto& inserted = words.get_ref<const std::string&>();
+  if (isWhole(change)) return syntax::Document::parse(inserted);
+  const auto range = rangeIn(document.text(), document.lines(), change["range"], encoding);
+  if (!range) return std::nullopt;
+  return document.edit(*range, inserted);
+}
+
+/// The last change that gives the whole text heals whatever was wrong before it.
+Json::const_iterator firstThatCounts(const Json& changes) {
+  auto it = changes.end();
+  while (it != changes.begin())
+    if (isWhole(*--it) && memberAt(*it, {"text"}).is_string()) return it;
+  return changes.begin();
+}
+
+} // namespace
+
+std::optional<syntax::Document> changed(syntax::Document document, const Json& changes,
+                                        Encoding encoding) {
+  if (!changes.is_array()) return std::nullopt;
+  const auto first = firstThatCounts(changes);
+  const auto count = changes.end() - first;
+  if (count == 0) return document;
+  if (count == 1) return changedOnce(document, *first, encoding);
+  Edited edited(std::move(document));
+  for (auto change = first; change != changes.end(); ++change)
+    if (!edited.apply(*change, encoding)) return std::nullopt;
+  return std::move(edited).parsed();
+}
+
+} // namespace proskill::lsp

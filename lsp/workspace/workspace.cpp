@@ -1,0 +1,291 @@
+#include "lsp/workspace/workspace.h"
+
+#include "ide/snapshot/fiacre_file.h"
+#include "lsp/protocol/convert.h"
+#include "lsp/workspace/program_settings.h"
+#include "lsp/workspace/text_changes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::lsp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of more programs than this is no workspace but somebody's disk.
+constexpr std::size_t kMostFiles = 10'000;
+
+bool isSkipped(const fs::path& folder) {
+  constexpr std::array kNames{"node_modules", "build", "install", "log"};
+  auto name = folder.filename().string();
+  return name.starts_with('.') || std::ranges::find(kNames, name) != kNames.end();
+}
+
+/// 0 where the client gives none: `null` is allowed.
+std::int64_t versionOf(const Json& document) {
+  auto found = document.find("version");
+  return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
+}
+
+bool isProgramFile(const fs::path& path) {
+  return path.extension() == ".proskill" || ide::isFiacre(path);
+}
+
+/// It is not itself where its folder is, wherever that may be.
+bool isLink(const analysis::FileSystem& disk, const ide::KnownFile& file) {
+  return disk.canonical(file.name.parent_path()) / file.name.filename() != file.canonical;
+}
+
+/// Its includes may lead elsewhere where one of these paths was changed: to a link, or from one.
+ide::IncludeGraph::File followedAnew(const analysis::FileSystem& disk,
+                                     const ide::IncludeGraph::File& file,
+                                     const std::set<std::string>& changed) {
+  auto isChanged = [&](const auto& include) { return changed.contains(include.path); };
+  if (std::ranges::none_of(file->includes, isChanged)) return file;
+  auto again = *file;
+  for (auto& include : again.includes) include.canonical = disk.canonical(include.path).native();
+  return std::make_shared<const ide::KnownFile>(std::move(again));
+}
+
+} // namespace
+
+Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files)
+    : direct(std::move(files)), disk(std::make_shared<FileCache>(direct)) {
+  startAfresh();
+}
+
+void Workspace::setStyle(bool now) {
+  if (std::exchange(style, now) != now) startAfresh();
+}
+
+Workspace::Outcome Workspace::open(const Json& params, ide::TextKind kind) {
+  auto path = documentPath(params);
+  if (!path) return std::unexpected(path.error().message);
+  const auto& document = params["textDocument"];
+  if (!document.contains("text") || !document["text"].is_string())
+    return std::unexpected("`textDocument.text` is missing");
+  texts.insert_or_assign(*path,
+                         ide::OpenText{document["uri"].get<std::string>(), versionOf(document),
+                                       syntax::Document::parse(document["text"]), kind});
+  identities.try_emplace(*path, identityOf(*path));
+  noteText(*path);
+  refresh();
+  return *path;
+}
+
+Workspace::Outcome Workspace::change(const Json& params) {
+  auto path = documentPath(params);
+  if (!path) return std::unexpected(path.error().message);
+  auto found = texts.find(*path);
+  if (found == texts.end()) return std::unexpected("a change of a document that is not open");
+  const auto version = versionOf(params["textDocument"]);
+  const bool inOrder = version == 0 || version >= found->second.version;
+  auto next = inOrder
+                  ? changed(found->second.document, memberAt(params, {"contentChanges"}), encoding)
+                  : std::nullopt;
+  if (next) {
+    found->second.document = std::move(*next);
+    if (version != 0) found->second.version = version;
+    noteText(*path);
+    refresh();
+    return *path;
+  }
+  drop(*path);
+  return std::unexpected("an edit of `" + path->filename().generic_string() +
+                         "` does not fit its text; please close the file and open it again");
+}
+
+Workspace::Outcome Workspace::close(const Json& params) {
+  auto path = documentPath(params);
+  if (!path) return std::unexpected(path.error().message);
+  if (!texts.contains(*path)) return std::unexpected("a document was closed that is not open");
+  drop(*path);
+  return *path;
+}
+
+Workspace::Outcome Workspace::saved(const Json& params) {
+  auto path = documentPath(params);
+  if (!path) return std::unexpected(path.error().message);
+  return *path;
+}
+
+/// Mostly the cells lie in the notebook's folder; what is written there has no quotes.
+bool Workspace::join(const fs::path& notebook, const std::string& uri,
+                     const std::vector<fs::path>& cells) {
+  std::string text;
+  for (const auto& cell : cells) {
+    const bool isBeside = cell.parent_path() == notebook.parent_path();
+    text += "(include \"" + (isBeside ? cell.filename() : cell).native() + "\")\n";
+  }
+  const auto found = texts.find(notebook);
+  if (found != texts.end() && found->second.document.text() == text) return false;
+  texts.insert_or_assign(
+      notebook, ide::OpenText{uri, 0, syntax::Document::parse(text), ide::TextKind::Notebook});
+  identities.try_emplace(notebook, identityOf(notebook));
+  noteText(notebook);
+  refresh();
+  return true;
+}
+
+void Workspace::close(const fs::path& path) {
+  if (texts.contains(path)) drop(path);
+}
+
+FolderContents Workspace::read(const std::vector<fs::path>& folders, const OnFile& onFile) const {
+  std::set<fs::path> files;
+  for (const auto& folder : folders) files.merge(programFiles(folder));
+  FolderContents result;
+  for (const auto& file : files) {
+    if (auto document = direct->document(file))
+      result.files.push_back(
+          ide::knownFile(*disk, file, disk->canonical(file).native(), *document));
+    onFile(result.files.size(), files.size());
+  }
+  return result;
+}
+
+/// Of several names in the folders a file goes by its own, or else by the first.
+void Workspace::add(FolderContents contents) {
+  for (const auto& file : contents.files) {
+    auto& name = names[file.canonical];
+    if (name.empty() || (name != file.name && !isLink(*disk, file))) name = file.name;
+  }
+  auto files = graph->files();
+  for (auto& file : contents.files)
+    if (!isHeld(file.canonical) && names[file.canonical] == file.name)
+      files.push_back(std::make_shared<const ide::KnownFile>(std::move(file)));
+  graph = std::make_shared<const ide::IncludeGraph>(std::move(files));
+  startAfresh();
+}
+
+void Workspace::forget(const std::vector<fs::path>& folders, const std::vector<fs::path>& staying) {
+  auto isIn = [](const fs::path& file, const fs::path& folder) {
+    return std::ranges::mismatch(folder, file).in1 == folder.end();
+  };
+  auto isForgotten = [&](const fs::path& file) {
+    auto holds = [&](const fs::path& folder) { return isIn(file, folder); };
+    return std::ranges::any_of(folders, holds) && std::ranges::none_of(staying, holds);
+  };
+  std::erase_if(names, [&](const auto& entry) { return isForgotten(entry.second); });
+  auto files = graph->files();
+  std::erase_if(files, [&](const auto& file) {
+    return !texts.contains(file->name) && isForgotten(file->name);
+  });
+  graph = std::make_shared<const ide::IncludeGraph>(std::move(files));
+  startAfresh();
+}
+
+std::map<fs::path, SettingsMistake> Workspace::mistakes() const {
+  std::map<fs::path, SettingsMistake> result;
+  std::set<fs::path> looked;
+  for (const auto& [path, text] : texts)
+    if (looked.insert(path.parent_path()).second)
+      if (auto found = settingsFor(*disk, path); found.mistake) result[found.file] = *found.mistake;
+  return result;
+}
+
+void Workspace::readFiles(const std::vector<fs::path>& paths) {
+  disk->followAnew();
+  std::set<std::string> changed;
+  for (const auto& path : paths)
+    if (path.filename() != kSettingsFile)
+      changed.insert({path.native(), disk->canonical(path).native()});
+  for (const auto& file : graph->files())
+    if (changed.contains(file->name.native())) changed.insert(file->canonical);
+  std::vector<ide::IncludeGraph::File> files;
+  for (const auto& file : graph->files())
+    if (!changed.contains(file->canonical) || isHeld(file->canonical))
+      files.push_back(followedAnew(*disk, file, changed));
+  for (const auto& path : changed)
+    if (auto file = onDisk(path); file && !isHeld(file->canonical))
+      files.push_back(std::make_shared<const ide::KnownFile>(std::move(*file)));
+  graph = std::make_shared<const ide::IncludeGraph>(std::move(files));
+  startAfresh();
+}
+
+/// What the disk has at a path, by the name that it went by, if that still leads there.
+std::optional<ide::KnownFile> Workspace::onDisk(const fs::path& path) {
+  const auto canonical = disk->canonical(path).native();
+  const auto document = disk->document(path);
+  if (!document) {
+    names.erase(canonical);
+    return std::nullopt;
+  }
+  auto& name = names.try_emplace(canonical, path).first->second;
+  if (name != path && disk->canonical(name).native() != canonical) name = path;
+  return ide::knownFile(*disk, name, canonical, *document);
+}
+
+bool Workspace::isHeld(std::string_view canonical) const {
+  return std::ranges::any_of(identities | std::views::values,
+                             [&](const auto& identity) { return identity == canonical; });
+}
+
+std::string Workspace::identityOf(const fs::path& path) const {
+  auto canonical = disk->canonical(path).native();
+  return isHeld(canonical) ? path.native() : canonical;
+}
+
+/// Most edits change no include: then nothing is looked up on the disk.
+void Workspace::noteText(const fs::path& path) {
+  const auto& document = texts.at(path).document;
+  const auto& identity = identities.at(path);
+  const auto* known = graph->find(identity);
+  if (known && known->name == path && ide::includesAsBefore(*known, document)) return;
+  graph = graph->with(ide::knownText(*disk, path, identity, document));
+}
+
+/// What is no longer open is what the disk says of it, unless it is open by another name. What the
+/// disk has of a notebook is mostly no program.
+void Workspace::drop(const fs::path& path) {
+  const bool mayBeFile = texts.at(path).kind == ide::TextKind::File || isProgramFile(path);
+  texts.erase(path);
+  const auto identity = identities.extract(path).mapped();
+  graph = graph->without(identity);
+  if (const auto other = otherTextOf(identity)) {
+    graph = graph->without(std::exchange(identities.at(*other), identity));
+    noteText(*other);
+  } else if (auto file = mayBeFile ? onDisk(path) : std::nullopt;
+             file && !isHeld(file->canonical)) {
+    graph = graph->with(std::move(*file));
+  }
+  refresh();
+}
+
+/// A text that is open by another name of the same file.
+std::optional<fs::path> Workspace::otherTextOf(std::string_view canonical) const {
+  for (const auto& [path, identity] : identities)
+    if (disk->canonical(path).native() == canonical) return path;
+  return std::nullopt;
+}
+
+/// Whatever was analysed with a file's old text, or by other settings, is out of date: nothing is
+/// taken over.
+void Workspace::startAfresh() {
+  auto settings = [disk = disk, style = style](const fs::path& root) {
+    auto found = settingsFor(*disk, root).settings;
+    found.style |= style;
+    return found;
+  };
+  current = std::make_shared<ide::Snapshot>(disk, texts, graph, settings);
+}
+
+void Workspace::refresh() { current = current->with(texts, graph); }
+
+std::set<fs::path> programFiles(const fs::path& folder) {
+  std::set<fs::path> result;
+  std::error_code error;
+  fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied,
+                                        error);
+  for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
+    if (walk->is_directory(error) && isSkipped(walk->path())) walk.disable_recursion_pending();
+    const auto& path = walk->path();
+    if (isProgramFile(path)) result.insert(path.lexically_normal());
+    if (result.size() == kMostFiles) break;
+  }
+  return result;
+}
+
+} // namespace proskill::lsp

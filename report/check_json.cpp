@@ -1,0 +1,60 @@
+#include "report/check_report.h"
+#include "report/render.h"
+#include "report/source_place.h"
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace proskill::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json placeJson(SourcePlace place, syntax::Offset offset) {
+  return {{"line", place.line}, {"column", place.column}, {"offset", offset}};
+}
+
+Json locationJson(SourcePlaces& places, analysis::Location location) {
+  return {{"file", places.path(location.file)},
+          {"begin", placeJson(places.begin(location), location.range.begin)},
+          {"end", placeJson(places.end(location), location.range.end)}};
+}
+
+Json diagnosticJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
+  Json related = Json::array(), fixes = Json::array();
+  for (const syntax::Related& it : diagnostic.related)
+    related.push_back({{"message", it.message}, {"location", locationJson(places, it.location)}});
+  for (const syntax::Fix& it : diagnostic.fixes)
+    fixes.push_back(
+        {{"title", it.title}, {"location", locationJson(places, it.location)}, {"text", it.text}});
+  return {{"code", syntax::info(diagnostic.code).id},
+          {"severity", words(diagnostic.severity)},
+          {"message", diagnostic.message},
+          {"location", locationJson(places, diagnostic.location)},
+          {"related", related},
+          {"fixes", fixes}};
+}
+
+} // namespace
+
+void writeCheckJson(std::ostream& out, std::span<const CheckedProgram> programs) {
+  Json diagnostics = Json::array();
+  for (const CheckedProgram& checked : programs) {
+    SourcePlaces places(checked.program);
+    for (const syntax::Diagnostic& diagnostic : checked.diagnostics)
+      diagnostics.push_back(diagnosticJson(places, diagnostic));
+  }
+  const FindingCounts counts = countFindings(programs);
+  const Json report{{"version", 1},
+                    {"diagnostics", diagnostics},
+                    {"summary",
+                     {{"errors", counts.errors},
+                      {"warnings", counts.warnings},
+                      {"hints", counts.hints},
+                      {"files", counts.files}}}};
+  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "report/paint.h"
+
+#include <iosfwd>
+#include <span>
+#include <vector>
+
+namespace proskill::cli {
+
+struct CheckedProgram {
+  analysis::Program program;
+  std::vector<syntax::Diagnostic> diagnostics;
+};
+
+/// How many findings there are of each severity, and in how many files was looked.
+struct FindingCounts {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  std::size_t hints = 0;
+  std::size_t files = 0;
+};
+[[nodiscard]] FindingCounts countFindings(std::span<const CheckedProgram> programs);
+
+/// `file:line:column: severity[CODE]: message`, a line each.
+void writeCheckShort(std::ostream& out, std::span<const CheckedProgram> programs);
+/// As docs/json.md says.
+void writeCheckJson(std::ostream& out, std::span<const CheckedProgram> programs);
+/// SARIF 2.1.0.
+void writeCheckSarif(std::ostream& out, std::span<const CheckedProgram> programs);
+
+} // namespace proskill::cli

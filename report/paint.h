@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace proskill::cli {
+
+enum class Colour : std::uint8_t { Bold, Dim, Red, Green, Yellow, Blue, Cyan };
+
+/// Wraps text in terminal escapes, or leaves it alone.
+struct Paint {
+  bool on = false;
+
+  [[nodiscard]] std::string operator()(Colour colour, std::string_view text) const;
+};
+
+} // namespace proskill::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "rpc/rpc.h"
+#include "viz/fold.h"
+#include "viz/pictures.h"
+
+#include <expected>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+/// Pictures as the language server and the panel's hosts tell of them: `Automaton` in docs/lsp.md.
+namespace proskill::lsp {
+
+/// Keys of clusters to draw as one node each; nothing: as is best for the size of the picture.
+using FoldKeys = std::optional<std::vector<std::string>>;
+
+/// A picture, and what of it is folded.
+struct DrawnPicture {
+  viz::Request request;
+  viz::Graph whole;
+  viz::Folded folded;
+  bool foldedForSize = false; ///< nobody asked for it
+};
+
+[[nodiscard]] std::expected<DrawnPicture, std::string>
+drawPicture(const analysis::Program& program, const viz::Request& request, const FoldKeys& fold);
+
+/// A place in the form that the reader wants; null where it is in no text.
+using PlaceJson = std::function<Json(const viz::Source&)>;
+
+/// The members that say what the picture shows: from `kind` to `foldable`, without its content.
+[[nodiscard]] Json pictureJson(const DrawnPicture& picture, const PlaceJson& place);
+
+/// All pictures of the program, to choose from.
+[[nodiscard]] Json picturesJson(const analysis::Program& program);
+
+} // namespace proskill::lsp

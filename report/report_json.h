@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ide/verdicts/verification.h"
+
+#include <nlohmann/json.hpp>
+
+/// The JSON report of a verification, as `proskill verify --format json` prints it and as the
+/// process that verifies for the language server sends it. The schema is docs/verify.schema.json.
+namespace proskill::lsp {
+
+using OrderedJson = nlohmann::ordered_json;
+
+struct VerifyReport {
+  const analysis::Program& program;
+  const codegen::Model& model;
+  const ide::VerificationReport& result;
+  std::string mainSkill; ///< empty: a library of skills
+  std::string backend{}; ///< who verified: `tina`, `both`; empty: the engine alone
+};
+
+[[nodiscard]] OrderedJson reportJson(const VerifyReport& report);
+[[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
+[[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);
+
+} // namespace proskill::lsp

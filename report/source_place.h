@@ -1,0 +1,39 @@
+#pragma once
+
+#include "analysis/program/program.h"
+
+#include <cstdint>
+#include <string>
+
+namespace proskill::cli {
+
+/// A place as users are told it: line and column from 1, the column in characters.
+struct SourcePlace {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+};
+
+/// Finds places. Remembers the last one, so that many on one long line take one pass over it.
+class SourcePlaces {
+public:
+  explicit SourcePlaces(const analysis::Program& program) : program(program) {}
+
+  [[nodiscard]] SourcePlace at(syntax::FileId file, syntax::Offset offset);
+  [[nodiscard]] SourcePlace begin(analysis::Location location) {
+    return at(location.file, location.range.begin);
+  }
+  [[nodiscard]] SourcePlace end(analysis::Location location) {
+    return at(location.file, location.range.end);
+  }
+  [[nodiscard]] std::string path(syntax::FileId file) const {
+    return program.files[file].path.generic_string();
+  }
+
+private:
+  const analysis::Program& program;
+  syntax::FileId lastFile = 0;
+  syntax::Offset lastOffset = 0;
+  SourcePlace last;
+};
+
+} // namespace proskill::cli

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "rpc/rpc.h"
+#include "rpc/scheduler.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <variant>
+
+namespace proskill::lsp {
+
+/// The client has gone.
+struct EndOfStream {};
+/// A message; of a request, the token that its cancellation sets from the moment it was read.
+struct Received {
+  Message message;
+  Cancellation cancellation;
+  std::uint64_t order = 0; ///< how many requests came before it
+};
+/// Work that another thread has prepared and that the main one finishes.
+using Errand = std::function<void()>;
+using Incident = std::variant<Received, MalformedMessage, Errand, EndOfStream>;
+
+/// What waits for the main thread: from the reading thread, in order.
+class Inbox {
+public:
+  void put(Incident incident) {
+    {
+      std::lock_guard lock(mutex);
+      queue.push_back(std::move(incident));
+    }
+    wake.notify_one();
+  }
+
+  /// The next one; nothing where the deadline comes first.
+  std::optional<Incident> take(std::optional<std::chrono::steady_clock::time_point> deadline) {
+    std::unique_lock lock(mutex);
+    auto ready = [&] { return !queue.empty(); };
+    if (!deadline)
+      wake.wait(lock, ready);
+    else if (!wake.wait_until(lock, *deadline, ready))
+      return std::nullopt;
+    auto incident = std::move(queue.front());
+    queue.pop_front();
+    return incident;
+  }
+
+  /// The next one, where it is there already and wanted.
+  template <class Wanted> std::optional<Incident> takeIf(const Wanted& wanted) {
+    const std::lock_guard lock(mutex);
+    if (queue.empty() || !wanted(queue.front())) return std::nullopt;
+    auto incident = std::move(queue.front());
+    queue.pop_front();
+    return incident;
+  }
+
+private:
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::deque<Incident> queue;
+};
+
+} // namespace proskill::lsp

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "rpc/rpc.h"
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// JSON as text right away, for answers with thousands of parts: a tree of `Json` costs an
+/// allocation for each member of each part, and as many to take it down.
+namespace proskill::lsp {
+
+/// Puts commas where they belong; that brackets match and members have keys is the caller's matter.
+class JsonWriter {
+public:
+  JsonWriter& open(char bracket) {
+    separate();
+    text += bracket;
+    return *this;
+  }
+  JsonWriter& close(char bracket) {
+    text += bracket;
+    return *this;
+  }
+  /// \pre nothing in the name is to be escaped
+  JsonWriter& key(std::string_view name) {
+    separate();
+    text += '"';
+    text += name;
+    text += "\":";
+    return *this;
+  }
+
+  /// What is no UTF-8 becomes replacement characters.
+  JsonWriter& value(std::string_view string);
+  JsonWriter& value(const char* string) { return value(std::string_view(string)); }
+  JsonWriter& value(const std::string& string) { return value(std::string_view(string)); }
+  JsonWriter& value(const Json& json);
+  template <std::integral Number> JsonWriter& value(Number number) {
+    if constexpr (std::same_as<Number, bool>)
+      return written(number ? "true" : "false");
+    else
+      separate();
+    return digits(static_cast<std::int64_t>(number));
+  }
+  /// What is JSON already.
+  JsonWriter& written(std::string_view json) {
+    separate();
+    text += json;
+    return *this;
+  }
+  /// The number of a line as the value of a key: its place is remembered, so that it can be written
+  /// anew.
+  JsonWriter& line(std::uint32_t number) {
+    lines.push_back(static_cast<std::uint32_t>(text.size()));
+    return value(number);
+  }
+  template <class Value> JsonWriter& member(std::string_view name, const Value& what) {
+    return key(name).value(what);
+  }
+
+  void reserve(std::size_t bytes) { text.reserve(text.size() + bytes); }
+  [[nodiscard]] const std::string& str() const { return text; }
+  [[nodiscard]] std::string take() { return std::exchange(text, {}); }
+
+private:
+  JsonWriter& digits(std::int64_t number);
+
+  /// Strings end with a quotation mark, so that the last character says what came before.
+  void separate() {
+    if (!text.empty() && text.back() != '{' && text.back() != '[' && text.back() != ':')
+      text += ',';
+  }
+
+  friend class MovableJson;
+
+  std::string text;
+  std::vector<std::uint32_t> lines; ///< where the numbers of lines begin in it
+};
+
+/// JSON of things that stand near each other in a text, and can be moved to other lines of it.
+class MovableJson {
+public:
+  MovableJson() = default;
+  /// Written where these things began in the line `first`.
+  MovableJson(JsonWriter json, std::uint32_t first)
+      : text(std::move(json.text)), lines(std::move(json.lines)), first(first) {}
+
+  [[nodiscard]] std::size_t size() const { return text.size(); }
+  /// As it would be where they begin in the line `now`. Writes nothing where nothing was written.
+  void write(JsonWriter& json, std::uint32_t now) const;
+
+private:
+  std::string text;
+  std::vector<std::uint32_t> lines;
+  std::uint32_t first = 0;
+};
+
+/// A value that stands for text which is JSON already: one of the binary kind, which no message of
+/// the protocol has. `dump` writes it as it is.
+[[nodiscard]] Json written(std::string_view json);
+
+/// About how many bytes `dump` will write, for `reserve`.
+[[nodiscard]] std::size_t sizeOf(const Json& json);
+/// The text of a message or a part of one.
+[[nodiscard]] std::string dump(const Json& json);
+
+} // namespace proskill::lsp

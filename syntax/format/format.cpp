@@ -1,0 +1,247 @@
+#include "syntax/format/format.h"
+
+#include "syntax/format/format_layout.h"
+#include "syntax/format/indent.h"
+#include "syntax/text/change.h"
+#include "syntax/text/characters.h"
+
+#include <algorithm>
+
+namespace proskill::syntax {
+
+namespace {
+
+std::vector<Gap> gapsOf(const Document& document) {
+  Layout layout(document.text());
+  for (const Stretch& stretch : document.stretches()) {
+    if (auto boxes = boxesOf(document.text(), stretch))
+      layout.stretch(*boxes);
+    else
+      layout.leave(stretch.range);
+  }
+  layout.finish();
+  return std::move(layout.gaps);
+}
+
+/// Of the text's first line: one file has one kind of line end.
+std::string_view lineEndOf(std::string_view text) {
+  auto first = text.find('\n');
+  return first != std::string_view::npos && first > 0 && text[first - 1] == '\r' ? "\r\n" : "\n";
+}
+
+std::string written(const Gap& gap, std::string_view lineEnd) {
+  std::string result;
+  for (std::uint32_t i = 0; i < gap.lines; ++i) result += lineEnd;
+  return result.append(gap.spaces, ' ');
+}
+
+/// Both halves of a `\r\n` belong to one place.
+bool splitsLineEnd(std::string_view text, std::size_t at) {
+  return at > 0 && at < text.size() && text[at - 1] == '\r' && text[at] == '\n';
+}
+
+/// The change from one white space to another, without what they share.
+TextEdit smallestEdit(std::string_view before, std::string_view after, Offset at) {
+  auto [head, tail] = commonEnds(before, after);
+  while (splitsLineEnd(before, head) || splitsLineEnd(after, head)) --head;
+  while (splitsLineEnd(before, before.size() - tail) || splitsLineEnd(after, after.size() - tail))
+    --tail;
+  auto offset = [&](std::size_t in) { return at + static_cast<Offset>(in); };
+  return {{offset(head), offset(before.size() - tail)},
+          std::string(after.substr(head, after.size() - tail - head))};
+}
+
+bool isBlank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+/// Of which operators are made, as many as follow each other.
+bool isSign(char c) { return std::string_view("=<>/&|~^+*!-").contains(c); }
+
+/// Whether two tokens would be others without space between them.
+bool wouldJoin(char end, char begin) {
+  const bool words = (isWordCharacter(begin) || begin == '-' || begin == '.') &&
+                     (isWordCharacter(end) || std::string_view("$:.-").contains(end));
+  return words || (isSign(begin) && isSign(end));
+}
+
+/// A minus and a name are two tokens, with or without space between them; with a number it is one.
+bool endsAtName(char end, char begin) {
+  return end == '-' && isWordCharacter(begin) && (begin < '0' || begin > '9');
+}
+
+/// Behind the string that begins there.
+std::size_t endOfString(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at)
+    if (text[at] == '\\') ++at;
+  return std::min(at + 1, text.size());
+}
+
+enum class Spaces : std::uint8_t { None, BetweenWords };
+
+/// The text with no more white space than keeps its tokens apart, or with none.
+std::string tokensOf(const Document& document, Spaces spaces) {
+  std::string tokens;
+  std::string_view text = document.text();
+  auto comment = document.comments().begin();
+  bool apart = false;
+  for (std::size_t at = 0; at < text.size();) {
+    auto end = at + 1;
+    if (comment != document.comments().end() && comment->begin == at) {
+      end = comment++->end;
+      auto words = text.substr(at, end - at);
+      tokens.append(words.substr(0, words.find_last_not_of(" \t\r") + 1)) += '\n';
+    } else if (isBlank(text.substr(at, 1))) {
+      apart = true;
+      at = end;
+      continue;
+    } else {
+      if (text[at] == '"') end = endOfString(text, at);
+      if (spaces == Spaces::BetweenWords && !tokens.empty() && wouldJoin(tokens.back(), text[at]) &&
+          (apart || endsAtName(tokens.back(), text[at])))
+        tokens += ' ';
+      tokens += text.substr(at, end - at);
+    }
+    apart = false;
+    at = end;
+  }
+  return tokens;
+}
+
+/// Each word as it was read, a line each.
+std::string wordsOf(const Document& document) {
+  std::string words;
+  for (const Stretch& stretch : document.stretches()) {
+    const auto text =
+        std::string_view(document.text()).substr(stretch.range.begin, stretch.range.length());
+    if (stretch.tree->empty()) words += text;
+    for (const Node& node : *stretch.tree) {
+      if (node.size > 1 || node.kind == NodeKind::Comment) continue;
+      auto word = std::string(text.substr(node.range.begin, node.range.length()));
+      if (node.kind != NodeKind::StringContent)
+        std::erase_if(word, [](char c) { return isBlank({&c, 1}); });
+      if (!word.empty()) words.append(word) += '\n';
+    }
+  }
+  return words;
+}
+
+std::vector<TextEdit> editsOf(std::string_view text, const std::vector<Gap>& gaps) {
+  std::vector<TextEdit> edits;
+  auto lineEnd = lineEndOf(text);
+  for (const Gap& gap : gaps) {
+    auto before = text.substr(gap.old.begin, gap.old.length());
+    auto after = written(gap, lineEnd);
+    if (before != after && isBlank(before))
+      edits.push_back(smallestEdit(before, after, gap.old.begin));
+  }
+  return edits;
+}
+
+bool inCommentOrString(const Document& document, Offset caret) {
+  for (Range comment : document.comments())
+    if (comment.begin < caret && caret <= comment.end) return true;
+  auto line = document.lines().line(document.lines().position(caret).line, document.text());
+  auto before = std::string_view(document.text()).substr(line.begin, caret - line.begin);
+  std::size_t at = before.find('"');
+  while (at < before.size()) {
+    auto end = endOfString(before, at);
+    if (end >= before.size() && (before.size() - at < 2 || before.back() != '"')) return true;
+    at = before.find('"', end);
+  }
+  return false;
+}
+
+void addEdit(std::vector<TextEdit>& edits, std::string_view text, Range range,
+             const std::string& after) {
+  auto before = text.substr(range.begin, range.length());
+  if (before != after) edits.push_back(smallestEdit(before, after, range.begin));
+}
+
+/// The line that ends takes no spaces along, the one that begins gets its indentation.
+std::vector<TextEdit> newLine(const Document& document, Offset caret) {
+  std::vector<TextEdit> edits;
+  std::string_view text = document.text();
+  auto number = document.lines().position(caret).line;
+  auto line = document.lines().line(number, text);
+  auto content = text.substr(line.begin, line.length());
+  auto first = std::min(content.find_first_not_of(" \t"), content.size());
+  if (line.begin + first < caret) return edits; // the caret is not at the start of its line
+  if (number > 0) {
+    auto above = document.lines().line(number - 1, text);
+    auto kept = text.substr(above.begin, above.length()).find_last_not_of(" \t") + 1;
+    addEdit(edits, text, {above.begin + static_cast<Offset>(kept), above.end}, "");
+  }
+  addEdit(edits, text, {line.begin, line.begin + static_cast<Offset>(first)},
+          std::string(indentationAt(document, caret), ' '));
+  return edits;
+}
+
+/// The form that ends there; empty where none does.
+Range formEndingAt(const Boxes& boxes, Offset end) {
+  for (const Box& box : boxes)
+    if (box.shape == BoxShape::Form && box.range.end == end) return box.range;
+  return {};
+}
+
+std::vector<TextEdit> closedForm(const Document& document, Offset caret) {
+  for (const Stretch& stretch : document.stretches()) {
+    if (caret <= stretch.range.begin || caret > stretch.range.end) continue;
+    auto boxes = boxesOf(document.text(), stretch);
+    if (!boxes) return {};
+    auto closed = formEndingAt(*boxes, caret);
+    Layout layout(document.text());
+    layout.leave({0, stretch.range.begin});
+    layout.stretch(*boxes);
+    auto edits = editsOf(document.text(), layout.gaps);
+    std::erase_if(edits, [&](const TextEdit& edit) {
+      return edit.range.begin <= closed.begin || edit.range.end >= closed.end;
+    });
+    return edits;
+  }
+  return {};
+}
+
+} // namespace
+
+std::vector<TextEdit> format(const Document& document) {
+  return editsOf(document.text(), gapsOf(document));
+}
+
+std::vector<Range> unformattable(const Document& document) {
+  std::vector<Range> result;
+  for (const Stretch& stretch : document.stretches())
+    if (!stretch.range.empty() && !boxesOf(document.text(), stretch))
+      result.push_back(stretch.range);
+  return result;
+}
+
+std::vector<TextEdit> formatRange(const Document& document, Range lines) {
+  const auto& index = document.lines();
+  auto first = index.offset({index.position(lines.begin).line, 0});
+  auto lastLine = index.position(lines.end);
+  // A selection of whole lines ends at the start of the line behind them.
+  bool whole = lastLine.column == 0 && lines.end > lines.begin;
+  auto last = whole ? lines.end - 1 : index.line(lastLine.line, document.text()).end;
+  auto edits = format(document);
+  std::erase_if(edits, [&](const TextEdit& edit) {
+    return edit.range.end < first || edit.range.begin > last;
+  });
+  return edits;
+}
+
+std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char typed) {
+  if (inCommentOrString(document, caret)) return {};
+  if (typed == '\n') return newLine(document, caret);
+  if (typed == ')') return closedForm(document, caret);
+  return {};
+}
+
+bool sameTokens(const Document& a, const Document& b) {
+  const auto same = [&](Spaces spaces) { return tokensOf(a, spaces) == tokensOf(b, spaces); };
+  if (same(Spaces::BetweenWords)) return true;
+  // Some words end where another begins, with or without space: `0-` are two.
+  return same(Spaces::None) && wordsOf(a) == wordsOf(b);
+}
+
+} // namespace proskill::syntax

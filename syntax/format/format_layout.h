@@ -1,0 +1,93 @@
+#pragma once
+
+#include "syntax/format/format_boxes.h"
+
+#include <functional>
+
+namespace proskill::syntax {
+
+/// The white space before a token: some lines' ends, then spaces.
+struct Gap {
+  Range old;
+  std::uint32_t lines = 0;
+  std::uint32_t spaces = 0;
+};
+
+/// Lays boxes out one after the other, and notes the white space between their tokens.
+class Layout {
+public:
+  explicit Layout(std::string_view text) : text(text) {}
+
+  /// Lays out what stands in a stretch at the top level.
+  void stretch(const Boxes& boxes);
+  /// Passes over a stretch that stays as it is.
+  void leave(Range stretch);
+  /// After the last stretch: the space at the text's end, and what lines do together.
+  void finish();
+
+  std::vector<Gap> gaps;
+
+private:
+  /// What separates a token from the one before it. Behind a comment it is always a new line.
+  struct Separator {
+    enum class Kind : std::uint8_t { None, Space, Line } kind = Kind::None;
+    std::uint32_t indent = 0; ///< of the new line, where there is one
+  };
+  static Separator none(std::uint32_t indent) { return {Separator::Kind::None, indent}; }
+  static Separator space(std::uint32_t indent) { return {Separator::Kind::Space, indent}; }
+  static Separator line(std::uint32_t indent) { return {Separator::Kind::Line, indent}; }
+
+  /// A comment behind a token.
+  struct Trailing {
+    std::size_t gap = 0;
+    std::uint32_t row = 0;
+    std::uint32_t column = 0;       ///< where the token before it ends
+    std::uint32_t sourceColumn = 0; ///< of the comment, as its author wrote it
+  };
+
+  using Index = std::size_t;
+
+  // `after`: how many characters follow on the same line in any case, which are parentheses.
+  void box(Index at, Separator before, std::uint32_t after, std::uint32_t hang = 0);
+  void broken(Index at, Separator before, std::uint32_t after, std::uint32_t hang);
+  void flat(Index at, Separator before);
+  void definition(Index at, Separator before, std::uint32_t after);
+  void property(Index at, Separator before, std::uint32_t after);
+  void body(Index at, Separator before, std::uint32_t after);
+  void field(Index at, Separator before, std::uint32_t after);
+  void tagged(Index at, Separator before, std::uint32_t after, std::uint32_t hang);
+  void hanging(Index at, Separator before, std::uint32_t after);
+  void control(Index at, Separator before, std::uint32_t after);
+  void list(Index at, Separator before, std::uint32_t after);
+  void lines(Index at, Separator before, std::uint32_t after);
+  void headed(Index at, Separator before, std::uint32_t after, bool filled);
+  void comment(Index at, std::uint32_t indent);
+  void form(Index at, Separator before, std::uint32_t indent,
+            const std::function<void(Index child, bool first)>& place);
+
+  void token(Range range, Separator before);
+  void close(Index at, std::uint32_t indent);
+  [[nodiscard]] std::uint32_t columnOf(Separator before) const;
+  [[nodiscard]] std::uint32_t linesBefore(Offset token) const;
+  [[nodiscard]] bool fits(Index at, Separator before, std::uint32_t after) const;
+  [[nodiscard]] Index endOf(Index at) const { return at + (*boxes)[at].size; }
+  [[nodiscard]] Index nextOf(Index child) const { return child + (*boxes)[child].size; }
+  [[nodiscard]] std::uint32_t afterChild(Index parent, Index child, std::uint32_t after) const;
+  [[nodiscard]] bool commentBelongsToNext(Index comment, Index parent) const;
+  void alignTrailing();
+  void betterOf(const std::function<void()>& first, const std::function<void()>& second);
+
+  std::string_view text;
+  std::vector<Trailing> trailing;
+  const Boxes* boxes = nullptr;
+  Offset previousEnd = 0;
+  std::uint32_t column = 0;
+  std::uint32_t widest = 0;  ///< column that was reached
+  std::uint32_t written = 0; ///< ends of lines
+  bool lineMustEnd = false;  ///< a comment came last
+  bool frozen = false;       ///< what came last stays as it is, and so does the space behind it
+  bool lastWasForm = false;  ///< at the top level
+  bool lastWasTall = false;  ///< on several lines
+};
+
+} // namespace proskill::syntax

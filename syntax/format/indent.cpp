@@ -1,0 +1,149 @@
+#include "syntax/format/indent.h"
+
+#include "syntax/text/characters.h"
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::syntax {
+
+namespace {
+
+template <std::size_t n>
+bool isOneOf(std::string_view word, const std::array<std::string_view, n>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// What stands directly in a parenthesis that is still open.
+struct OpenForm {
+  Offset at = 0;
+  std::string_view before; ///< the word before the parenthesis
+  std::vector<Range> items;
+};
+
+/// Reads the text up to a line; what is open at its end is what that line stands in.
+class Reader {
+public:
+  explicit Reader(std::string_view text) : text(text) {}
+
+  std::vector<OpenForm> run() {
+    while (at < text.size()) {
+      if (isSpace(text[at]))
+        ++at;
+      else if (text[at] == ';')
+        at = std::min(text.find('\n', at), text.size());
+      else
+        token();
+    }
+    return std::move(open);
+  }
+
+private:
+  void token() {
+    if (text[at] == '(') {
+      item({offset(at), offset(at + 1)});
+      open.push_back({offset(at), word, {}});
+      ++at;
+    } else if (text[at] == ')') {
+      ++at;
+      if (open.empty()) return;
+      open.pop_back();
+      if (!open.empty()) open.back().items.back().end = offset(at);
+    } else {
+      auto end = endOfWord();
+      item({offset(at), offset(end)});
+      word = text.substr(at, end - at);
+      at = end;
+    }
+  }
+
+  void item(Range range) {
+    if (!open.empty()) open.back().items.push_back(range);
+  }
+
+  [[nodiscard]] std::size_t endOfWord() const {
+    auto end = at + 1;
+    if (text[at] != '"') {
+      while (end < text.size() && !isSpace(text[end]) &&
+             !std::string_view("();\"").contains(text[end]))
+        ++end;
+      return end;
+    }
+    while (end < text.size() && text[end] != '"' && text[end] != '\n')
+      end += text[end] == '\\' ? 2 : 1;
+    return std::min(end + 1, text.size());
+  }
+
+  static Offset offset(std::size_t at) { return static_cast<Offset>(at); }
+
+  std::string_view text;
+  std::size_t at = 0;
+  std::string_view word;
+  std::vector<OpenForm> open;
+};
+
+/// The columns of what stands in a form, by the same rules as the formatter's.
+class Rules {
+public:
+  Rules(std::string_view text, const OpenForm& form) : text(text), form(form) {}
+
+  [[nodiscard]] std::uint32_t indentation(std::string_view firstWord) const {
+    std::uint32_t base = columnOf(form.at);
+    if (form.items.empty()) return base + 1;
+    auto head = wordOf(form.items.front());
+    bool behindKeyword = wordOf(form.items.back()).starts_with(':');
+    if (head.starts_with("def")) return base + (behindKeyword ? 4 : 2);
+    if (isOneOf(head, kControl)) return base + (isOneOf(firstWord, kClauses) ? 1 : 3);
+    if (head.starts_with(':')) return base + (behindKeyword ? 3 : 1);
+    bool isList = head.starts_with('(') || isOneOf(form.before, kLists);
+    if (isList || form.items.size() < 2) return base + 1;
+    return columnOf(form.items[1].begin);
+  }
+
+private:
+  static constexpr std::array<std::string_view, 4> kControl{"if", "while", "do", "do-until"};
+  static constexpr std::array<std::string_view, 3> kClauses{"else", "elseif", "until"};
+  static constexpr std::array<std::string_view, 8> kLists{
+      ":states",       ":transitions", ":input",   ":resources",
+      ":precondition", ":invariant",   ":success", ":failure"};
+
+  [[nodiscard]] std::string_view wordOf(Range item) const {
+    return text.substr(item.begin, item.length());
+  }
+  [[nodiscard]] std::uint32_t columnOf(Offset at) const {
+    auto lineEnd = text.substr(0, at).rfind('\n');
+    auto line = text.substr(lineEnd + 1, at - lineEnd - 1); // npos + 1 is 0
+    return widthOf(line);
+  }
+
+  std::string_view text;
+  const OpenForm& form;
+};
+
+/// The stretch that a place is in; where one begins there is nothing open.
+Range stretchAt(const Document& document, Offset at) {
+  Range found;
+  for (const Stretch& stretch : document.stretches())
+    if (stretch.range.begin < at || at == 0) found = stretch.range;
+  return found;
+}
+
+std::string_view firstWordIn(std::string_view line) {
+  auto begin = line.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_first_of(" \t();", begin) - begin);
+}
+
+} // namespace
+
+std::uint32_t indentationAt(const Document& document, Offset at) {
+  std::string_view text = document.text();
+  auto line = document.lines().line(document.lines().position(at).line, text);
+  Offset begin = stretchAt(document, line.begin).begin;
+  auto above = text.substr(begin, line.begin - begin);
+  auto open = Reader(above).run();
+  if (open.empty()) return 0;
+  return Rules(above, open.back()).indentation(firstWordIn(text.substr(line.begin, line.length())));
+}
+
+} // namespace proskill::syntax

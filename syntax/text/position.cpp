@@ -1,0 +1,90 @@
+#include "syntax/text/position.h"
+
+#include <algorithm>
+
+namespace proskill::lsp {
+
+namespace {
+
+/// A character's bytes, and its width in an encoding's units.
+struct Character {
+  std::size_t bytes;
+  std::uint32_t units;
+};
+
+std::size_t lengthOfLead(unsigned char lead) {
+  if (lead >= 0xC2 && lead <= 0xDF) return 2;
+  if (lead >= 0xE0 && lead <= 0xEF) return 3;
+  if (lead >= 0xF0 && lead <= 0xF4) return 4;
+  return 1;
+}
+
+bool isAscii(char c) { return (static_cast<unsigned char>(c) & 0x80) == 0; }
+bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+Character characterAt(std::string_view text, Encoding encoding) {
+  auto length = lengthOfLead(static_cast<unsigned char>(text.front()));
+  bool valid =
+      length <= text.size() && std::ranges::all_of(text.substr(1, length - 1), isContinuation);
+  if (!valid) length = 1;
+  if (encoding == Encoding::Utf8) return {length, static_cast<std::uint32_t>(length)};
+  return {length, encoding == Encoding::Utf16 && length == 4 ? 2U : 1U};
+}
+
+} // namespace
+
+EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
+                        Encoding encoding) {
+  std::uint32_t line = 0;
+  return toEditor(text, lines, at, encoding, line);
+}
+
+EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
+                        Encoding encoding, std::uint32_t& line) {
+  const auto column = lines.position(at, line).column;
+  if (encoding == Encoding::Utf8) return {line, column};
+  auto before = text.substr(at - column, column);
+  if (std::ranges::all_of(before, isAscii)) return {line, column};
+  EditorPosition position{line, 0};
+  while (!before.empty()) {
+    auto character = characterAt(before, encoding);
+    position.character += character.units;
+    before.remove_prefix(character.bytes);
+  }
+  return position;
+}
+
+EditorPosition LineWalk::to(syntax::Offset at) {
+  if (at >= nextLine) {
+    auto line = lines.position(at).line;
+    here = lines.offset({line, 0});
+    bool last = line + 1 >= lines.lineCount();
+    nextLine = last ? UINT32_MAX : lines.offset({line + 1, 0});
+    position = {line, 0};
+  }
+  while (here < at) {
+    auto character = characterAt(text.substr(here, at - here), encoding);
+    position.character += character.units;
+    here += static_cast<syntax::Offset>(character.bytes);
+  }
+  return position;
+}
+
+syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
+                          EditorPosition position, Encoding encoding) {
+  if (position.line >= lines.lineCount()) return static_cast<syntax::Offset>(text.size());
+  auto range = lines.line(position.line, text);
+  auto rest = text.substr(range.begin, range.length());
+  auto wanted = position.character;
+  auto at = range.begin;
+  while (!rest.empty()) {
+    auto character = characterAt(rest, encoding);
+    if (character.units > wanted) break;
+    wanted -= character.units;
+    at += static_cast<syntax::Offset>(character.bytes);
+    rest.remove_prefix(character.bytes);
+  }
+  return at;
+}
+
+} // namespace proskill::lsp

@@ -1,0 +1,310 @@
+#pragma once
+
+#include "syntax/text/rational.h"
+#include "syntax/text/source.h"
+#include "syntax/tree/arena.h"
+
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// The typed tree. It is total: a half-typed program gives a tree with missing parts (empty names,
+/// expressions of kind Missing), and every part that is there has its exact range. Views point into
+/// text that the tree's document keeps alive.
+namespace proskill::syntax {
+
+/// A word of the program; empty where it is missing, its range is then where it should stand.
+struct Name {
+  std::string_view text;
+  Range range;
+
+  explicit operator bool() const { return !text.empty(); }
+};
+
+/// An interval of seconds as written: `[1,3]`, `]0,0.5[`, `[2,...[`.
+struct Interval {
+  Rational lower;
+  std::optional<Rational> upper; ///< nothing: unbounded
+  bool lowerOpen = false;
+  bool upperOpen = false; ///< true where unbounded
+  Range range;
+};
+
+enum class ExprKind : std::uint8_t {
+  Missing, // nothing there, or nothing that can be understood
+  True,
+  False,
+  Number,    // number
+  Symbol,    // name: a state variable, or a value of one, or a status, or an outcome's tag
+  String,    // text, without its quotes
+  Parameter, // name, with its `$`
+  Access,    // name.member
+  Test,      // (name operands[0])
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  And,
+  Or,
+  Not,
+  Add,
+  Subtract,
+  // In properties only.
+  Running, // (running name)
+  Called,  // (called name)
+  Ended,   // (ended name [member])
+  Occurs,  // (occurs name)
+  At,      // (at name)
+  Value,   // (value name operands[0])
+  Globally,
+  Finally,
+  Next,
+  Until,
+  Implies,
+};
+
+/// A condition, a value, or an argument.
+struct Expr {
+  ExprKind kind = ExprKind::Missing;
+  Range range;
+  Name head;   ///< the operator's word as written, where there is one
+  Name name;   ///< see ExprKind
+  Name member; ///< Access: `status`, `res`, …; Ended: the status
+  Rational number;
+  bool decimal = false; ///< Number: written with a point
+  List<Expr> operands;
+};
+
+/// `(variable value)`.
+struct Effect {
+  Name variable;
+  Expr value;
+  Range range;
+};
+
+struct Effects {
+  List<Effect> items;
+  Range range;
+};
+
+/// One keyword with what follows it, in the order of the text: for what is missing, twice, or
+/// misplaced.
+struct FieldUse {
+  Name keyword; ///< with its colon
+  Range range;  ///< keyword and value
+};
+
+struct Transition {
+  Name from;
+  Name to;
+  Range range;
+};
+
+enum class Transitions : std::uint8_t { Unstated, All, Listed };
+
+struct StateVariable {
+  Name name;
+  List<FieldUse> fields;
+  List<Name> states;
+  Expr init;
+  std::optional<Expr> min;
+  std::optional<Expr> max;
+  Transitions transitionsKind = Transitions::Unstated;
+  List<Transition> transitions;
+
+  [[nodiscard]] bool isNatural() const { return min || max; }
+};
+
+struct Event {
+  Name name;
+  List<FieldUse> fields;
+  Effects effects;
+};
+
+struct Resource {
+  Name name;
+  List<FieldUse> fields;
+  std::optional<Expr> capacity; ///< 1 where absent
+};
+
+struct Input {
+  Name name; ///< with its `$`
+  Name type;
+  Range range;
+};
+
+struct Precondition {
+  Name tag;
+  Expr condition;
+  Range range;
+};
+
+struct Invariant {
+  Name tag;
+  Expr guard;
+  Effects effects;
+  Range range;
+};
+
+struct Outcome {
+  Name tag;
+  Effects effects;
+  std::optional<Range> postconditionField; ///< keyword and value
+  std::optional<Expr> postcondition;
+  Range range;
+};
+
+struct Action {
+  Name command;
+  List<Expr> arguments;
+  Range range;
+};
+
+struct Interrupt {
+  Effects effects;
+  Range range;
+};
+
+struct Statement;
+
+struct Block {
+  List<Statement> statements;
+  Range range;
+};
+
+/// A branch of an `if`: `if`/`elseif` have a condition, `else` has none.
+struct Arm {
+  Range keyword;
+  std::optional<Expr> condition;
+  Block body;
+};
+
+/// Of a call: name and value. Of a printf: value alone.
+struct Argument {
+  Name name;
+  Expr value;
+  Range range;
+};
+
+enum class StatementKind : std::uint8_t {
+  Unknown,       // nothing that can be understood; it is diagnosed
+  Call,          // (name arguments…)
+  Interrupt,     // (name.interrupt)
+  WaitCondition, // (^ condition [:effects effects])
+  WaitTime,      // (^ duration)
+  If,            // arms
+  While,         // condition, branches[0]
+  DoUntil,       // branches[0], condition
+  Break,
+  Label,    // name
+  Goto,     // name
+  Parallel, // branches
+  Set,      // effects
+  Printf,   // format, arguments
+  Success,  // name: the tag
+  Failure,  // name: the tag
+  Emit,     // name: the event
+  Choose,   // branches
+};
+
+struct Statement {
+  StatementKind kind = StatementKind::Unknown;
+  Range range;
+  Name head; ///< the word that makes it this statement; of a call, the skill
+  Name name;
+  Name format; ///< of a printf, without its quotes
+  List<Argument> arguments;
+  Expr condition;
+  Interval duration;
+  Effects effects;
+  List<Arm> arms;
+  List<Block> branches;
+};
+
+struct Skill {
+  Name name;
+  List<FieldUse> fields;
+  List<Input> inputs;
+  List<Precondition> preconditions;
+  Effects start;
+  List<Invariant> invariants;
+  std::optional<Interval> timeInterval;
+  std::optional<Action> action;
+  std::optional<Interrupt> interrupt;
+  List<Outcome> successes;
+  List<Outcome> failures;
+  List<Name> resources;
+  bool monitor = false;
+  std::optional<Block> body;
+
+  [[nodiscard]] bool isComposite() const { return body.has_value(); }
+};
+
+enum class PropertyKind : std::uint8_t {
+  Missing,
+  Always,
+  Never,
+  Reachable,
+  DeadlockFree,
+  InfinitelyOften,
+  LeadsTo,
+  Precedes,
+  Present,
+  Absent,
+  Ltl,
+};
+
+struct Property {
+  Name name;
+  PropertyKind kind = PropertyKind::Missing;
+  Range bodyRange;
+  Name head;
+  List<Expr> operands; ///< P, then Q
+  List<FieldUse> fields;
+  std::optional<Expr> after;
+  std::optional<Expr> before;
+  std::optional<Interval> within;
+  std::optional<Interval> forDuration;
+  std::optional<Rational> lasting; ///< seconds
+};
+
+struct Environment {
+  Name name;
+  List<FieldUse> fields;
+  Block body;
+};
+
+struct Include {
+  Name path; ///< without its quotes
+};
+
+/// A form at the top level that is none of the language's; it is diagnosed.
+struct UnknownForm {
+  Name head;
+  Name name; ///< the word behind it: what it would have defined
+};
+
+using FormNode = std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property,
+                              Environment>;
+
+/// The statements of a body that are looked for in all bodies after each edit, outer before inner,
+/// in the order of the text.
+struct BodyIndex {
+  List<const Statement*> calls;
+  List<const Statement*> labels;
+  List<const Statement*> parallels;
+};
+
+/// A form at the top level, where it was read.
+struct ReadForm {
+  Range range;         ///< from its parenthesis to its parenthesis
+  Name keyword;        ///< `defskill`, …
+  bool mended = false; ///< a parenthesis or quote was put in or left out: a guess
+  FormNode node;
+  BodyIndex bodyIndex; ///< of its body, where it has one
+};
+
+} // namespace proskill::syntax

@@ -1,0 +1,320 @@
+#include "syntax/tree/build.h"
+
+#include "syntax/diagnostics/codes.h"
+#include <algorithm>
+
+namespace proskill::syntax {
+namespace {
+
+List<Input> inputsOf(Builder& builder, const Node& list) {
+  List<Input> inputs;
+  bool reported = false;
+  Parts parts(list);
+  while (const Node* part = parts.take()) {
+    if (part->kind != NodeKind::Input) {
+      if (!reported && !isDamaged(*part))
+        builder.report(Code::MalformedValue, part->range, ":input",
+                       "parameters and their types, such as `($height float)`");
+      reported = true;
+      continue;
+    }
+    Parts pair(*part);
+    Input input;
+    input.range = part->range;
+    input.name = builder.nameOf(*pair.take());
+    if (const Node* type = pair.take())
+      input.type = builder.nameOf(*type);
+    else {
+      input.type.range = {part->range.end, part->range.end};
+      builder.report(Code::MissingValue, input.name.range, input.name.text,
+                     "a type: `int`, `nat`, `float`, `bool`, `string` or a state variable");
+    }
+    inputs.push_back(input);
+  }
+  return inputs;
+}
+
+List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
+  List<Precondition> preconditions;
+  Parts parts(list);
+  while (const Node* part = parts.take()) {
+    if (isDamaged(*part)) continue;
+    Precondition precondition;
+    precondition.range = part->range;
+    if (part->kind != NodeKind::Precondition) {
+      precondition.tag.range = {part->range.begin, part->range.begin};
+      precondition.condition = expressionOf(builder, *part);
+      builder.report(Code::MissingTag, part->range, "this precondition");
+    } else {
+      Parts pair(*part);
+      precondition.tag = builder.nameOf(*pair.take());
+      if (const Node* condition = pair.take())
+        precondition.condition = expressionOf(builder, *condition);
+      else {
+        precondition.condition.range = {part->range.end, part->range.end};
+        builder.report(Code::MissingCondition, part->range, precondition.tag.text);
+      }
+    }
+    preconditions.push_back(std::move(precondition));
+  }
+  return preconditions;
+}
+
+/// What stands in a clause before its first keyword belongs nowhere. Returns whether there is such.
+bool reportLoose(Builder& builder, Parts& parts, std::string_view owner) {
+  bool reported = false;
+  while (const Node* next = parts.peek()) {
+    if (isField(*next)) break;
+    if (!reported && !isDamaged(*next))
+      builder.report(Code::MalformedValue, next->range, owner, "a keyword and its value here");
+    reported = true;
+    parts.take();
+  }
+  return reported;
+}
+
+Expr conditionField(Builder& builder, Field& field) {
+  const Node* value = onlyValue(builder, field, "a condition, such as `(motion Free)`");
+  if (value) return expressionOf(builder, *value);
+  Expr missing;
+  Offset end = field.use.keyword.range.end;
+  missing.range = {end, end};
+  return missing;
+}
+
+Keywords fieldsOfClause(std::string_view owner) {
+  if (owner == ":invariant") return {":guard", ":effects"};
+  if (owner == ":interrupt") return {":effects"};
+  return {":effects", ":postcondition"};
+}
+
+/// Whether the field was there before; that is reported, and the first one counts.
+bool isRepeated(Builder& builder, const Field& field, List<Name>& seen) {
+  const Name& keyword = field.use.keyword;
+  auto first = std::ranges::find(seen, keyword.text, &Name::text);
+  if (first == seen.end()) {
+    seen.push_back(keyword);
+    return false;
+  }
+  auto& diagnostic = builder.report(Code::DuplicateField, keyword.range, keyword.text);
+  diagnostic.related.push_back({{0, first->range}, "first given here"});
+  return true;
+}
+
+/// What `:guard` or `:postcondition` says.
+struct Condition {
+  Range field; ///< keyword and value
+  Expr says;
+};
+
+/// Reads the fields of a clause. Returns whether there is nothing else in it.
+bool readClause(Builder& builder, const Node& clause, std::string_view owner, Effects& effects,
+                std::optional<Condition>& condition) {
+  Parts parts(clause);
+  bool empty = !parts.peek();
+  if (empty) builder.report(Code::EmptyForm, clause.range);
+  bool loose = reportLoose(builder, parts, owner);
+  List<Name> seen;
+  while (const Node* part = parts.take()) {
+    Field field = fieldOf(builder, *part);
+    if (isRepeated(builder, field, seen)) continue;
+    if (field.kind == NodeKind::EffectsField)
+      effects = takeEffects(builder, field.values, field.use.keyword);
+    else if (field.kind == NodeKind::UnknownField)
+      reportUnknownField(builder, field, owner, fieldsOfClause(owner));
+    else
+      condition = {field.use.range, conditionField(builder, field)};
+  }
+  return !empty && !loose;
+}
+
+Invariant invariantOf(Builder& builder, const Node& node) {
+  Invariant invariant;
+  invariant.range = node.range;
+  Parts parts(node);
+  invariant.tag = builder.nameOf(*parts.take());
+  Offset end = node.range.end;
+  invariant.guard.range = {end, end};
+  const Node* clause = parts.take();
+  if (!clause) {
+    builder.report(Code::MissingCondition, node.range, invariant.tag.text);
+    return invariant;
+  }
+  std::optional<Condition> guard;
+  bool plain = readClause(builder, *clause, ":invariant", invariant.effects, guard);
+  if (guard)
+    invariant.guard = std::move(guard->says);
+  else if (plain)
+    builder.report(Code::MissingValue, clause->range, ":invariant", "a `:guard`");
+  return invariant;
+}
+
+List<Invariant> invariantsOf(Builder& builder, const Node& list) {
+  List<Invariant> invariants;
+  Parts parts(list);
+  while (const Node* part = parts.take()) {
+    if (part->kind == NodeKind::Invariant)
+      invariants.push_back(invariantOf(builder, *part));
+    else if (part->kind == NodeKind::InvariantClause)
+      builder.report(Code::MissingTag, part->range, "this invariant");
+    else if (!isDamaged(*part))
+      builder.report(Code::MalformedValue, part->range, ":invariant",
+                     "tags and clauses, such as `(in_control (:guard (motion Free)))`");
+  }
+  return invariants;
+}
+
+Outcome outcomeOf(Builder& builder, const Node& node) {
+  Outcome outcome;
+  outcome.range = node.range;
+  Parts parts(node);
+  outcome.tag = builder.nameOf(*parts.take());
+  std::optional<Condition> postcondition;
+  if (const Node* clause = parts.take())
+    readClause(builder, *clause, "outcome", outcome.effects, postcondition);
+  if (postcondition) {
+    outcome.postconditionField = postcondition->field;
+    outcome.postcondition = std::move(postcondition->says);
+  }
+  return outcome;
+}
+
+void reportNoOutcome(Builder& builder, const Node& node) {
+  if (isDamaged(node)) return;
+  const Node* first = Parts(node).peek();
+  if (first && first->kind == NodeKind::Keyword)
+    builder.report(Code::MalformedOutcome, node.range, "the tag before the parenthesis is missing");
+  else
+    builder.report(Code::MalformedOutcome, node.range,
+                   fmt::format("`{}` is none", builder.quoted(node)));
+}
+
+List<Outcome> outcomesOf(Builder& builder, Field& field) {
+  List<Outcome> outcomes;
+  auto read = [&](const Node& node) {
+    if (node.kind == NodeKind::Outcome)
+      outcomes.push_back(outcomeOf(builder, node));
+    else
+      reportNoOutcome(builder, node);
+  };
+  if (!field.values.peek()) {
+    auto& keyword = field.use.keyword;
+    builder.report(Code::MissingValue, keyword.range, keyword.text, "an outcome, such as `landed`");
+  }
+  while (const Node* value = field.values.take()) {
+    const Node* first = Parts(*value).peek();
+    bool list = value->kind == NodeKind::OutcomeList && first && first->kind == NodeKind::Outcome;
+    if (!list) {
+      read(*value);
+      continue;
+    }
+    Parts items(*value);
+    while (const Node* item = items.take()) read(*item);
+  }
+  return outcomes;
+}
+
+std::optional<Action> actionOf(Builder& builder, Field& field) {
+  constexpr auto kNeeds = "the command of the platform, such as `(takeoff $height)`";
+  const Node* value = onlyValue(builder, field, kNeeds);
+  if (!value) return std::nullopt;
+  if (value->kind != NodeKind::Command) {
+    reportMalformed(builder, field, *value, kNeeds);
+    return std::nullopt;
+  }
+  Parts parts(*value);
+  Action action;
+  action.range = value->range;
+  action.command = takeName(builder, parts, field.use.keyword);
+  while (const Node* argument = parts.take())
+    action.arguments.push_back(expressionOf(builder, *argument));
+  return action;
+}
+
+std::optional<Interrupt> interruptOf(Builder& builder, Field& field) {
+  constexpr auto kNeeds = "what it sets, such as `(:effects (motion Free))`";
+  const Node* value = onlyValue(builder, field, kNeeds);
+  if (!value) return std::nullopt;
+  Interrupt interrupt;
+  interrupt.range = value->range;
+  std::optional<Condition> none;
+  if (value->kind == NodeKind::InterruptClause)
+    readClause(builder, *value, ":interrupt", interrupt.effects, none);
+  else
+    reportMalformed(builder, field, *value, kNeeds);
+  return interrupt;
+}
+
+/// The value of the field where it is of the kind that is needed; else null, and reported.
+const Node* valueOfKind(Builder& builder, Field& field, NodeKind kind, std::string_view needs) {
+  const Node* value = onlyValue(builder, field, needs);
+  if (!value || value->kind == kind) return value;
+  reportMalformed(builder, field, *value, needs);
+  return nullptr;
+}
+
+void readTimeInterval(Builder& builder, Field& field, Skill& skill) {
+  constexpr auto kNeeds = "an interval of seconds, such as `[1,3]`";
+  const Node* next = field.values.peek();
+  if (!next || next->kind != NodeKind::Interval) {
+    valueOfKind(builder, field, NodeKind::Interval, kNeeds);
+    return;
+  }
+  skill.timeInterval = takeInterval(builder, field.values);
+  builder.reportSurplus(field.values, "the interval");
+}
+
+void readMonitor(Builder& builder, Field& field, Skill& skill) {
+  const Node* value = valueOfKind(builder, field, NodeKind::Symbol, "`t`");
+  skill.monitor = true;
+  if (value && builder.textOf(*value) != "t") reportMalformed(builder, field, *value, "`t`");
+}
+
+void readField(Builder& builder, Field& field, Skill& skill) {
+  switch (field.kind) {
+  case NodeKind::InputField:
+    if (auto list = valueOfKind(builder, field, NodeKind::InputList,
+                                "parameters and their types, such as `($height float)`"))
+      skill.inputs = inputsOf(builder, *list);
+    return;
+  case NodeKind::PreconditionField:
+    if (auto list = valueOfKind(builder, field, NodeKind::PreconditionList,
+                                "tags and conditions, such as `(not_moving (motion Free))`"))
+      skill.preconditions = preconditionsOf(builder, *list);
+    return;
+  case NodeKind::InvariantField:
+    if (auto list = valueOfKind(builder, field, NodeKind::InvariantList,
+                                "tags and clauses, such as `(in_control (:guard (motion Free)))`"))
+      skill.invariants = invariantsOf(builder, *list);
+    return;
+  case NodeKind::ResourcesField:
+    if (auto list =
+            valueOfKind(builder, field, NodeKind::NameList, "a list of resources, such as `(arm)`"))
+      skill.resources = namesOf(builder, *list);
+    return;
+  case NodeKind::BodyField:
+    skill.body.emplace();
+    if (auto list = valueOfKind(builder, field, NodeKind::Block,
+                                "a list of statements, such as `((takeoff) (landing))`"))
+      skill.body = blockOf(builder, *list);
+    return;
+  case NodeKind::StartField:
+    skill.start = takeEffects(builder, field.values, field.use.keyword);
+    return;
+  case NodeKind::TimeIntervalField: return readTimeInterval(builder, field, skill);
+  case NodeKind::ActionField: skill.action = actionOf(builder, field); return;
+  case NodeKind::InterruptField: skill.interrupt = interruptOf(builder, field); return;
+  case NodeKind::SuccessField: skill.successes = outcomesOf(builder, field); return;
+  case NodeKind::FailureField: skill.failures = outcomesOf(builder, field); return;
+  case NodeKind::MonitorField: return readMonitor(builder, field, skill);
+  default: return;
+  }
+}
+
+} // namespace
+
+void readSkill(Builder& builder, std::vector<Field>& fields, Skill& skill) {
+  for (Field& field : fields) readField(builder, field, skill);
+}
+
+} // namespace proskill::syntax

@@ -1,0 +1,98 @@
+#include "syntax/tree/words.h"
+
+#include "syntax/diagnostics/codes.h"
+#include "syntax/tree/build.h"
+
+#include <algorithm>
+
+namespace proskill::syntax {
+namespace {
+
+unsigned byteAt(std::string_view text, std::size_t at) {
+  return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+}
+
+/// The length of the well-formed UTF-8 sequence at `at`, 0 where there is none
+/// (The Unicode Standard, table 3-7).
+std::size_t sequenceLength(std::string_view text, std::size_t at) {
+  unsigned first = byteAt(text, at);
+  if (first < 0x80) return 1;
+  unsigned low = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
+  unsigned high = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
+  std::size_t length = first >= 0xc2 && first <= 0xdf   ? 2
+                       : first >= 0xe0 && first <= 0xef ? 3
+                       : first >= 0xf0 && first <= 0xf4 ? 4
+                                                        : 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    unsigned next = byteAt(text, at + i);
+    if (next < low || next > high) return 0;
+    low = 0x80;
+    high = 0xbf;
+  }
+  return length;
+}
+
+bool isControl(char c) {
+  auto code = static_cast<unsigned char>(c);
+  return (code < 0x20 && !(code >= '\t' && code <= '\r')) || code == 0x7f;
+}
+
+void checkEscape(Builder& builder, const Node& escape) {
+  auto text = builder.textOf(escape);
+  if (text != "\\\"" && text != "\\\\" && text != "\\n" && text != "\\t")
+    builder.report(Code::UnknownEscape, escape.range, text);
+}
+
+void checkName(Builder& builder, const Node& name) {
+  std::string mended(builder.textOf(name));
+  auto& diagnostic = builder.report(Code::MalformedName, name.range, mended);
+  for (char& c : mended)
+    if (c == '-') c = '_';
+  bool ascii = std::ranges::all_of(mended, [](char c) { return static_cast<signed char>(c) > 0; });
+  if (ascii && (mended[0] < '0' || mended[0] > '9'))
+    diagnostic.fixes.push_back(
+        {fmt::format("write `{}`", shortened(mended)), {0, name.range}, mended});
+}
+
+} // namespace
+
+void cleanBytes(std::string& text, std::vector<Diagnostic>& diagnostics) {
+  Builder builder{text, diagnostics};
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t length = sequenceLength(text, at);
+    if (length > 0 && !isControl(text[at])) {
+      at += length;
+      continue;
+    }
+    std::size_t end = at + 1;
+    if (length > 0) {
+      builder.report(Code::ControlCharacter, {static_cast<Offset>(at), static_cast<Offset>(end)},
+                     fmt::format("U+{:04X}", byteAt(text, at)));
+    } else {
+      while (end < text.size() && sequenceLength(text, end) == 0) ++end;
+      builder.report(Code::InvalidUtf8, {static_cast<Offset>(at), static_cast<Offset>(end)});
+    }
+    while (at < end) text[at++] = kNoText;
+  }
+}
+
+void checkWords(std::string_view text, const Tree& tree, std::vector<Diagnostic>& diagnostics) {
+  Builder builder{text, diagnostics};
+  for (const Node& node : tree) {
+    auto word = builder.textOf(node);
+    switch (node.kind) {
+    case NodeKind::EscapeSequence: checkEscape(builder, node); break;
+    case NodeKind::MalformedName: checkName(builder, node); break;
+    case NodeKind::Number:
+      if (!parseRational(word)) builder.report(Code::NumberTooLarge, node.range, word);
+      break;
+    case NodeKind::Unexpected:
+      if (word.front() != kNoText) builder.report(Code::UnexpectedCharacter, node.range, word);
+      break;
+    case NodeKind::Error: builder.report(Code::UnexpectedCharacter, node.range, "..."); break;
+    default: break;
+    }
+  }
+}
+
+} // namespace proskill::syntax

@@ -1,0 +1,230 @@
+#include "verify/compile/buchi.h"
+
+#include "verify/compile/unsupported.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace proskill::verify {
+
+using fiacre::Ltl;
+using fiacre::LtlKind;
+
+namespace {
+
+using FormulaId = std::uint32_t;
+
+enum class Op : std::uint8_t { Literal, And, Or, Next, Until, Release };
+
+/// A formula in negation normal form.
+struct Formula {
+  Op op = Op::Literal;
+  std::uint32_t a = 0; ///< the condition of a literal
+  std::uint32_t b = 0;
+  friend auto operator<=>(const Formula&, const Formula&) = default;
+};
+
+/// Formulas, equal ones once.
+class Formulas {
+public:
+  Formulas(Nodes& in, const std::function<NodeId(const fiacre::Observable&)>& of)
+      : nodes(in), atom(of) {}
+
+  FormulaId literal(NodeId condition) { return make({Op::Literal, condition, 0}); }
+  FormulaId truth() { return literal(nodes.number(1)); }
+  FormulaId untruth() { return literal(nodes.number(0)); }
+
+  /// The formula, or its negation.
+  FormulaId normal(const Ltl& ltl, bool negative) {
+    const auto of = [&](std::size_t i, bool turned) { return normal(ltl.operands.at(i), turned); };
+    switch (ltl.kind) {
+    case LtlKind::Atom: {
+      const NodeId condition = atom(ltl.atom);
+      return literal(negative ? nodes.negation(condition) : condition);
+    }
+    case LtlKind::Not: return of(0, !negative);
+    case LtlKind::Next: return make({Op::Next, of(0, negative), 0});
+    case LtlKind::Globally:
+      return negative ? make({Op::Until, truth(), of(0, true)})
+                      : make({Op::Release, untruth(), of(0, false)});
+    case LtlKind::Finally:
+      return negative ? make({Op::Release, untruth(), of(0, true)})
+                      : make({Op::Until, truth(), of(0, false)});
+    case LtlKind::Until:
+      return make({negative ? Op::Release : Op::Until, of(0, negative), of(1, negative)});
+    case LtlKind::Implies:
+      return make({negative ? Op::And : Op::Or, of(0, !negative), of(1, negative)});
+    case LtlKind::And:
+    case LtlKind::Or: {
+      const Op op = (ltl.kind == LtlKind::And) != negative ? Op::And : Op::Or;
+      FormulaId all = of(0, negative);
+      for (std::size_t i = 1; i < ltl.operands.size(); ++i) all = make({op, all, of(i, negative)});
+      return all;
+    }
+    }
+    unsupported("an unknown operator of LTL");
+  }
+
+  [[nodiscard]] const Formula& at(FormulaId id) const { return all[id]; }
+  [[nodiscard]] std::size_t size() const { return all.size(); }
+  [[nodiscard]] bool isFalse(FormulaId id) const {
+    return all[id].op == Op::Literal && nodes.constant(all[id].a) == 0;
+  }
+  /// The condition of all literals in a set.
+  NodeId label(const std::set<FormulaId>& set) {
+    NodeId every = nodes.number(1);
+    for (auto id : set)
+      if (all[id].op == Op::Literal) every = nodes.both(every, all[id].a);
+    return every;
+  }
+
+private:
+  FormulaId make(Formula formula) {
+    auto [entry, added] = known.try_emplace(formula, static_cast<FormulaId>(all.size()));
+    if (added) all.push_back(formula);
+    return entry->second;
+  }
+
+  Nodes& nodes;
+  const std::function<NodeId(const fiacre::Observable&)>& atom;
+  std::vector<Formula> all;
+  std::map<Formula, FormulaId> known;
+};
+
+/// What is promised for this position and for the next.
+struct Draft {
+  std::set<FormulaId> todo;
+  std::set<FormulaId> old;
+  std::set<FormulaId> next;
+};
+
+struct State {
+  std::set<FormulaId> old;
+  std::set<FormulaId> next;
+  std::vector<std::uint32_t> successors;
+};
+
+class Tableau {
+public:
+  Tableau(Formulas& of, FormulaId start) : formulas(of) {
+    first = covers({start});
+    for (std::uint32_t i = 0; i < states.size(); ++i) {
+      const auto next = states[i].next;
+      auto successors = covers(next);
+      edges += successors.size();
+      if (edges > kMostEdges) tooLarge();
+      states[i].successors = std::move(successors);
+    }
+  }
+
+  std::vector<State> states;
+  std::vector<std::uint32_t> first;
+  std::size_t edges = 0;
+
+  static constexpr std::size_t kMostEdges = 1'000'000;
+  [[noreturn]] static void tooLarge() { unsupported("a formula of LTL that is too large"); }
+
+private:
+  static constexpr std::size_t kMostStates = 20'000;
+  static constexpr std::size_t kMostDrafts = 300'000;
+
+  /// The states in which a position may be where all of `wanted` is promised.
+  std::vector<std::uint32_t> covers(const std::set<FormulaId>& wanted) {
+    auto [entry, added] = coversOf.try_emplace(wanted);
+    if (!added) return entry->second;
+    std::set<std::uint32_t> found;
+    expand({wanted, {}, {}}, found);
+    return coversOf[wanted] = {found.begin(), found.end()};
+  }
+
+  void expand(Draft draft, std::set<std::uint32_t>& found) {
+    if (++drafts > kMostDrafts) tooLarge();
+    while (!draft.todo.empty()) {
+      const FormulaId id = *draft.todo.begin();
+      draft.todo.erase(draft.todo.begin());
+      if (formulas.isFalse(id)) return;
+      if (!draft.old.insert(id).second) continue;
+      const Formula formula = formulas.at(id);
+      switch (formula.op) {
+      case Op::Literal: break;
+      case Op::Next: draft.next.insert(formula.a); break;
+      case Op::And:
+        draft.todo.insert(formula.a);
+        draft.todo.insert(formula.b);
+        break;
+      case Op::Or: {
+        Draft other = draft;
+        other.todo.insert(formula.a);
+        expand(std::move(other), found);
+        draft.todo.insert(formula.b);
+        break;
+      }
+      case Op::Until: { // b, or a and the same again
+        Draft other = draft;
+        other.todo.insert(formula.a);
+        other.next.insert(id);
+        expand(std::move(other), found);
+        draft.todo.insert(formula.b);
+        break;
+      }
+      case Op::Release: { // b, and a or the same again
+        Draft other = draft;
+        other.todo.insert(formula.b);
+        other.next.insert(id);
+        expand(std::move(other), found);
+        draft.todo.insert(formula.a);
+        draft.todo.insert(formula.b);
+        break;
+      }
+      }
+    }
+    auto [entry, added] =
+        known.try_emplace({draft.old, draft.next}, static_cast<std::uint32_t>(states.size()));
+    if (added) states.push_back({std::move(draft.old), std::move(draft.next), {}});
+    if (states.size() > kMostStates) tooLarge();
+    found.insert(entry->second);
+  }
+
+  Formulas& formulas;
+  std::size_t drafts = 0;
+  std::map<std::set<FormulaId>, std::vector<std::uint32_t>> coversOf;
+  std::map<std::pair<std::set<FormulaId>, std::set<FormulaId>>, std::uint32_t> known;
+};
+
+} // namespace
+
+/// Each `until` that is promised has to be kept again and again; a counter says whose turn it is.
+Monitor negated(const Ltl& ltl, Nodes& nodes,
+                const std::function<NodeId(const fiacre::Observable&)>& atom) {
+  Formulas formulas(nodes, atom);
+  Tableau tableau(formulas, formulas.normal(ltl, true));
+  std::vector<FormulaId> promises;
+  for (FormulaId id = 0; id < formulas.size(); ++id)
+    if (formulas.at(id).op == Op::Until) promises.push_back(id);
+  const auto turns = static_cast<std::uint32_t>(std::max<std::size_t>(promises.size(), 1));
+  if (tableau.edges * turns > Tableau::kMostEdges) Tableau::tooLarge();
+  const auto keeps = [&](const State& state, std::uint32_t turn) {
+    return promises.empty() || !state.old.contains(promises[turn]) ||
+           state.old.contains(formulas.at(promises[turn]).b);
+  };
+  Monitor made;
+  made.ofPoints = false;
+  for (const auto& state : tableau.states) {
+    const NodeId label = formulas.label(state.old);
+    for (std::uint32_t turn = 0; turn < turns; ++turn) {
+      const bool kept = keeps(state, turn);
+      auto& location = made.locations.emplace_back();
+      location.stay = nodes.number(1);
+      location.accepting = turn == 0 && kept;
+      for (auto next : state.successors)
+        location.edges.push_back({.ofStep = true,
+                                  .to = next * turns + (kept ? (turn + 1) % turns : turn),
+                                  .condition = label});
+    }
+  }
+  for (auto first : tableau.first) made.initial.push_back(first * turns);
+  return made;
+}
+
+} // namespace proskill::verify

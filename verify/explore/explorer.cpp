@@ -1,0 +1,356 @@
+#include "verify/explore/explorer.h"
+
+#include "verify/reduce/live_variables.h"
+#include "verify/reduce/open_variables.h"
+#include "verify/reduce/safe_steps.h"
+#include "verify/state/evaluate.h"
+#include "verify/state/place.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reductions& with,
+                   Forgetting forgetting, LimitWatch& watch)
+    : system(of), goals(asked), reductions(with), limits(watch), graph(of, with, forgetting) {
+  goalsOfEvent.resize(system.eventCount);
+  hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
+  result.goals.resize(goals.size());
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const Goal& goal = goals[i];
+    if (goal.kind == GoalKind::Unsupported || goal.kind == GoalKind::Run) continue;
+    ++open;
+    goal.events.each([&](EventId event) { goalsOfEvent[event].push_back(i); });
+    if (goal.kind != GoalKind::Condition) continue;
+    stateGoals.push_back(i);
+    if (goal.ofSteps) stepGoals.push_back(i);
+  }
+}
+
+std::uint64_t ZoneGraph::bytes() const {
+  return timing.bytes() + states.bytes() + signatureOf.capacity() * sizeof(SignatureId) +
+         headOf.capacity() * sizeof(NodeIndex) + nodes.capacity() * sizeof(ZoneNode);
+}
+
+Progress Explorer::progress(NodeIndex next) const {
+  return {graph.nodes.size(), graph.states.size(), graph.nodes.size() - next,
+          graph.bytes(),      limits.seconds(),    goals.size() - open,
+          goals.size()};
+}
+
+Explored Explorer::run() {
+  start();
+  constexpr NodeIndex kBetweenChecks = 256;
+  NodeIndex next = 0;
+  for (; next < graph.nodes.size() && result.failure.empty() && !allDecided(); ++next) {
+    if (next % kBetweenChecks == 0) {
+      result.statistics.stopped = limits.met(progress(next));
+      if (!result.statistics.stopped.empty()) break;
+    }
+    if (!graph.nodes[next].covered) expand(next);
+  }
+  auto& statistics = result.statistics;
+  statistics.complete = next == graph.nodes.size() && result.failure.empty();
+  if (!statistics.complete && statistics.stopped.empty())
+    statistics.stopped = result.failure.empty() ? "all questions decided" : "an error of the model";
+  statistics.classes = graph.nodes.size();
+  statistics.markings = graph.states.size();
+  statistics.domains = graph.timing.zones().size();
+  statistics.bytes = graph.bytes();
+  statistics.seconds = limits.seconds();
+  return std::move(result);
+}
+
+void Explorer::start() {
+  Current current;
+  current.state = initialState(system);
+  graph.enabling.compute(current.state.data(), current.enabled);
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    if (goals[i].kind == GoalKind::Events && goals[i].initially) found(i);
+  noticeState(current);
+  if (reductions.openVariables)
+    passed =
+        reductions.openVariables->normalise(current.state.data(), current.enabled, graph.enabling);
+  current.signature = signatureOf(current);
+  current.zone = graph.timing.initial(current.signature);
+  runSafeSteps(current);
+  if (result.failure.empty()) add(current, kNone, kNone, 0);
+}
+
+/// What time needs to know of the state: of all choices of values of open variables, where there
+/// are some.
+SignatureId Explorer::signatureOf(const Current& current) {
+  bool urgent = graph.enabling.isUrgent(current.enabled);
+  if (urgent && reductions.openVariables) {
+    trial = current.state;
+    urgent = !reductions.openVariables->calm(trial.data(), current.enabled);
+  }
+  return graph.enabling.signature(current.enabled, urgent, graph.timing);
+}
+
+void Explorer::load(NodeIndex index) {
+  const ZoneNode& node = graph.nodes[index];
+  if (node.state != loadedState) {
+    const Word* stored = graph.states.at(node.state);
+    loaded.state.assign(system.words, 0);
+    std::copy(stored, stored + system.storedWords, loaded.state.begin());
+    graph.enabling.compute(loaded.state.data(), loaded.enabled);
+    loaded.signature = graph.signatureOf[node.state];
+    loadedState = node.state;
+  }
+  loaded.zone = node.zone;
+}
+
+void Explorer::expand(NodeIndex index) {
+  load(index);
+  expanding = index;
+  passed.clear();
+  if (reductions.openVariables) return expandOpen(index);
+  bool stopped = true;
+  const bool ends = fails(loaded.enabled); // the run ends here: a guard comes to a fault
+  eachIn(loaded.enabled, [&](TransitionId transition) {
+    stopped = false;
+    if (ends && !system.transitions[transition].fails) return;
+    if (!graph.enabling.isBlocked(transition, loaded.enabled)) step(index, transition);
+  });
+  if (stopped) noticeDeadlock();
+}
+
+/// The state stands for all choices of values of its open variables: each transition is fired from
+/// those that differ for it. There is no deadlock, since the environment can always go on.
+void Explorer::expandOpen(NodeIndex index) {
+  const OpenVariables& open = *reductions.openVariables;
+  std::vector<Word> state = loaded.state;
+  const bool ends = fails(loaded.enabled);
+  eachIn(open.candidates(state.data(), loaded.enabled), [&](TransitionId transition) {
+    if (ends && !system.transitions[transition].fails) return;
+    const bool within = open.staysWithin(transition, loaded.state.data());
+    if (within && open.isSilent(transition)) return;
+    std::uint32_t choice = 0;
+    open.eachFiring(transition, state.data(), [&] {
+      stepWith(index, transition, state, choice++);
+      return false;
+    });
+  });
+}
+
+bool Explorer::fails(const TransitionSet& enabled) const {
+  bool any = false;
+  if (hasErrors)
+    eachIn(enabled, [&](TransitionId id) { any = any || system.transitions[id].fails; });
+  return any;
+}
+
+void Explorer::step(NodeIndex parent, TransitionId transition) {
+  work = loaded;
+  passed.clear();
+  follow(parent, transition, 0);
+}
+
+/// A step from the loaded state, with other values of open variables.
+void Explorer::stepWith(NodeIndex parent, TransitionId transition, const std::vector<Word>& state,
+                        std::uint32_t choice) {
+  const OpenVariables& open = *reductions.openVariables;
+  work = loaded;
+  work.state = state;
+  passed = open.between(loaded.state.data(), state.data());
+  if (!passed.empty())
+    for (auto variable : open.readBy(transition))
+      graph.enabling.refresh(open.all()[variable].readers, work.state.data(), work.enabled);
+  follow(parent, transition, choice);
+}
+
+void Explorer::follow(NodeIndex parent, TransitionId transition, std::uint32_t choice) {
+  if (!result.failure.empty()) return;
+  if (!graph.timing.isFirable(work.zone, work.signature, transition)) return;
+  ++result.statistics.transitions;
+  if (!advance(work, transition)) return;
+  const OpenVariables* open = reductions.openVariables;
+  if (open && open->staysWithin(transition, loaded.state.data())) return;
+  runSafeSteps(work);
+  if (result.failure.empty()) add(work, parent, transition, choice);
+}
+
+/// Fires a transition and notices what it shows. False where it cannot be fired after all.
+bool Explorer::advance(Current& current, TransitionId transition) {
+  log.clear();
+  passed.push_back(transition);
+  if (!stepGoals.empty()) before = current.state;
+  const Outcome outcome = fire(system, transition, current.state.data(), log);
+  if (outcome == Outcome::GaveUp) return false;
+  if (outcome == Outcome::Failed) {
+    noticeError();
+    return false;
+  }
+  graph.enabling.update(transition, current.state.data(), current.enabled);
+  Steps back;
+  if (reductions.openVariables)
+    back =
+        reductions.openVariables->normalise(current.state.data(), current.enabled, graph.enabling);
+  const SignatureId signature = signatureOf(current);
+  current.zone = graph.timing.after(current.zone, current.signature, transition, signature);
+  current.signature = signature;
+  if (current.zone == kNone) return false;
+  noticeStep(current);
+  noticeState(current);
+  passed.insert(passed.end(), back.begin(), back.end());
+  return true;
+}
+
+/// As long as there is a step that is safe to take alone, takes it. Stops where it comes by a state
+/// again: that state is then stored and expanded fully, so that nothing is put off for ever.
+template <class Advance>
+void Explorer::followSafeSteps(const std::vector<Word>& state, const TransitionSet& enabled,
+                               Advance advance) const {
+  if (!reductions.safeSteps) return;
+  std::vector<Word> mark; // Brent: the state at the last power of two
+  for (std::size_t length = 1;; ++length) {
+    const TransitionId next = reductions.safeSteps->pick(state.data(), enabled);
+    if (next == kNone || state == mark) return;
+    if (std::has_single_bit(length)) mark = state;
+    if (!advance(next)) return;
+  }
+}
+
+void Explorer::runSafeSteps(Current& current) {
+  followSafeSteps(current.state, current.enabled,
+                  [&](TransitionId next) { return advance(current, next); });
+}
+
+/// The way to a node, as it was taken: with the setters that lead to each choice of values and
+/// back, and to one with which time may pass.
+Steps Explorer::pathTo(NodeIndex index) const {
+  std::vector<NodeIndex> line;
+  for (; index != kNone; index = graph.nodes[index].parent) line.push_back(index);
+  const OpenVariables* open = reductions.openVariables;
+  Steps path;
+  std::vector<Word> state = initialState(system);
+  TransitionSet enabled;
+  StepLog ignored;
+  const auto append = [&](const Steps& steps) {
+    path.insert(path.end(), steps.begin(), steps.end());
+  };
+  const auto normalise = [&] {
+    if (open) append(open->normalise(state.data(), enabled, graph.enabling));
+  };
+  const auto fireOne = [&](TransitionId transition) {
+    path.push_back(transition);
+    bool fired = fire(system, transition, state.data(), ignored) == Outcome::Done;
+    graph.enabling.update(transition, state.data(), enabled);
+    normalise();
+    return fired;
+  };
+  graph.enabling.compute(state.data(), enabled);
+  normalise();
+  followSafeSteps(state, enabled, fireOne);
+  for (std::size_t i = line.size(); i-- > 0;) {
+    const ZoneNode& node = graph.nodes[line[i]];
+    const Word* stored = graph.states.at(node.state);
+    state.assign(system.words, 0);
+    std::copy(stored, stored + system.storedWords, state.begin());
+    graph.enabling.compute(state.data(), enabled);
+    const std::vector<Word> here = state;
+    if (open && graph.enabling.isUrgent(enabled) && open->calm(state.data(), enabled)) {
+      append(open->between(here.data(), state.data()));
+      append(open->between(state.data(), here.data()));
+      state = here;
+    }
+    if (i == 0) return path;
+    const ZoneNode& next = graph.nodes[line[i - 1]];
+    if (open) {
+      std::uint32_t choice = 0;
+      open->eachFiring(next.transition, state.data(), [&] { return choice++ == next.choice; });
+      append(open->between(here.data(), state.data()));
+      graph.enabling.compute(state.data(), enabled);
+    }
+    fireOne(next.transition);
+    followSafeSteps(state, enabled, fireOne);
+  }
+  return path;
+}
+
+void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,
+                   std::uint32_t choice) {
+  if (reductions.liveVariables) reductions.liveVariables->clean(current.state.data());
+  const auto [state, isNew] = graph.states.add(current.state.data());
+  if (isNew) {
+    graph.signatureOf.push_back(current.signature);
+    graph.headOf.push_back(kNone);
+  } else if (isCovered(state, current.zone)) {
+    return;
+  }
+  const auto index = static_cast<NodeIndex>(graph.nodes.size());
+  graph.nodes.push_back({state, current.zone, parent, transition, choice, graph.headOf[state]});
+  graph.headOf[state] = index;
+}
+
+/// Whether a stored zone of the state includes the new one; those that the new one includes are
+/// struck off.
+bool Explorer::isCovered(StateId state, ZoneId zone) {
+  const auto& zones = graph.timing.zones();
+  for (NodeIndex i = graph.headOf[state]; i != kNone; i = graph.nodes[i].next) {
+    if (graph.nodes[i].zone == zone) return true;
+    if (reductions.inclusion && includes(zones.matrix(graph.nodes[i].zone), zones.matrix(zone)))
+      return true;
+  }
+  if (!reductions.inclusion) return false;
+  NodeIndex* link = &graph.headOf[state];
+  while (*link != kNone) {
+    ZoneNode& node = graph.nodes[*link];
+    if (includes(zones.matrix(zone), zones.matrix(node.zone))) {
+      node.covered = true;
+      *link = node.next;
+    } else {
+      link = &node.next;
+    }
+  }
+  return false;
+}
+
+void Explorer::noticeStep(const Current& after) {
+  for (auto event : log.events)
+    for (auto goal : goalsOfEvent[event]) found(goal);
+  if (stepGoals.empty()) return;
+  Bits events;
+  for (auto event : log.events) events.insert(event);
+  const Moment moment{before.data(), after.state.data(), &events};
+  for (auto goal : stepGoals)
+    if (!result.goals[goal] && holdsAt(system, goals[goal].condition, moment)) found(goal);
+}
+
+void Explorer::noticeState(const Current& current) {
+  const Moment moment{current.state.data(), nullptr, nullptr};
+  for (auto goal : stateGoals)
+    if (!result.goals[goal] && holdsAt(system, goals[goal].condition, moment)) found(goal);
+}
+
+void Explorer::noticeDeadlock() {
+  const Moment moment{loaded.state.data(), nullptr, nullptr};
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    if (goals[i].kind == GoalKind::Deadlock && !result.goals[i] &&
+        !holdsAt(system, goals[i].condition, moment))
+      found(i);
+}
+
+/// Where nobody asks for errors, one ends the exploration.
+void Explorer::noticeError() {
+  bool asked = false;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (goals[i].kind != GoalKind::Error) continue;
+    asked = true;
+    found(i);
+  }
+  if (asked) return;
+  result.failure = log.failure;
+  result.failureOrigin = log.origins.empty() ? 0 : log.origins.back();
+}
+
+void Explorer::found(std::size_t goal) {
+  if (result.goals[goal]) return;
+  --open;
+  Steps& steps = result.goals[goal].emplace();
+  if (expanding != kNone) steps = pathTo(expanding);
+  steps.insert(steps.end(), passed.begin(), passed.end());
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,412 @@
+#include "verify/explore/monitor_search.h"
+
+#include "graph/components.h"
+#include "verify/state/evaluate.h"
+#include "verify/state/place.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace proskill::verify {
+
+namespace {
+
+enum class MoveKind : std::uint8_t {
+  Start,
+  Silent, ///< of the monitor alone
+  Step,
+  Stutter, ///< the run has ended; its last state is read again
+};
+
+struct Move {
+  MoveKind kind = MoveKind::Start;
+  TransitionId transition = kNone;
+  std::uint32_t edge = 0; ///< of the location before
+};
+
+struct WatchNode {
+  StateId state = 0;
+  ZoneId zone = 0;
+  std::uint32_t location = 0;
+  bool instant = false; ///< no time passes: the monitor has to move on
+  NodeIndex parent = kNone;
+  Move move;
+  NodeIndex next = kNone; ///< in the list of the nodes of this state
+};
+
+struct Arc {
+  NodeIndex target = 0;
+  Move move;
+};
+
+class MonitorSearch {
+public:
+  MonitorSearch(const System& of, const Monitor& with, const LiveVariables* live,
+                const Bits& dropped, bool errorsAreAsked, LimitWatch& watch)
+      : system(of),
+        monitor(with),
+        liveVariables(live),
+        errorsAsked(errorsAreAsked),
+        cycles(with.looksForCycles()),
+        limits(watch),
+        enabling(of, dropped),
+        timing(of, Forgetting::LowerUpper),
+        states(of.storedWords) {
+    for (const auto& location : monitor.locations)
+      for (const auto& edge : location.edges)
+        for (auto limit : {edge.clock.lower, edge.clock.upper})
+          if (limit != kInfinite) most = std::max(most, std::abs(constantOf(limit)));
+    for (const auto& transition : of.transitions) hasErrors = hasErrors || transition.fails;
+  }
+
+  Watched run() {
+    start();
+    constexpr NodeIndex kBetweenChecks = 256;
+    NodeIndex next = 0;
+    NodeIndex looked = 512; ///< nodes when cycles were last looked for
+    for (; next < nodes.size() && !done(); ++next) {
+      // A cycle of a part is one of the whole. Each time the part has doubled: the looks together
+      // cost no more than one more at the end.
+      if (cycles && next == 2 * looked) {
+        looked = next;
+        findCycle();
+        if (done()) break;
+      }
+      if (next % kBetweenChecks == 0) {
+        result.statistics.stopped = limits.met(progress(next));
+        if (!result.statistics.stopped.empty()) break;
+      }
+      expand(next);
+    }
+    if (!done() && next == nodes.size() && cycles) findCycle();
+    auto& statistics = result.statistics;
+    statistics.complete = next == nodes.size() && result.failure.empty();
+    if (!statistics.complete && statistics.stopped.empty())
+      statistics.stopped =
+          result.failure.empty() ? "a violation was found" : "an error of the model";
+    statistics.classes = nodes.size();
+    statistics.markings = states.size();
+    statistics.domains = zones.size();
+    statistics.bytes = bytes();
+    statistics.seconds = limits.seconds();
+    return std::move(result);
+  }
+
+private:
+  [[nodiscard]] bool done() const { return result.evidence || !result.failure.empty(); }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return zones.bytes() + states.bytes() + timing.bytes() + nodes.capacity() * sizeof(WatchNode) +
+           arcs.capacity() * sizeof(std::vector<Arc>) + arcCount * sizeof(Arc);
+  }
+  [[nodiscard]] Progress progress(NodeIndex next) const {
+    return {nodes.size(), states.size(), nodes.size() - next, bytes(), limits.seconds()};
+  }
+
+  [[nodiscard]] bool seenIn(NodeId condition, const std::vector<Word>& state) const {
+    return holdsAt(system, condition, {state.data(), nullptr, nullptr});
+  }
+
+  void start() {
+    std::vector<Word> state = initialState(system);
+    enabling.compute(state.data(), enabled);
+    const SignatureId signature = enabling.signature(enabled, timing);
+    const auto clocks = static_cast<std::uint32_t>(timing.at(signature).clocks.size());
+    for (auto location : monitor.initial)
+      arrive(state, signature, location,
+             Dbm(clocks + (monitor.locations[location].timed ? 1U : 0U)), kNone, {});
+  }
+
+  /// Lets time pass as far as the state allows it, and forgets what nothing compares any more.
+  [[nodiscard]] std::optional<Dbm> settled(Dbm zone, const Signature& signature, bool timed,
+                                           bool instant) const {
+    const auto limitTime = [&] {
+      for (std::uint32_t i = 0; i < signature.clocks.size(); ++i)
+        if (!zone.constrain(i + 1, 0, signature.invariants[i])) return false;
+      return true;
+    };
+    if (!signature.urgent && !instant) zone.up();
+    if (!limitTime()) return std::nullopt;
+    auto lower = signature.lower;
+    auto upper = signature.upper;
+    if (timed) {
+      lower.push_back(most);
+      upper.push_back(most);
+    }
+    zone.extrapolate(lower, upper);
+    if (!limitTime()) return std::nullopt;
+    return zone;
+  }
+
+  /// A node for the monitor in `location` as the model has come to a state; `zone` is of that
+  /// moment.
+  void arrive(const std::vector<Word>& state, SignatureId signature, std::uint32_t location,
+              const Dbm& zone, NodeIndex parent, Move move) {
+    if (done()) return;
+    const auto& at = monitor.locations[location];
+    const bool stays = seenIn(at.stay, state);
+    if (!stays && std::ranges::none_of(at.edges, [](const auto& edge) { return !edge.ofStep; }))
+      return;
+    auto made = settled(zone, timing.at(signature), at.timed, !stays);
+    if (!made) return;
+    std::vector<Word> kept = state;
+    if (liveVariables) liveVariables->clean(kept.data());
+    const auto [id, isNew] = states.add(kept.data());
+    if (isNew) {
+      signatureOf.push_back(signature);
+      headOf.push_back(kNone);
+    }
+    const ZoneId zoneId = zones.add(*made);
+    const NodeIndex known = find(id, zoneId, location, !stays);
+    const auto index = known == kNone ? static_cast<NodeIndex>(nodes.size()) : known;
+    if (cycles && parent != kNone) {
+      arcs[parent].push_back({index, move});
+      ++arcCount;
+    }
+    if (known != kNone) return;
+    nodes.push_back({id, zoneId, location, !stays, parent, move, headOf[id]});
+    headOf[id] = index;
+    if (cycles) arcs.emplace_back();
+    if (at.error) result.evidence = evidence(pathTo(index), std::nullopt);
+  }
+
+  /// A node that does for a new one; where cycles are looked for, only the very same.
+  [[nodiscard]] NodeIndex find(StateId state, ZoneId zone, std::uint32_t location,
+                               bool instant) const {
+    for (NodeIndex i = headOf[state]; i != kNone; i = nodes[i].next) {
+      if (nodes[i].location != location || nodes[i].instant != instant) continue;
+      if (nodes[i].zone == zone) return i;
+      if (!cycles && includes(zones.matrix(nodes[i].zone), zones.matrix(zone))) return i;
+    }
+    return kNone;
+  }
+
+  void load(const WatchNode& node) {
+    if (node.state == loadedState) return;
+    const Word* stored = states.at(node.state);
+    loaded.assign(system.words, 0);
+    std::copy(stored, stored + system.storedWords, loaded.begin());
+    enabling.compute(loaded.data(), enabled);
+    loadedState = node.state;
+  }
+
+  [[nodiscard]] static bool constrain(Dbm& zone, const ClockGuard& guard) {
+    const std::uint32_t clock = zone.dimension() - 1;
+    if (guard.lower != kZero && !zone.constrain(0, clock, guard.lower)) return false;
+    return guard.upper == kInfinite || zone.constrain(clock, 0, guard.upper);
+  }
+
+  void expand(NodeIndex index) {
+    const WatchNode node = nodes[index];
+    load(node);
+    const SignatureId signature = signatureOf[node.state];
+    const auto& location = monitor.locations[node.location];
+    for (std::uint32_t i = 0; i < location.edges.size(); ++i)
+      if (!location.edges[i].ofStep && seenIn(location.edges[i].condition, loaded))
+        moveAlone(index, node, signature, i, MoveKind::Silent);
+    if (node.instant || done()) return;
+    if (fails()) return reportErrors(index, node);
+    bool stopped = true;
+    const TransitionSet all = enabled;
+    eachIn(all, [&](TransitionId transition) {
+      stopped = false;
+      if (!done() && !enabling.isBlocked(transition, all)) take(index, node, signature, transition);
+    });
+    if (!stopped) return;
+    // Nothing is left to do, so time goes on for ever, beyond all bounds.
+    for (std::uint32_t i = 0; i < location.edges.size(); ++i)
+      if (location.edges[i].ofStep && location.edges[i].clock.upper == kInfinite &&
+          seenIn(location.edges[i].condition, loaded))
+        moveAlone(index, node, signature, i, MoveKind::Stutter);
+  }
+
+  /// A guard comes to a fault: runs end here, and are no business of the monitor's.
+  [[nodiscard]] bool fails() const {
+    bool any = false;
+    if (hasErrors)
+      eachIn(enabled, [&](TransitionId id) { any = any || system.transitions[id].fails; });
+    return any;
+  }
+
+  void reportErrors(NodeIndex index, const WatchNode& node) {
+    const TransitionSet all = enabled;
+    eachIn(all, [&](TransitionId id) {
+      if (system.transitions[id].fails) take(index, node, signatureOf[node.state], id);
+    });
+  }
+
+  void moveAlone(NodeIndex index, const WatchNode& node, SignatureId signature, std::uint32_t edge,
+                 MoveKind kind) {
+    const auto& taken = monitor.locations[node.location].edges[edge];
+    const bool timed = monitor.locations[node.location].timed;
+    const bool timedAfter = monitor.locations[taken.to].timed;
+    Dbm zone = zones.zone(node.zone);
+    if (timed && !constrain(zone, taken.clock)) return;
+    const std::vector<Word> state = loaded;
+    arrive(state, signature, taken.to, watchKept(zone, timed, timedAfter, taken.reset), index,
+           {kind, kNone, edge});
+  }
+
+  /// The zone with the monitor's clock as the next location wants it.
+  [[nodiscard]] static Dbm watchKept(const Dbm& zone, bool timed, bool timedAfter, bool reset) {
+    const std::uint32_t others = zone.dimension() - 1 - (timed ? 1U : 0U);
+    std::vector<std::uint32_t> from(others);
+    for (std::uint32_t i = 0; i < others; ++i) from[i] = i + 1;
+    if (timedAfter) from.push_back(timed && !reset ? others + 1 : 0);
+    return zone.over(from);
+  }
+
+  void take(NodeIndex index, const WatchNode& node, SignatureId signature,
+            TransitionId transition) {
+    Dbm zone = zones.zone(node.zone);
+    if (!timing.allow(zone, signature, transition)) return;
+    ++result.statistics.transitions;
+    after = loaded;
+    log.clear();
+    const Outcome outcome = fire(system, transition, after.data(), log);
+    if (outcome == Outcome::GaveUp) return;
+    if (outcome == Outcome::Failed) {
+      if (errorsAsked) return;
+      result.failure = log.failure;
+      result.failureOrigin = log.origins.empty() ? 0 : log.origins.back();
+      return;
+    }
+    TransitionSet next = enabled;
+    enabling.update(transition, after.data(), next);
+    const SignatureId afterSignature = enabling.signature(next, timing);
+    Bits events;
+    for (auto event : log.events) events.insert(event);
+    const Moment moment{loaded.data(), after.data(), &events};
+    const auto& location = monitor.locations[node.location];
+    const std::vector<Word> reached = after;
+    for (std::uint32_t i = 0; i < location.edges.size(); ++i) {
+      const auto& edge = location.edges[i];
+      if (!edge.ofStep || !holdsAt(system, edge.condition, moment)) continue;
+      Dbm own = zone;
+      if (location.timed && !constrain(own, edge.clock)) continue;
+      std::vector<std::uint32_t> from = timing.kept(signature, transition, afterSignature);
+      if (monitor.locations[edge.to].timed)
+        from.push_back(location.timed && !edge.reset ? own.dimension() - 1 : 0);
+      arrive(reached, afterSignature, edge.to, own.over(from), index,
+             {MoveKind::Step, transition, i});
+    }
+  }
+
+  struct Way {
+    std::vector<Move> moves;
+    std::vector<std::uint32_t> locations; ///< before each move
+  };
+
+  [[nodiscard]] Way pathTo(NodeIndex index) const {
+    Way way;
+    for (; nodes[index].parent != kNone; index = nodes[index].parent) {
+      way.moves.push_back(nodes[index].move);
+      way.locations.push_back(nodes[nodes[index].parent].location);
+    }
+    std::ranges::reverse(way.moves);
+    std::ranges::reverse(way.locations);
+    return way;
+  }
+
+  /// \param loop how many moves are before the part that is repeated
+  [[nodiscard]] Evidence evidence(const Way& way, std::optional<std::size_t> loop) const {
+    Evidence made;
+    made.monitor = &monitor;
+    for (std::size_t i = 0; i < way.moves.size(); ++i) {
+      const Move& move = way.moves[i];
+      if (loop == i) made.loop = made.steps.size();
+      if (move.kind == MoveKind::Step) made.steps.push_back(move.transition);
+      if (move.kind == MoveKind::Stutter) continue;
+      made.marks.push_back({.after = made.steps.size(),
+                            .atStep = move.kind == MoveKind::Step,
+                            .location = way.locations[i],
+                            .edge = move.edge});
+    }
+    if (made.loop == made.steps.size()) made.loop.reset(); // the run ends; nothing is repeated
+    return made;
+  }
+
+  /// A cycle through an accepting location: every node of a component with a cycle is on one.
+  void findCycle() {
+    const auto component = graph::componentsOf(nodes.size(), [&](NodeIndex node, std::size_t i) {
+      return i < arcs[node].size() ? arcs[node][i].target : graph::kNoNode;
+    });
+    std::vector<NodeIndex> size(nodes.size());
+    for (auto id : component) ++size[id];
+    for (NodeIndex node = 0; node < nodes.size(); ++node) {
+      const bool goesRound =
+          size[component[node]] > 1 || std::ranges::count(arcs[node], node, &Arc::target) > 0;
+      if (!goesRound || !monitor.locations[nodes[node].location].accepting) continue;
+      const auto loop = cycleThrough(node, component);
+      if (!loop) continue;
+      Way way = pathTo(node);
+      const std::size_t stem = way.moves.size();
+      way.moves.insert(way.moves.end(), loop->moves.begin(), loop->moves.end());
+      way.locations.insert(way.locations.end(), loop->locations.begin(), loop->locations.end());
+      result.evidence = evidence(way, stem);
+      return;
+    }
+  }
+
+  /// The shortest way from a node to itself, breadth first within its component.
+  [[nodiscard]] std::optional<Way> cycleThrough(NodeIndex node,
+                                                const std::vector<NodeIndex>& component) const {
+    std::vector<std::pair<NodeIndex, std::size_t>> from(nodes.size(), {kNone, 0});
+    std::deque<NodeIndex> todo{node};
+    while (!todo.empty()) {
+      const NodeIndex at = todo.front();
+      todo.pop_front();
+      for (std::size_t i = 0; i < arcs[at].size(); ++i) {
+        const NodeIndex target = arcs[at][i].target;
+        if (component[target] != component[node] || from[target].first != kNone) continue;
+        from[target] = {at, i};
+        if (target != node) {
+          todo.push_back(target);
+          continue;
+        }
+        Way way;
+        for (NodeIndex back = node; way.moves.empty() || back != node; back = from[back].first) {
+          way.moves.push_back(arcs[from[back].first][from[back].second].move);
+          way.locations.push_back(nodes[from[back].first].location);
+        }
+        std::ranges::reverse(way.moves);
+        std::ranges::reverse(way.locations);
+        return way;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const System& system;
+  const Monitor& monitor;
+  const LiveVariables* liveVariables;
+  bool errorsAsked;
+  bool cycles;
+  bool hasErrors = false;
+  LimitWatch& limits;
+  std::int32_t most = 0; ///< the largest constant that the monitor's clock is compared with
+  Enabling enabling;
+  Timing timing;
+  StateStore states;
+  ZoneStore zones;
+  std::vector<SignatureId> signatureOf; ///< by state
+  std::vector<NodeIndex> headOf;        ///< by state
+  std::vector<WatchNode> nodes;
+  std::vector<std::vector<Arc>> arcs; ///< by node, where cycles are looked for
+  std::uint64_t arcCount = 0;
+  Watched result;
+
+  StateId loadedState = kNone;
+  std::vector<Word> loaded;
+  std::vector<Word> after;
+  TransitionSet enabled;
+  StepLog log;
+};
+
+} // namespace
+
+Watched watchFor(const System& system, const Monitor& monitor, const LiveVariables* liveVariables,
+                 const Bits& dropped, bool errorsAreAsked, LimitWatch& limits) {
+  return MonitorSearch(system, monitor, liveVariables, dropped, errorsAreAsked, limits).run();
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "verify/explore/limits.h"
+#include "verify/explore/search.h"
+#include "verify/model/monitor.h"
+#include "verify/reduce/live_variables.h"
+
+namespace proskill::verify {
+
+/// What the search for a run that a monitor accepts came to.
+struct Watched {
+  std::optional<Evidence> evidence;
+  Exploration statistics;
+  std::string failure; ///< an error of the model that nobody asked for
+  fiacre::OriginId failureOrigin = 0;
+};
+
+/// Looks for a run that the monitor accepts, in the zone graph of the model with the monitor's
+/// clock. An error location is looked for as any state is; for the others the graph is searched for
+/// a cycle through an accepting location, with no zone left out for another that includes it:
+/// Extra+LU keeps the answer, see Li, "Formal verification of timed automata by means of
+/// LU-abstractions" (FORMATS 2009); Tarjan, "Depth-first search and linear graph algorithms", SIAM
+/// J. Comput. 1972. Runs are maximal sequences of steps; they need not let time diverge.
+[[nodiscard]] Watched watchFor(const System& system, const Monitor& monitor,
+                               const LiveVariables* liveVariables, const Bits& dropped,
+                               bool errorsAreAsked, LimitWatch& limits);
+
+} // namespace proskill::verify

@@ -1,0 +1,91 @@
+#include "verify/explore/search.h"
+
+#include "verify/state/place.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+bool isStuckGoal(const Goal& goal) { return goal.kind == GoalKind::Stuck; }
+
+/// Whether a run along these steps ends with the clocks in these ranges: the zones along it, with
+/// nothing forgotten but what cannot be told apart.
+bool isReal(const System& system, const Evidence& evidence) {
+  Timing timing(system, Forgetting::Least);
+  Enabling enabling(system);
+  StepLog log;
+  std::vector<Word> state = initialState(system);
+  TransitionSet enabled;
+  enabling.compute(state.data(), enabled);
+  SignatureId signature = enabling.signature(enabled, timing);
+  ZoneId zone = timing.initial(signature);
+  for (auto step : evidence.steps) {
+    if (fire(system, step, state.data(), log) != Outcome::Done) return false;
+    enabling.update(step, state.data(), enabled);
+    const SignatureId next = enabling.signature(enabled, timing);
+    zone = timing.after(zone, signature, step, next);
+    if (zone == kNone) return false;
+    signature = next;
+  }
+  Dbm last = timing.zones().zone(zone);
+  const auto& clocks = timing.at(signature).clocks;
+  return std::ranges::all_of(evidence.clocks, [&](const ClockRange& range) {
+    auto at =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(clocks, range.clock) - clocks.begin()) +
+        1;
+    return last.constrain(0, at, range.lower) && last.constrain(at, 0, range.upper);
+  });
+}
+
+std::optional<Evidence> findStuck(const System& system, const Reductions& reductions,
+                                  Explorer& explorer) {
+  auto stuck = ProgressCheck(system, reductions, explorer.explored()).find();
+  if (!stuck) return std::nullopt;
+  return Evidence{explorer.pathTo(stuck->node), stuck->clocks};
+}
+
+} // namespace
+
+void add(Exploration& to, const Exploration& more) {
+  to.classes += more.classes;
+  to.markings += more.markings;
+  to.domains += more.domains;
+  to.transitions += more.transitions;
+  to.bytes = std::max(to.bytes, more.bytes);
+  to.seconds = more.seconds;
+  to.complete = to.complete && more.complete;
+  if (to.stopped.empty()) to.stopped = more.stopped;
+}
+
+SearchResult search(const System& system, const std::vector<Goal>& goals,
+                    const Reductions& reductions, Forgetting forgetting, LimitWatch& limits) {
+  SearchResult result;
+  result.goals.resize(goals.size());
+  Explorer explorer(system, goals, reductions, forgetting, limits);
+  Explored explored = explorer.run();
+  result.statistics = explored.statistics;
+  if (!explored.failure.empty())
+    result.failure = Unsupported{explored.failure, explored.failureOrigin};
+  if (result.failure) return result;
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    if (explored.goals[i]) result.goals[i] = Evidence{*explored.goals[i], {}};
+  if (std::ranges::none_of(goals, isStuckGoal)) return result;
+
+  auto stuck = findStuck(system, reductions, explorer);
+  // Extra+LU may put clocks nearer to their upper bounds than they get; the maximum does not.
+  if (stuck && forgetting == Forgetting::LowerUpper && !isReal(system, *stuck)) {
+    std::vector<Goal> stuckGoals;
+    std::ranges::copy_if(goals, std::back_inserter(stuckGoals), isStuckGoal);
+    Explorer finer(system, stuckGoals, reductions, Forgetting::Maximum, limits);
+    Explored again = finer.run();
+    add(result.statistics, again.statistics);
+    stuck = findStuck(system, reductions, finer);
+  }
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    if (isStuckGoal(goals[i])) result.goals[i] = stuck;
+  return result;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "verify/explore/explorer.h"
+#include "verify/explore/progress_check.h"
+
+namespace proskill::verify {
+
+/// A move of a monitor along the steps: with a step, or at a date between two.
+struct Mark {
+  std::size_t after = 0; ///< how many steps were taken, that of the move included
+  bool atStep = false;
+  std::uint32_t location = 0; ///< of the monitor, before
+  std::uint32_t edge = 0;
+};
+
+/// A way to what a goal asks for, and where the clocks stand at its end where that matters.
+struct Evidence {
+  Steps steps;
+  std::vector<ClockRange> clocks;
+  const Monitor* monitor = nullptr; ///< that accepts the run, by these moves
+  std::vector<Mark> marks;
+  std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
+};
+
+struct SearchResult {
+  std::vector<std::optional<Evidence>> goals; ///< by goal: nothing where nothing was found
+  Exploration statistics;
+  std::optional<Unsupported> failure;
+};
+
+/// Counts one more exploration of the same system. \param more the later one: its time is of both
+void add(Exploration& to, const Exploration& more);
+
+/// Looks for all goals: one exploration, and one more, with finer zones, where the first could not
+/// tell whether time can stop.
+[[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,
+                                  const Reductions& reductions, Forgetting forgetting,
+                                  LimitWatch& limits);
+
+} // namespace proskill::verify

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "verify/graph/state_graph.h"
+#include "verify/state/run.h"
+#include "verify/state/store.h"
+
+#include <unordered_map>
+
+namespace proskill::verify {
+
+/// Writes down the edges of a class graph while it is explored, and makes a graph of them.
+class GraphRecorder {
+public:
+  GraphRecorder(const System& of, std::string mainComponent, GraphKind graphKind)
+      : system(of), main(std::move(mainComponent)), kind(graphKind) {}
+
+  /// A class, by its marking and the domain within it.
+  struct Class {
+    std::uint32_t marking = 0;
+    ZoneId domain = 0;
+  };
+  /// The label of the transition that was just fired, for `edge`.
+  [[nodiscard]] std::uint32_t label(TransitionId transition, const StepLog& log);
+  void edge(Class from, std::uint32_t label, Class to);
+  [[nodiscard]] std::uint64_t bytes() const;
+
+  /// The graph of all edges; `markings` are the packed ones that classes name.
+  [[nodiscard]] StateGraph graph(Class initial, const StateStore& markings) const;
+
+private:
+  [[nodiscard]] std::uint32_t node(Class of);
+  void addProperties(StateGraph& graph, const std::vector<std::uint32_t>& markingOf,
+                     const StateStore& markings) const;
+
+  const System& system;
+  std::string main;
+  GraphKind kind;
+  std::vector<std::string> labels;
+  std::unordered_map<std::string, std::uint32_t> numberOfLabel;
+  std::unordered_map<std::uint64_t, std::uint32_t> numberOfNode;
+  std::vector<std::uint32_t> markingOf; ///< by node
+  std::vector<StateGraph::Edge> edges;  ///< between nodes
+};
+
+} // namespace proskill::verify

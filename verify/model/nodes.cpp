@@ -1,0 +1,335 @@
+#include "verify/model/nodes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace proskill::verify {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+constexpr std::int64_t kHuge = std::int64_t{1} << 62;
+
+std::int64_t clampWide(Wide value) {
+  return static_cast<std::int64_t>(std::clamp<Wide>(value, -kHuge, kHuge));
+}
+
+/// Nothing where it is too large: that is an error when it happens.
+std::optional<std::int64_t> within(Wide value) {
+  if (value < -kHuge || value > kHuge) return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
+std::optional<std::int64_t> calculate(NodeOp op, std::int64_t a, std::int64_t b) {
+  switch (op) {
+  case NodeOp::And: return a != 0 && b != 0;
+  case NodeOp::Or: return a != 0 || b != 0;
+  case NodeOp::Equal: return a == b;
+  case NodeOp::Less: return a < b;
+  case NodeOp::LessEqual: return a <= b;
+  case NodeOp::Add: return within(static_cast<Wide>(a) + b);
+  case NodeOp::Subtract: return within(static_cast<Wide>(a) - b);
+  case NodeOp::Multiply: return within(static_cast<Wide>(a) * b);
+  case NodeOp::Divide: return b == 0 ? std::nullopt : std::optional(a / b);
+  case NodeOp::Modulo: return b == 0 ? std::nullopt : std::optional(a % b);
+  case NodeOp::Number:
+  case NodeOp::Cell:
+  case NodeOp::Test:
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Conditional:
+  case NodeOp::Happens:
+  case NodeOp::Entered:
+  case NodeOp::Left:
+  case NodeOp::Received:
+  case NodeOp::Require:
+  case NodeOp::Fails: return std::nullopt;
+  }
+  std::unreachable();
+}
+
+} // namespace
+
+Nodes::Nodes(System& of) : system(of) {
+  for (NodeId i = 0; i < system.nodes.size(); ++i) {
+    const Node& node = system.nodes[i];
+    known.emplace(std::tuple{node.op, node.a, node.b, node.c, node.number}, i);
+  }
+}
+
+NodeId Nodes::make(Node node) {
+  auto [entry, added] = known.try_emplace({node.op, node.a, node.b, node.c, node.number},
+                                          static_cast<NodeId>(system.nodes.size()));
+  if (added) system.nodes.push_back(node);
+  return entry->second;
+}
+
+NodeId Nodes::number(std::int64_t value) { return make({.op = NodeOp::Number, .number = value}); }
+
+NodeId Nodes::cell(CellId cell) { return make({.op = NodeOp::Cell, .a = cell}); }
+
+NodeId Nodes::happens(EventId event) { return make({.op = NodeOp::Happens, .a = event}); }
+
+std::optional<std::int64_t> Nodes::constant(NodeId node) const {
+  if (system.nodes[node].op != NodeOp::Number) return std::nullopt;
+  return system.nodes[node].number;
+}
+
+NodeId Nodes::unary(NodeOp op, NodeId a) {
+  if (auto value = constant(a)) {
+    if (op == NodeOp::Not) return number(*value == 0);
+    if (op == NodeOp::Negate) return number(-*value);
+  }
+  if (op == NodeOp::Not && system.nodes[a].op == NodeOp::Not) return system.nodes[a].a;
+  return make({.op = op, .a = a});
+}
+
+std::optional<NodeId> Nodes::folded(NodeOp op, NodeId a, NodeId b) {
+  auto left = constant(a);
+  auto right = constant(b);
+  if (left && right)
+    if (auto value = calculate(op, *left, *right)) return number(*value);
+  if (op == NodeOp::And) {
+    if (left) return *left != 0 ? b : number(0);
+    if (right && *right != 0) return a;
+    if (a == b) return a;
+  }
+  if (op == NodeOp::Or) {
+    if (left) return *left != 0 ? number(1) : b;
+    if (right && *right == 0) return a;
+    if (a == b) return a;
+  }
+  if (op == NodeOp::Equal && a == b && !mayFail(system, a)) return number(1);
+  return std::nullopt;
+}
+
+NodeId Nodes::binary(NodeOp op, NodeId a, NodeId b) {
+  if (auto simple = folded(op, a, b)) return *simple;
+  return make({.op = op, .a = a, .b = b});
+}
+
+NodeId Nodes::conditional(NodeId a, NodeId b, NodeId c) {
+  if (auto value = constant(a)) return *value != 0 ? b : c;
+  if (b == c && !mayFail(system, a)) return b;
+  return make({.op = NodeOp::Conditional, .a = a, .b = b, .c = c});
+}
+
+NodeId Nodes::require(NodeId a, NodeId b, FaultId fault) {
+  if (constant(a).value_or(0) != 0) return b;
+  return make({.op = NodeOp::Require, .a = a, .b = b, .c = fault});
+}
+
+NodeId Nodes::between(NodeId value, std::int64_t low, std::int64_t high, FaultId fault) {
+  const auto inside = both(binary(NodeOp::LessEqual, number(low), value),
+                           binary(NodeOp::LessEqual, value, number(high)));
+  if (constant(inside).value_or(0) != 0) return value;
+  return make({.op = NodeOp::Require,
+               .a = inside,
+               .b = value,
+               .c = fault,
+               .number = 1,
+               .low = low,
+               .high = high});
+}
+
+FaultId Nodes::fault(const std::string& words) {
+  const auto found = std::ranges::find(system.faults, words);
+  if (found != system.faults.end()) return static_cast<FaultId>(found - system.faults.begin());
+  system.faults.push_back(words);
+  return static_cast<FaultId>(system.faults.size() - 1);
+}
+
+NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
+  const Node node = system.nodes[id]; // a copy: nodes are added
+  switch (node.op) {
+  case NodeOp::Number:
+  case NodeOp::Test:
+  case NodeOp::Happens: return id;
+  case NodeOp::Cell:
+  case NodeOp::Received: return leaf(node).value_or(id);
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Fails:
+  case NodeOp::Entered:
+  case NodeOp::Left: return unary(node.op, substitute(node.a, leaf));
+  case NodeOp::Require: {
+    const NodeId value = substitute(node.b, leaf);
+    return node.number != 0 ? between(value, node.low, node.high, node.c)
+                            : require(substitute(node.a, leaf), value, node.c);
+  }
+  case NodeOp::Conditional:
+    return conditional(substitute(node.a, leaf), substitute(node.b, leaf),
+                       substitute(node.c, leaf));
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual:
+  case NodeOp::Add:
+  case NodeOp::Subtract:
+  case NodeOp::Multiply:
+  case NodeOp::Divide:
+  case NodeOp::Modulo: return binary(node.op, substitute(node.a, leaf), substitute(node.b, leaf));
+  }
+  std::unreachable();
+}
+
+namespace {
+
+template <class Combine> ValueBounds corners(ValueBounds a, ValueBounds b, Combine combine) {
+  const Wide values[] = {combine(a.low, b.low), combine(a.low, b.high), combine(a.high, b.low),
+                         combine(a.high, b.high)};
+  return {clampWide(*std::ranges::min_element(values)),
+          clampWide(*std::ranges::max_element(values))};
+}
+
+ValueBounds moduloBounds(ValueBounds a, ValueBounds b) {
+  std::int64_t most = std::max(b.high, -b.low) - 1;
+  return {a.low < 0 ? -most : 0, a.high > 0 ? most : 0};
+}
+
+ValueBounds quotientBounds(ValueBounds a) {
+  std::int64_t most = std::max(a.high, -a.low);
+  return {-most, most};
+}
+
+} // namespace
+
+ValueBounds valueBounds(const System& system, NodeId id) {
+  const Node& node = system.nodes[id];
+  switch (node.op) {
+  case NodeOp::Number: return {node.number, node.number};
+  case NodeOp::Cell: return {system.cells[node.a].low, system.cells[node.a].high};
+  case NodeOp::Negate: {
+    auto a = valueBounds(system, node.a);
+    return {-a.high, -a.low};
+  }
+  case NodeOp::Add: {
+    auto [a, b] = std::pair{valueBounds(system, node.a), valueBounds(system, node.b)};
+    return {clampWide(static_cast<Wide>(a.low) + b.low),
+            clampWide(static_cast<Wide>(a.high) + b.high)};
+  }
+  case NodeOp::Subtract: {
+    auto [a, b] = std::pair{valueBounds(system, node.a), valueBounds(system, node.b)};
+    return {clampWide(static_cast<Wide>(a.low) - b.high),
+            clampWide(static_cast<Wide>(a.high) - b.low)};
+  }
+  case NodeOp::Multiply:
+    return corners(valueBounds(system, node.a), valueBounds(system, node.b),
+                   [](Wide a, Wide b) { return a * b; });
+  case NodeOp::Divide: return quotientBounds(valueBounds(system, node.a));
+  case NodeOp::Modulo:
+    return moduloBounds(valueBounds(system, node.a), valueBounds(system, node.b));
+  case NodeOp::Conditional: {
+    auto [b, c] = std::pair{valueBounds(system, node.b), valueBounds(system, node.c)};
+    return {std::min(b.low, c.low), std::max(b.high, c.high)};
+  }
+  case NodeOp::Require: {
+    const auto value = valueBounds(system, node.b);
+    if (node.number == 0) return value;
+    return {std::clamp(value.low, node.low, node.high),
+            std::clamp(value.high, node.low, node.high)};
+  }
+  case NodeOp::Test:
+  case NodeOp::Not:
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual:
+  case NodeOp::Happens:
+  case NodeOp::Entered:
+  case NodeOp::Left:
+  case NodeOp::Received:
+  case NodeOp::Fails: return {0, 1};
+  }
+  std::unreachable();
+}
+
+namespace {
+
+/// Calls `visit` with each node of an expression, itself included.
+template <class Visit> void eachNode(const System& system, NodeId id, Visit& visit) {
+  const Node& node = system.nodes[id];
+  visit(node);
+  switch (node.op) {
+  case NodeOp::Number:
+  case NodeOp::Cell:
+  case NodeOp::Test:
+  case NodeOp::Received:
+  case NodeOp::Happens: return;
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Fails:
+  case NodeOp::Entered:
+  case NodeOp::Left: return eachNode(system, node.a, visit);
+  case NodeOp::Conditional: eachNode(system, node.c, visit); [[fallthrough]];
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual:
+  case NodeOp::Add:
+  case NodeOp::Subtract:
+  case NodeOp::Multiply:
+  case NodeOp::Divide:
+  case NodeOp::Modulo:
+  case NodeOp::Require: eachNode(system, node.a, visit); eachNode(system, node.b, visit);
+  }
+}
+
+} // namespace
+
+bool mayFail(const System& system, NodeId id) {
+  const Node& node = system.nodes[id];
+  const auto inside = [&](auto... parts) { return (mayFail(system, parts) || ...); };
+  switch (node.op) {
+  case NodeOp::Require: return true;
+  case NodeOp::Number:
+  case NodeOp::Cell:
+  case NodeOp::Test:
+  case NodeOp::Received:
+  case NodeOp::Happens:
+  case NodeOp::Fails: return false;
+  case NodeOp::Not:
+  case NodeOp::Negate:
+  case NodeOp::Entered:
+  case NodeOp::Left: return inside(node.a);
+  case NodeOp::Conditional: return inside(node.a, node.b, node.c);
+  case NodeOp::Divide:
+  case NodeOp::Modulo: {
+    const auto divisor = valueBounds(system, node.b);
+    return (divisor.low <= 0 && 0 <= divisor.high) || inside(node.a, node.b);
+  }
+  case NodeOp::Add:
+  case NodeOp::Subtract:
+  case NodeOp::Multiply: {
+    const auto bounds = valueBounds(system, id);
+    return bounds.low <= -kHuge || bounds.high >= kHuge || inside(node.a, node.b);
+  }
+  case NodeOp::And:
+  case NodeOp::Or:
+  case NodeOp::Equal:
+  case NodeOp::Less:
+  case NodeOp::LessEqual: return inside(node.a, node.b);
+  }
+  std::unreachable();
+}
+
+void addReads(const System& system, NodeId id, Bits& cells) {
+  auto visit = [&](const Node& node) {
+    if (node.op == NodeOp::Cell || node.op == NodeOp::Test)
+      cells.insert(node.op == NodeOp::Cell ? node.a : node.b);
+  };
+  eachNode(system, id, visit);
+}
+
+void addEvents(const System& system, NodeId id, Bits& events) {
+  auto visit = [&](const Node& node) {
+    if (node.op == NodeOp::Happens) events.insert(node.a);
+  };
+  eachNode(system, id, visit);
+}
+
+} // namespace proskill::verify

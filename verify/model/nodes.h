@@ -1,0 +1,63 @@
+#pragma once
+
+#include "verify/model/system.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace proskill::verify {
+
+/// Makes expressions: equal ones are one node, constants are folded.
+class Nodes {
+public:
+  explicit Nodes(System& of);
+
+  NodeId number(std::int64_t value);
+  NodeId cell(CellId cell);
+  NodeId unary(NodeOp op, NodeId a);
+  NodeId binary(NodeOp op, NodeId a, NodeId b);
+  NodeId conditional(NodeId a, NodeId b, NodeId c);
+  NodeId negation(NodeId a) { return unary(NodeOp::Not, a); }
+  NodeId both(NodeId a, NodeId b) { return binary(NodeOp::And, a, b); }
+  NodeId equal(NodeId a, NodeId b) { return binary(NodeOp::Equal, a, b); }
+  NodeId happens(EventId event);
+  NodeId received(std::uint32_t part) { return make({.op = NodeOp::Received, .a = part}); }
+  /// `value`, where `condition` holds; else the fault.
+  NodeId require(NodeId condition, NodeId value, FaultId fault);
+  /// `value`, where it lies within both ends.
+  NodeId between(NodeId value, std::int64_t low, std::int64_t high, FaultId fault);
+  /// Whether evaluating the node comes to a fault.
+  NodeId fails(NodeId node) { return unary(NodeOp::Fails, node); }
+  /// The fault that is described so.
+  FaultId fault(const std::string& words);
+  /// The node with leaves replaced: `leaf` gives what stands for a Cell or a Received, or nothing.
+  using Leaf = std::function<std::optional<NodeId>(const Node&)>;
+  NodeId substitute(NodeId node, const Leaf& leaf);
+
+  [[nodiscard]] std::optional<std::int64_t> constant(NodeId node) const;
+
+private:
+  NodeId make(Node node);
+  [[nodiscard]] std::optional<NodeId> folded(NodeOp op, NodeId a, NodeId b);
+
+  System& system;
+  std::map<std::tuple<NodeOp, std::uint32_t, std::uint32_t, std::uint32_t, std::int64_t>, NodeId>
+      known;
+};
+
+/// What a node's value lies between, whatever the cells hold within their ranges.
+struct ValueBounds {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+[[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
+/// Whether evaluation may come to a fault.
+[[nodiscard]] bool mayFail(const System& system, NodeId node);
+/// Adds the cells that a node reads.
+void addReads(const System& system, NodeId node, Bits& cells);
+/// Adds the events that a node watches.
+void addEvents(const System& system, NodeId node, Bits& events);
+
+} // namespace proskill::verify

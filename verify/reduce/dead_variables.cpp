@@ -1,0 +1,125 @@
+#include "verify/reduce/dead_variables.h"
+
+#include "verify/model/nodes.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+/// The targets of a path, the location itself where it loops.
+std::vector<std::uint32_t> targetsOf(const Path& path) {
+  std::vector<std::uint32_t> all;
+  for (const auto& instruction : path.code) {
+    if (instruction.kind == InstructionKind::To) all.push_back(instruction.last);
+    if (instruction.kind == InstructionKind::Loop) all.push_back(path.location);
+  }
+  return all;
+}
+
+class Slicer {
+public:
+  Slicer(const System& of, const std::vector<Goal>& asked) : system(of), goals(asked) {}
+
+  Relevance run() {
+    for (const auto& goal : goals) {
+      addReads(system, goal.condition, relevant.cells);
+      observed |= goal.events;
+      addEvents(system, goal.condition, observed);
+    }
+    for (InstanceId i = 0; i < system.instances.size(); ++i)
+      if (!onlyWatches(i)) keep(i);
+    for (const auto& transition : system.transitions) // senders on one port have to agree
+      if (transition.parts.size() > 1) addReads(system, transition.guard, relevant.cells);
+    while (grow()) {
+    }
+    for (TransitionId i = 0; i < system.transitions.size(); ++i)
+      for (auto part : system.transitions[i].parts)
+        if (!kept.contains(system.paths[part].instance)) relevant.dropped.insert(i);
+    return std::move(relevant);
+  }
+
+private:
+  void keep(InstanceId instance) {
+    kept.insert(instance);
+    relevant.cells.insert(system.instances[instance].location);
+  }
+
+  /// Whether a process can be left out as far as it alone is concerned: it meets nobody at a port,
+  /// nobody asks for what it does, it cannot fail, and it cannot stop time.
+  [[nodiscard]] bool onlyWatches(InstanceId instance) const {
+    bool stops = std::ranges::any_of(
+        goals, [](const auto& goal) { return goal.kind == GoalKind::Deadlock; });
+    for (const auto& path : system.paths) {
+      if (path.instance != instance) continue;
+      const auto interval = path.wait.value_or(fiacre::Interval{});
+      bool immediate = interval.upper == 0;
+      if (path.port != kNone || path.mayFail || (interval.upper && !immediate)) return false;
+      for (const auto& instruction : path.code)
+        if (instruction.event != kNone && observed.contains(instruction.event)) return false;
+    }
+    return !relevant.cells.contains(system.instances[instance].location) &&
+           !hasCycle(instance, !stops);
+  }
+
+  /// Whether the instance can go round: by urgent steps alone, or by any.
+  [[nodiscard]] bool hasCycle(InstanceId instance, bool urgentOnly) const {
+    const auto count = system.instances[instance].locations.size();
+    std::vector<Bits> reached(count);
+    for (std::size_t round = 0; round < count; ++round) {
+      for (const auto& path : system.paths) {
+        bool urgent = path.wait && path.wait->upper;
+        if (path.instance != instance || (urgentOnly && !urgent)) continue;
+        for (auto target : targetsOf(path)) {
+          reached[path.location].insert(target);
+          reached[path.location] |= Bits(reached[target]);
+        }
+      }
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (reached[i].contains(i)) return true;
+    return false;
+  }
+
+  /// One round of the fixed point: what relevant things are computed from, and who writes them.
+  bool grow() {
+    const Bits cellsBefore = relevant.cells;
+    const Bits keptBefore = kept;
+    for (const auto& path : system.paths) {
+      if (!kept.contains(path.instance)) {
+        if (path.writes.meets(relevant.cells)) keep(path.instance);
+        continue;
+      }
+      addReads(system, path.guard, relevant.cells);
+      for (const auto& instruction : path.code)
+        if (instruction.kind == InstructionKind::On ||
+            instruction.kind == InstructionKind::JumpUnless)
+          addReads(system, instruction.node, relevant.cells);
+      for (const auto& assignment : path.assignments)
+        if (assignment.checked || path.mayFail || relevant.cells.contains(assignment.target))
+          addReads(system, assignment.value, relevant.cells);
+    }
+    return !(relevant.cells == cellsBefore) || !(kept == keptBefore);
+  }
+
+  const System& system;
+  const std::vector<Goal>& goals;
+  Relevance relevant;
+  Bits observed; ///< events
+  Bits kept;     ///< instances
+};
+
+} // namespace
+
+Relevance findRelevant(const System& system, const std::vector<Goal>& goals) {
+  return Slicer(system, goals).run();
+}
+
+Relevance everything(const System& system) {
+  Relevance all;
+  for (CellId i = 0; i < system.cells.size(); ++i) all.cells.insert(i);
+  return all;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,201 @@
+#include "verify/reduce/live_variables.h"
+
+#include "verify/model/conjuncts.h"
+#include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+bool grow(Bits& set, const Bits& more) {
+  const Bits before = set;
+  set |= more;
+  return !(set == before);
+}
+
+void intersect(Bits& set, const Bits& other) {
+  Bits outside = set;
+  outside -= other;
+  set -= outside;
+}
+
+} // namespace
+
+LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
+    : system(of), keyMask(of.storedWords), keys(of.storedWords) {
+  for (const auto& goal : goals) addReads(system, goal.condition, always);
+  for (const auto& instance : system.instances) always.insert(instance.location);
+  Bits used;
+  for (TransitionId i = 0; i < system.transitions.size(); ++i)
+    if (!dropped.contains(i))
+      for (auto part : system.transitions[i].parts) used.insert(part);
+  Bits allCells;
+  for (CellId i = 0; i < system.cells.size(); ++i) allCells.insert(i);
+  PathsOf paths(system.instances.size());
+  for (PathId i = 0; i < system.paths.size(); ++i) {
+    written.push_back(surelyWritten(system.paths[i], allCells));
+    if (used.contains(i)) paths[system.paths[i].instance].push_back(i);
+  }
+  Bits tells;
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    tells.insert(system.instances[i].location);
+    findNeeded(paths, i);
+    findWays(paths, i);
+    findLive(places[i]);
+    for (const auto& place : places[i]) {
+      for (auto node : place.needed) addReads(system, node, tells);
+      for (const auto& way : place.ways)
+        for (const auto& need : way.needs) addReads(system, need.condition, tells);
+    }
+  }
+  tells.each([&](CellId id) {
+    const Cell& cell = system.cells[id];
+    if (cell.word < system.storedWords) keyMask[cell.word] |= cell.mask;
+  });
+}
+
+/// The conditions that all paths of a location have in common, of one cell each.
+void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
+  auto& all = places.emplace_back(system.instances[instance].locations.size());
+  std::vector<std::optional<std::vector<NodeId>>> common(all.size());
+  for (auto id : paths[instance]) {
+    auto& needed = common[system.paths[id].location];
+    auto conjuncts = conjunctsOf(system, system.paths[id].guard);
+    if (!needed) needed = conjuncts;
+    std::erase_if(*needed, [&](NodeId node) {
+      Bits cells;
+      addReads(system, node, cells);
+      return cells.count() != 1 || std::ranges::find(conjuncts, node) == conjuncts.end();
+    });
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (common[i]) all[i].needed = *common[i];
+}
+
+/// The paths of each location, with those conditions that say which cells will be written anew.
+void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
+  for (auto id : paths[instance]) {
+    const Path& path = system.paths[id];
+    Way& way = places[instance][path.location].ways.emplace_back(Way{id, {}, path.guardReads});
+    way.live |= path.reads;
+    Bits conditions;
+    for (auto node : conjunctsOf(system, path.guard)) {
+      Bits cells;
+      addReads(system, node, cells);
+      if (cells.count() != 1) continue;
+      conditions |= cells;
+      way.needs.push_back({node, rewrittenFor(paths, instance, node)});
+    }
+    std::erase_if(way.needs, [&](Need& need) {
+      need.rewritten -= conditions;
+      return need.rewritten.empty();
+    });
+  }
+}
+
+/// What every path of another instance surely writes that may make the condition true.
+Bits LiveVariables::rewrittenFor(const PathsOf& paths, InstanceId instance,
+                                 NodeId condition) const {
+  Bits cells;
+  for (CellId i = 0; i < system.cells.size(); ++i) cells.insert(i);
+  for (InstanceId other = 0; other < system.instances.size(); ++other)
+    for (auto id : paths[other])
+      if (other != instance && mayMakeTrue(system, system.paths[id], condition))
+        for (const auto& [_, sure] : written[id]) intersect(cells, sure);
+  return cells;
+}
+
+void LiveVariables::findLive(std::vector<Place>& all) {
+  const auto follow = [&](Place& from, Way& way) {
+    const Path& path = system.paths[way.path];
+    Bits live = way.live;
+    Bits later = path.writes;
+    for (const auto& [target, sure] : written[way.path]) {
+      for (const auto& next : all[target].ways) {
+        Bits beyond = next.live;
+        beyond -= sure;
+        for (const auto& need : next.needs)
+          if (makesFalse(system, path, sure, need.condition)) beyond -= need.rewritten;
+        live |= beyond;
+      }
+      later |= all[target].later;
+    }
+    const bool grew = grow(way.live, live);
+    return grow(from.later, later) || grew;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto& place : all)
+      for (auto& way : place.ways) changed = follow(place, way) || changed;
+  }
+}
+
+void LiveVariables::clean(Word* state) const {
+  key.resize(system.storedWords);
+  for (std::uint32_t i = 0; i < system.storedWords; ++i) key[i] = state[i] & keyMask[i];
+  if (key != lastKey) {
+    auto [id, isNew] = keys.add(key.data());
+    if (isNew) masks.push_back(maskOf(state));
+    last = id;
+    lastKey = key;
+  }
+  for (std::uint32_t i = 0; i < system.storedWords; ++i) state[i] &= masks[last][i];
+}
+
+/// For each instance that can never move again, the cells that keep it from moving; empty for the
+/// others. Supposes first that all that wait do so for ever, and takes back those whose cell
+/// another may still write.
+std::vector<Bits> LiveVariables::frozenNeeds(const Word* state) const {
+  const auto placeOf = [&](InstanceId i) -> const Place& {
+    return places[i]
+                 [static_cast<std::size_t>(readCell(system, system.instances[i].location, state))];
+  };
+  std::vector<std::vector<Bits>> reasons(system.instances.size());
+  for (InstanceId i = 0; i < system.instances.size(); ++i)
+    for (auto node : placeOf(i).needed)
+      if (!holds(system, node, state)) addReads(system, node, reasons[i].emplace_back());
+  for (bool changed = true; changed;) {
+    Bits written;
+    for (InstanceId i = 0; i < system.instances.size(); ++i)
+      if (reasons[i].empty()) written |= placeOf(i).later;
+    changed = false;
+    for (auto& all : reasons)
+      changed = std::erase_if(all, [&](const Bits& cells) { return cells.meets(written); }) > 0 ||
+                changed;
+  }
+  std::vector<Bits> needs(system.instances.size());
+  for (InstanceId i = 0; i < system.instances.size(); ++i)
+    if (!reasons[i].empty()) needs[i] = reasons[i].front();
+  return needs;
+}
+
+std::vector<Word> LiveVariables::maskOf(const Word* state) const {
+  const std::vector<Bits> needs = frozenNeeds(state);
+  Bits live = always;
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    auto location = static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
+    const Place& place = places[i][location];
+    if (!needs[i].empty()) {
+      live |= needs[i];
+      continue;
+    }
+    for (const auto& way : place.ways) {
+      Bits own = way.live;
+      for (const auto& need : way.needs)
+        if (!holds(system, need.condition, state)) own -= need.rewritten;
+      live |= own;
+    }
+  }
+  std::vector<Word> mask(system.storedWords);
+  live.each([&](CellId id) {
+    const Cell& cell = system.cells[id];
+    if (cell.word < system.storedWords) mask[cell.word] |= cell.mask;
+  });
+  return mask;
+}
+
+} // namespace proskill::verify

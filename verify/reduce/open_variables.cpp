@@ -1,0 +1,304 @@
+#include "verify/reduce/open_variables.h"
+
+#include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace proskill::verify {
+
+namespace {
+
+/// The values that the code of one transition reads are chosen in at most this many ways.
+constexpr std::size_t kMostChoices = 1024;
+
+/// Cells that may not be open: a goal's condition sees them, a clock starts and stops with them, or
+/// a run ends with them.
+Bits closedCells(const System& system, const std::vector<Goal>& goals) {
+  Bits closed;
+  for (const auto& goal : goals)
+    if (goal.kind == GoalKind::Condition) addReads(system, goal.condition, closed);
+  for (const auto& transition : system.transitions)
+    if (transition.clock != kNone || transition.fails) closed |= transition.guardReads;
+  return closed;
+}
+
+/// Instances whose clocks a step of theirs would start anew.
+Bits clockedInstances(const System& system) {
+  Bits all;
+  for (const auto& transition : system.transitions)
+    if (transition.clock != kNone)
+      for (auto part : transition.parts) all.insert(system.paths[part].instance);
+  return all;
+}
+
+bool isWatched(const System& system, const std::vector<Goal>& goals, const Transition& transition) {
+  Bits observed;
+  for (const auto& goal : goals) {
+    observed |= goal.events;
+    addEvents(system, goal.condition, observed);
+  }
+  bool seen = std::ranges::any_of(transition.events,
+                                  [&](EventId event) { return observed.contains(event); });
+  for (auto part : transition.parts)
+    for (const auto& instruction : system.paths[part].code)
+      seen = seen || (instruction.event != kNone && observed.contains(instruction.event));
+  return seen;
+}
+
+} // namespace
+
+OpenVariables::OpenVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
+    : system(&of), setters((of.transitions.size() + 63) / 64), silent(setters), evaluation(of) {
+  findSetters(goals, dropped);
+  forgetMany(dropped);
+  variableOf.assign(system->transitions.size(), kNone);
+  for (std::uint32_t v = 0; v < variables.size(); ++v)
+    for (auto setter : variables[v].setters) {
+      insert(setters, setter);
+      variableOf[setter] = v;
+      if (!isWatched(*system, goals, system->transitions[setter])) insert(silent, setter);
+    }
+  findReads(dropped);
+  findPlaces(dropped);
+}
+
+void OpenVariables::findReads(const Bits& dropped) {
+  for (TransitionId i = 0; i < system->transitions.size(); ++i) {
+    const auto& transition = system->transitions[i];
+    auto& read = reads.emplace_back();
+    auto& guard = guardReads.emplace_back();
+    auto& code = codeReads.emplace_back();
+    for (std::uint32_t v = 0; v < variables.size(); ++v) {
+      const CellId cell = variables[v].cell;
+      const bool guarded = transition.guardReads.contains(cell);
+      const bool inCode = transition.reads.contains(cell);
+      if (guarded) guard.push_back(v);
+      if (inCode || (guarded && transition.tentative)) code.push_back(v);
+      if (guarded || inCode) read.push_back(v);
+      if (guarded && !dropped.contains(i)) insert(variables[v].readers, i);
+    }
+  }
+}
+
+void OpenVariables::findPlaces(const Bits& dropped) {
+  guarded = urgent = TransitionSet(setters.size());
+  std::map<InstanceId, std::vector<std::vector<TransitionId>>> places;
+  for (TransitionId i = 0; i < system->transitions.size(); ++i) {
+    const auto& transition = system->transitions[i];
+    if (transition.urgent && !dropped.contains(i)) insert(urgent, i);
+    if (guardReads[i].empty() || dropped.contains(i)) continue;
+    insert(guarded, i);
+    const Path& first = system->paths[transition.parts[0]];
+    auto& byLocation = places[first.instance];
+    byLocation.resize(system->instances[first.instance].locations.size());
+    byLocation[first.location].push_back(i);
+  }
+  guardedAt.assign(places.begin(), places.end());
+}
+
+bool OpenVariables::isAlwaysPossible(const Transition& transition) const {
+  return !transition.urgent && transition.clock == kNone && !transition.tentative &&
+         std::ranges::all_of(transition.parts, [&](PathId part) {
+           const Path& path = system->paths[part];
+           const Node& guard = system->nodes[path.guard];
+           return system->instances[path.instance].locations.size() == 1 && !path.mayFail &&
+                  guard.op == NodeOp::Number && guard.number != 0;
+         });
+}
+
+/// The constant that the transition always writes, where it changes only one cell that is told
+/// apart.
+std::optional<Assignment> OpenVariables::constantOf(const Transition& transition) const {
+  std::optional<Assignment> found;
+  for (auto part : transition.parts) {
+    const Path& path = system->paths[part];
+    const auto sure = surelyWritten(path, path.writes);
+    for (const auto& assignment : path.assignments) {
+      const Cell& cell = system->cells[assignment.target];
+      if (cell.mask == 0 || cell.word >= system->storedWords) continue;
+      bool constant = system->nodes[assignment.value].op == NodeOp::Number && !assignment.checked;
+      bool always = std::ranges::all_of(
+          sure, [&](const auto& end) { return end.second.contains(assignment.target); });
+      bool same =
+          !found || (found->target == assignment.target && found->value == assignment.value);
+      if (!constant || !always || !same) return std::nullopt;
+      found = assignment;
+    }
+  }
+  return found;
+}
+
+void OpenVariables::findSetters(const std::vector<Goal>& goals, const Bits& dropped) {
+  const Bits closed = closedCells(*system, goals);
+  const Bits clocked = clockedInstances(*system);
+  std::map<CellId, Variable> byCell;
+  for (TransitionId i = 0; i < system->transitions.size(); ++i) {
+    const auto& transition = system->transitions[i];
+    if (dropped.contains(i) || !isAlwaysPossible(transition) || transition.consumed.meets(clocked))
+      continue;
+    auto constant = constantOf(transition);
+    if (!constant || closed.contains(constant->target)) continue;
+    Variable& variable = byCell[constant->target];
+    const std::int64_t value = system->nodes[constant->value].number;
+    if (std::ranges::find(variable.values, value) != variable.values.end()) continue;
+    variable.cell = constant->target;
+    variable.values.push_back(value);
+    variable.setters.push_back(i);
+    variable.readers.assign(setters.size(), 0);
+  }
+  for (auto& [_, variable] : byCell)
+    if (variable.values.size() > 1) variables.push_back(std::move(variable));
+}
+
+/// Those with the most values are kept, as long as no transition's code has too many choices.
+void OpenVariables::forgetMany(const Bits& dropped) {
+  std::ranges::stable_sort(variables, std::greater{},
+                           [](const auto& variable) { return variable.values.size(); });
+  std::vector<std::size_t> choices(system->transitions.size(), 1);
+  const auto reads = [&](TransitionId i, CellId cell) {
+    const auto& transition = system->transitions[i];
+    return !dropped.contains(i) && (transition.reads.contains(cell) ||
+                                    (transition.tentative && transition.guardReads.contains(cell)));
+  };
+  std::erase_if(variables, [&](const Variable& variable) {
+    std::vector<std::size_t> more = choices;
+    for (TransitionId i = 0; i < more.size(); ++i)
+      if (reads(i, variable.cell)) more[i] *= variable.values.size();
+    const bool tooMany = std::ranges::any_of(more, [](auto count) { return count > kMostChoices; });
+    if (!tooMany) choices = std::move(more);
+    return tooMany;
+  });
+}
+
+bool OpenVariables::staysWithin(TransitionId transition, const Word* state) const {
+  return variableOf[transition] != kNone && valueOf(variableOf[transition], state).has_value();
+}
+
+std::optional<std::uint32_t> OpenVariables::valueOf(std::uint32_t index, const Word* state) const {
+  const Variable& variable = variables[index];
+  auto found = std::ranges::find(variable.values, readCell(*system, variable.cell, state));
+  if (found == variable.values.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - variable.values.begin());
+}
+
+void OpenVariables::set(std::uint32_t variable, std::uint32_t value, Word* state) const {
+  writeCell(*system, variables[variable].cell, variables[variable].values[value], state);
+}
+
+std::vector<TransitionId> OpenVariables::normalise(Word* state, TransitionSet& enabled,
+                                                   const Enabling& enabling) const {
+  std::vector<TransitionId> steps;
+  for (std::uint32_t v = 0; v < variables.size(); ++v) {
+    if (valueOf(v, state).value_or(0) == 0) continue;
+    set(v, 0, state);
+    steps.push_back(variables[v].setters[0]);
+    enabling.refresh(variables[v].readers, state, enabled);
+  }
+  return steps;
+}
+
+std::vector<TransitionId> OpenVariables::between(const Word* from, const Word* to) const {
+  std::vector<std::uint32_t> which(variables.size());
+  std::iota(which.begin(), which.end(), 0U);
+  return between(from, to, which);
+}
+
+std::vector<TransitionId> OpenVariables::between(const Word* from, const Word* to,
+                                                 std::span<const std::uint32_t> which) const {
+  std::vector<TransitionId> steps;
+  for (auto v : which) {
+    auto wanted = valueOf(v, to);
+    if (wanted && wanted != valueOf(v, from)) steps.push_back(variables[v].setters[*wanted]);
+  }
+  return steps;
+}
+
+std::vector<Word> OpenVariables::unknownIn(std::span<const std::uint32_t> which,
+                                           const Word* state) const {
+  std::vector<Word> unknown(system->words);
+  for (auto v : which) {
+    const Cell& cell = system->cells[variables[v].cell];
+    if (valueOf(v, state)) unknown[cell.word] |= cell.mask;
+  }
+  return unknown;
+}
+
+std::uint32_t OpenVariables::variableAt(const BitField& bits) const {
+  const auto found = std::ranges::find_if(variables, [&](const Variable& variable) {
+    const Cell& cell = system->cells[variable.cell];
+    return cell.word == bits.word && (cell.mask & bits.mask) != 0;
+  });
+  return static_cast<std::uint32_t>(found - variables.begin());
+}
+
+PartialTruth OpenVariables::truth(TransitionId id, const Word* state,
+                                  const std::vector<Word>& unknown, BitField& undecided) const {
+  const Transition& transition = system->transitions[id];
+  const auto known = evaluation.guard(*system, transition, {state, unknown.data()}, undecided);
+  if (known != PartialTruth::True || !transition.tentative) return known;
+  for (auto v : guardReads[id]) { // an `on` in its code may read any of them
+    const Cell& cell = system->cells[variables[v].cell];
+    if ((unknown[cell.word] & cell.mask) == 0) continue;
+    undecided = {cell.word, cell.mask};
+    return PartialTruth::Unknown;
+  }
+  return isEnabled(*system, id, state) ? PartialTruth::True : PartialTruth::False;
+}
+
+/// Sets values of unknown variables so that the transition is enabled; false, and the state as
+/// before, where there are none.
+bool OpenVariables::satisfy(TransitionId id, Word* state, std::vector<Word>& unknown) const {
+  BitField undecided;
+  switch (truth(id, state, unknown, undecided)) {
+  case PartialTruth::False: return false;
+  case PartialTruth::True: return true;
+  case PartialTruth::Unknown: break;
+  }
+  return tryValues(variableAt(undecided), state, unknown,
+                   [&] { return satisfy(id, state, unknown); });
+}
+
+/// The same so that none of the transitions is enabled.
+bool OpenVariables::disable(std::span<const TransitionId> all, Word* state,
+                            std::vector<Word>& unknown) const {
+  BitField undecided;
+  std::vector<TransitionId> unsure;
+  for (auto id : all) {
+    BitField open;
+    const PartialTruth known = truth(id, state, unknown, open);
+    if (known == PartialTruth::False) continue;
+    if (known == PartialTruth::True) return false;
+    unsure.push_back(id);
+    undecided = open;
+  }
+  if (unsure.empty()) return true;
+  return tryValues(variableAt(undecided), state, unknown,
+                   [&] { return disable(unsure, state, unknown); });
+}
+
+TransitionSet OpenVariables::candidates(const Word* state, const TransitionSet& enabled) const {
+  TransitionSet all = enabled;
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] &= ~guarded[k];
+  eachGuardedHere(state, [&](TransitionId id) { insert(all, id); });
+  return all;
+}
+
+bool OpenVariables::calm(Word* state, const TransitionSet& enabled) const {
+  for (std::size_t k = 0; k < enabled.size(); ++k)
+    if ((enabled[k] & urgent[k] & ~guarded[k]) != 0) return false;
+  std::vector<TransitionId> unsure;
+  std::vector<std::uint32_t> which;
+  eachGuardedHere(state, [&](TransitionId id) {
+    if (!contains(urgent, id)) return;
+    unsure.push_back(id);
+    which.insert(which.end(), guardReads[id].begin(), guardReads[id].end());
+  });
+  std::vector<Word> unknown = unknownIn(which, state);
+  return disable(unsure, state, unknown);
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,253 @@
+#include "verify/reduce/safe_steps.h"
+
+#include "verify/model/conjuncts.h"
+#include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+/// Instances that take part, each with where it stands.
+std::vector<std::pair<InstanceId, std::uint32_t>> placesOf(const System& system,
+                                                           const Transition& transition) {
+  std::vector<std::pair<InstanceId, std::uint32_t>> all;
+  for (auto part : transition.parts)
+    all.emplace_back(system.paths[part].instance, system.paths[part].location);
+  return all;
+}
+
+bool sharePlace(const System& system, const Transition& a, const Transition& b) {
+  auto theirs = placesOf(system, b);
+  return std::ranges::any_of(placesOf(system, a), [&](const auto& place) {
+    return std::ranges::find(theirs, place) != theirs.end();
+  });
+}
+
+bool shareInstance(const System& system, const Transition& a, const Transition& b) {
+  auto theirs = placesOf(system, b);
+  return std::ranges::any_of(placesOf(system, a), [&](const auto& place) {
+    return std::ranges::find(theirs, place.first, [](const auto& other) { return other.first; }) !=
+           theirs.end();
+  });
+}
+
+/// Cells that the transition changes, apart from where its instances are.
+Bits dataWrites(const System& system, const Transition& transition) {
+  Bits cells = transition.writes;
+  for (auto part : transition.parts)
+    cells.erase(system.instances[system.paths[part].instance].location);
+  return cells;
+}
+
+} // namespace
+
+SafeSteps::SafeSteps(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
+    : system(of), none((of.transitions.size() + 63) / 64) {
+  findDependence(dropped);
+  findNeeds(dropped);
+  findWays(dropped);
+  findCandidates(goals, dropped);
+}
+
+void SafeSteps::findDependence(const Bits& dropped) {
+  dependent.assign(system.transitions.size(), none);
+  for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+    const auto& a = system.transitions[i];
+    if (!a.urgent || dropped.contains(i)) continue;
+    Bits touched = a.reads;
+    touched |= a.guardReads;
+    touched |= a.writes;
+    for (TransitionId j = 0; j < system.transitions.size(); ++j) {
+      const auto& b = system.transitions[j];
+      if (i == j || dropped.contains(j)) continue;
+      bool meet = sharePlace(system, a, b) || b.writes.meets(touched) || a.writes.meets(b.reads) ||
+                  a.writes.meets(b.guardReads);
+      if (meet) insert(dependent[i], j);
+    }
+  }
+}
+
+/// Those that can help a condition to become true.
+const TransitionSet& SafeSteps::helpersOf(NodeId node, const Bits& dropped) {
+  auto [entry, isNew] = helpers.try_emplace(node, none);
+  if (!isNew) return entry->second;
+  for (TransitionId i = 0; i < system.transitions.size(); ++i)
+    if (!dropped.contains(i) && std::ranges::any_of(system.transitions[i].parts, [&](PathId part) {
+          return mayMakeTrue(system, system.paths[part], node);
+        }))
+      insert(entry->second, i);
+  return entry->second;
+}
+
+void SafeSteps::findNeeds(const Bits& dropped) {
+  for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+    const auto& transition = system.transitions[i];
+    auto& made = needs.emplace_back();
+    made.locations = placesOf(system, transition);
+    made.tentative = transition.tentative;
+    if (dropped.contains(i)) continue;
+    for (auto part : transition.parts)
+      for (auto node : conjunctsOf(system, system.paths[part].guard))
+        made.conditions.push_back({node, &helpersOf(node, dropped)});
+    if (!made.tentative) continue;
+    made.anyHelper = none;
+    for (TransitionId j = 0; j < system.transitions.size(); ++j)
+      if (!dropped.contains(j) && system.transitions[j].writes.meets(transition.guardReads))
+        insert(made.anyHelper, j);
+  }
+}
+
+void SafeSteps::findWays(const Bits& dropped) {
+  for (const auto& instance : system.instances) {
+    moves.emplace_back(instance.locations.size());
+    auto& all = reached.emplace_back(instance.locations.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i].insert(i);
+  }
+  for (TransitionId i = 0; i < system.transitions.size(); ++i)
+    for (auto part : system.transitions[i].parts) {
+      const Path& path = system.paths[part];
+      for (const auto& instruction : path.code)
+        if (instruction.kind == InstructionKind::To && !dropped.contains(i))
+          moves[path.instance][path.location].push_back({i, instruction.last});
+    }
+  for (InstanceId instance = 0; instance < system.instances.size(); ++instance) {
+    auto& all = reached[instance];
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t from = all.size(); from-- > 0;) {
+        const Bits before = all[from];
+        for (const auto& move : moves[instance][from]) all[from] |= Bits(all[move.to]);
+        changed = changed || !(all[from] == before);
+      }
+    }
+  }
+}
+
+/// The transitions by which an instance may leave where it is for the target in the end.
+const TransitionSet& SafeSteps::waysTo(InstanceId instance, std::uint32_t from,
+                                       std::uint32_t target) const {
+  auto [entry, isNew] = ways.try_emplace({instance, from, target}, none);
+  if (isNew)
+    for (const auto& move : moves[instance][from])
+      if (reached[instance][move.to].contains(target)) insert(entry->second, move.transition);
+  return entry->second;
+}
+
+/// Urgent transitions that no goal sees, that start or stop no clock of another process by what
+/// they write, and that depend on none that is always possible.
+void SafeSteps::findCandidates(const std::vector<Goal>& goals, const Bits& dropped) {
+  candidates = none;
+  Bits visibleCells;
+  Bits visibleEvents;
+  for (const auto& goal : goals) {
+    if (goal.kind != GoalKind::Condition) continue;
+    addReads(system, goal.condition, visibleCells);
+    addEvents(system, goal.condition, visibleEvents);
+  }
+  for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+    const auto& transition = system.transitions[i];
+    if (!transition.urgent || dropped.contains(i) || transition.writes.meets(visibleCells))
+      continue;
+    bool seen = std::ranges::any_of(transition.events,
+                                    [&](EventId event) { return visibleEvents.contains(event); });
+    for (auto part : transition.parts) seen = seen || system.paths[part].mayFail;
+    for (auto part : transition.parts)
+      for (const auto& instruction : system.paths[part].code)
+        seen = seen || (instruction.event != kNone && visibleEvents.contains(instruction.event));
+    const Bits writes = dataWrites(system, transition);
+    for (const auto& other : system.transitions) {
+      bool ownClock = other.clock != kNone && system.clocks[other.clock].instance == kNone;
+      bool restarts = shareInstance(system, transition, other) && !transition.consumed.empty();
+      seen = seen || (ownClock && !restarts && writes.meets(other.guardReads));
+    }
+    bool disturbed = false;
+    eachIn(dependent[i], [&](TransitionId other) {
+      const auto& needed = needs[other];
+      bool anywhere = std::ranges::all_of(needed.locations, [&](const auto& place) {
+        return system.instances[place.first].locations.size() == 1;
+      });
+      disturbed = disturbed || (anywhere && needed.conditions.empty() && !needed.tentative);
+    });
+    if (!seen && !disturbed) insert(candidates, i);
+  }
+}
+
+TransitionId SafeSteps::pick(const Word* state, const TransitionSet& enabled) const {
+  for (std::size_t k = 0; k < enabled.size(); ++k) {
+    for (Word rest = enabled[k] & candidates[k]; rest != 0; rest &= rest - 1) {
+      auto id =
+          static_cast<TransitionId>(k * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
+      if (isStubbornAlone(id, state, enabled)) return id;
+    }
+  }
+  return kNone;
+}
+
+/// Closes { transition } under what a stubborn set must have; gives up where that has another
+/// enabled transition.
+bool SafeSteps::isStubbornAlone(TransitionId transition, const Word* state,
+                                const TransitionSet& enabled) const {
+  TransitionSet stubborn = dependent[transition];
+  for (std::size_t k = 0; k < stubborn.size(); ++k)
+    if ((stubborn[k] & enabled[k]) != 0) return false;
+  insert(stubborn, transition);
+  TransitionSet done = none;
+  insert(done, transition);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t k = 0; k < stubborn.size(); ++k) {
+      for (Word rest = stubborn[k] & ~done[k]; rest != 0; rest = stubborn[k] & ~done[k]) {
+        auto id =
+            static_cast<TransitionId>(k * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
+        insert(done, id);
+        const TransitionSet* reason = reasonFor(id, state, enabled, stubborn);
+        if (!reason) return false;
+        for (std::size_t i = 0; i < stubborn.size(); ++i) stubborn[i] |= (*reason)[i];
+        changed = true;
+      }
+    }
+  }
+  return true;
+}
+
+/// Why a transition is disabled: a set of transitions of which one must fire before it can be
+/// enabled. None of them may be enabled unless it is in the stubborn set; the one that adds least
+/// is taken.
+const TransitionSet* SafeSteps::reasonFor(TransitionId transition, const Word* state,
+                                          const TransitionSet& enabled,
+                                          const TransitionSet& stubborn) const {
+  const TransitionSet* best = nullptr;
+  int least = INT32_MAX;
+  const auto consider = [&](const TransitionSet& set) {
+    int added = 0;
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const Word more = set[k] & ~stubborn[k];
+      if ((more & enabled[k]) != 0) return;
+      added += std::popcount(more);
+    }
+    if (added >= least) return;
+    least = added;
+    best = &set;
+  };
+  const Needs& needed = needs[transition];
+  for (const auto& [instance, location] : needed.locations) {
+    auto now =
+        static_cast<std::uint32_t>(readCell(system, system.instances[instance].location, state));
+    if (now == location) continue;
+    const bool all = std::ranges::all_of(moves[instance][now], [&](const Move& move) {
+      return contains(stubborn, move.transition);
+    });
+    if (all) return &none; // whatever the instance does next is in the set
+    consider(waysTo(instance, now, location));
+  }
+  for (const auto& condition : needed.conditions)
+    if (!holds(system, condition.node, state)) consider(*condition.helpers);
+  if (needed.tentative) consider(needed.anyHelper);
+  return best;
+}
+
+} // namespace proskill::verify

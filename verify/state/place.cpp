@@ -1,0 +1,130 @@
+#include "verify/state/place.h"
+
+#include "verify/model/conjuncts.h"
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+namespace proskill::verify {
+
+namespace {
+
+/// Hands out bit fields; none crosses the border of a word.
+class Packer {
+public:
+  void place(Cell& cell) {
+    auto width =
+        static_cast<std::uint32_t>(std::bit_width(static_cast<Word>(cell.high - cell.low)));
+    if (used + width > 64) nextWord();
+    cell.word = word;
+    cell.shift = width == 0 ? 0 : used;
+    cell.mask = width == 0 ? 0 : (~Word{0} >> (64 - width)) << used;
+    used += width;
+  }
+  void nextWord() {
+    ++word;
+    used = 0;
+  }
+  [[nodiscard]] std::uint32_t words() const { return word + 1; }
+
+private:
+  std::uint32_t word = 0;
+  std::uint32_t used = 0;
+};
+
+/// Comparisons of a cell with a constant become one test of bits.
+void makeTest(const System& system, Node& node) {
+  if (node.op != NodeOp::Equal) return;
+  const Node* cell = &system.nodes[node.a];
+  const Node* number = &system.nodes[node.b];
+  if (cell->op == NodeOp::Number) std::swap(cell, number);
+  if (cell->op != NodeOp::Cell || number->op != NodeOp::Number) return;
+  const Cell& place = system.cells[cell->a];
+  if (number->number < place.low || number->number > place.high) {
+    node = {.op = NodeOp::Number, .number = 0};
+    return;
+  }
+  auto value = static_cast<Word>(number->number - place.low) << place.shift;
+  node = {.op = NodeOp::Test, .a = place.word, .b = cell->a, .mask = place.mask, .value = value};
+}
+
+/// Equalities of one word become one test.
+void addTest(std::vector<BitTest>& tests, const Node& node, bool equal) {
+  auto same = std::ranges::find_if(
+      tests, [&](const BitTest& test) { return test.equal && equal && test.word == node.a; });
+  bool agrees = same != tests.end() && ((same->value ^ node.value) & same->mask & node.mask) == 0;
+  if (!agrees) {
+    tests.push_back({node.a, node.mask, node.value, equal});
+    return;
+  }
+  same->mask |= node.mask;
+  same->value |= node.value;
+}
+
+void lowerGuard(const System& system, Transition& transition) {
+  for (auto part : conjunctsOf(system, transition.guard)) {
+    const Node& node = system.nodes[part];
+    bool negated = node.op == NodeOp::Not && system.nodes[node.a].op == NodeOp::Test;
+    if (node.op == NodeOp::Test)
+      addTest(transition.tests, node, true);
+    else if (negated)
+      addTest(transition.tests, system.nodes[node.a], false);
+    else
+      transition.rest.push_back(part);
+  }
+}
+
+/// Assignments of constants become stores.
+void lowerCode(const System& system, Path& path) {
+  for (auto& instruction : path.code) {
+    if (instruction.kind != InstructionKind::Assign) continue;
+    std::span all(path.assignments);
+    all = all.subspan(instruction.first, instruction.last - instruction.first);
+    bool constant = std::ranges::all_of(all, [&](const Assignment& assignment) {
+      return !assignment.checked && system.nodes[assignment.value].op == NodeOp::Number;
+    });
+    if (!constant) continue;
+    instruction.kind = InstructionKind::Store;
+    instruction.firstStore = static_cast<std::uint32_t>(path.stores.size());
+    for (const auto& assignment : all) {
+      const Cell& cell = system.cells[assignment.target];
+      auto value = static_cast<Word>(system.nodes[assignment.value].number - cell.low);
+      path.stores.push_back({cell.word, ~cell.mask, value << cell.shift});
+    }
+    instruction.lastStore = static_cast<std::uint32_t>(path.stores.size());
+  }
+}
+
+} // namespace
+
+System placed(System system, const Bits& kept) {
+  Packer packer;
+  for (CellId i = 0; i < system.cells.size(); ++i)
+    if (kept.contains(i)) packer.place(system.cells[i]);
+  system.storedWords = packer.words();
+  packer.nextWord();
+  for (CellId i = 0; i < system.cells.size(); ++i)
+    if (!kept.contains(i)) packer.place(system.cells[i]);
+  system.words = packer.words();
+  for (auto& node : system.nodes) makeTest(system, node);
+  for (auto& transition : system.transitions) lowerGuard(system, transition);
+  for (auto& path : system.paths) lowerCode(system, path);
+  return system;
+}
+
+System placed(System system) {
+  Bits all;
+  for (CellId i = 0; i < system.cells.size(); ++i) all.insert(i);
+  return placed(std::move(system), all);
+}
+
+std::vector<Word> initialState(const System& system) {
+  std::vector<Word> state(system.words);
+  for (CellId i = 0; i < system.cells.size(); ++i)
+    writeCell(system, i, system.cells[i].initial, state.data());
+  return state;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,160 @@
+#include "verify/state/run.h"
+
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <tuple>
+
+namespace proskill::verify {
+
+namespace {
+
+bool fits(const Cell& cell, std::int64_t value) { return cell.low <= value && value <= cell.high; }
+
+void explain(const Cell& cell, std::int64_t value, StepLog& log) {
+  log.failure = "`" + cell.name + "` would get the value " + std::to_string(value) +
+                ", outside of " + std::to_string(cell.low) + ".." + std::to_string(cell.high);
+}
+
+Outcome failed(const System& system, FaultId fault, StepLog& log) {
+  log.failure = system.faults[fault];
+  return Outcome::Failed;
+}
+
+/// Several assignments at once: all values first.
+Outcome assignAll(const System& system, std::span<const Assignment> assignments, Word* state,
+                  StepLog& log) {
+  constexpr std::size_t kFew = 64;
+  std::array<std::int64_t, kFew> few{};
+  std::vector<std::int64_t> many(assignments.size() > kFew ? assignments.size() : 0);
+  std::int64_t* values = many.empty() ? few.data() : many.data();
+  for (std::size_t i = 0; i < assignments.size(); ++i) {
+    FaultId fault = kNoFault;
+    values[i] = evaluate(system, assignments[i].value, state, fault);
+    if (fault != kNoFault) return failed(system, fault, log);
+    if (assignments[i].checked && !fits(system.cells[assignments[i].target], values[i])) {
+      explain(system.cells[assignments[i].target], values[i], log);
+      return Outcome::Failed;
+    }
+  }
+  for (std::size_t i = 0; i < assignments.size(); ++i)
+    writeCell(system, assignments[i].target, values[i], state);
+  return Outcome::Done;
+}
+
+Outcome firePath(const System& system, const Path& path, Word* state, StepLog& log) {
+  std::size_t at = 0;
+  FaultId fault = kNoFault;
+  int turns = 0;
+  constexpr int kMostTurns = 100'000;
+  while (true) {
+    const Instruction& instruction = path.code[at++];
+    switch (instruction.kind) {
+    case InstructionKind::Assign: {
+      std::span all(path.assignments);
+      auto outcome = assignAll(
+          system, all.subspan(instruction.first, instruction.last - instruction.first), state, log);
+      if (outcome != Outcome::Done) return outcome;
+      break;
+    }
+    case InstructionKind::Store:
+      for (auto i = instruction.firstStore; i < instruction.lastStore; ++i) {
+        const BitStore& store = path.stores[i];
+        state[store.word] = (state[store.word] & store.keep) | store.bits;
+      }
+      break;
+    case InstructionKind::On:
+      if (evaluate(system, instruction.node, state, fault) == 0 && fault == kNoFault)
+        return Outcome::GaveUp;
+      if (fault != kNoFault) return failed(system, fault, log);
+      break;
+    case InstructionKind::JumpUnless:
+      if (evaluate(system, instruction.node, state, fault) == 0) at = instruction.last;
+      if (fault != kNoFault) return failed(system, fault, log);
+      break;
+    case InstructionKind::Jump:
+      if (instruction.last < at && ++turns > kMostTurns) {
+        log.failure = "a loop that does not end";
+        return Outcome::Failed;
+      }
+      at = instruction.last;
+      break;
+    case InstructionKind::Fail:
+      std::ignore = evaluate(system, instruction.node, state, fault);
+      return failed(system, fault, log);
+    case InstructionKind::Tag:
+      if (instruction.event != kNone) log.events.push_back(instruction.event);
+      break;
+    case InstructionKind::Origin: log.origins.push_back(instruction.first); break;
+    case InstructionKind::To:
+      writeCell(system, system.instances[path.instance].location, instruction.last, state);
+      if (instruction.event != kNone) log.events.push_back(instruction.event);
+      log.leaves.push_back(instruction.leaf);
+      return Outcome::Done;
+    case InstructionKind::Loop: log.leaves.push_back(instruction.leaf); return Outcome::Done;
+    }
+  }
+}
+
+/// Each part reads the state before the step; their writes are disjoint and are joined.
+Outcome fireApart(const System& system, const Transition& transition, Word* state, StepLog& log) {
+  const std::vector<Word> before(state, state + system.words);
+  for (auto id : transition.parts) {
+    const Path& path = system.paths[id];
+    std::vector<Word> own = before;
+    auto outcome = firePath(system, path, own.data(), log);
+    if (outcome != Outcome::Done) return outcome;
+    path.writes.each(
+        [&](CellId cell) { writeCell(system, cell, readCell(system, cell, own.data()), state); });
+  }
+  return Outcome::Done;
+}
+
+Outcome firePaths(const System& system, const Transition& transition, Word* state, StepLog& log) {
+  if (transition.apart) return fireApart(system, transition, state, log);
+  for (auto part : transition.parts) {
+    auto outcome = firePath(system, system.paths[part], state, log);
+    if (outcome != Outcome::Done) return outcome;
+  }
+  return Outcome::Done;
+}
+
+/// Whether the step is one that its observers wait for.
+bool isSeen(const System& system, const Transition& transition, const Word* before,
+            const Word* after, std::span<const EventId> happened) {
+  Bits events;
+  for (auto event : happened) events.insert(event);
+  return std::ranges::all_of(transition.seen, [&](NodeId condition) {
+    return holdsAt(system, condition, {before, after, &events});
+  });
+}
+
+} // namespace
+
+Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
+  const Transition& transition = system.transitions[id];
+  const auto first = log.events.size();
+  log.events.insert(log.events.end(), transition.events.begin(), transition.events.end());
+  if (transition.seen.empty()) return firePaths(system, transition, state, log);
+  const std::vector<Word> before(state, state + system.words);
+  const auto outcome = firePaths(system, transition, state, log);
+  if (outcome != Outcome::Done) return outcome;
+  const std::span happened = std::span(log.events).subspan(first);
+  return isSeen(system, transition, before.data(), state, happened) ? outcome : Outcome::GaveUp;
+}
+
+bool isEnabled(const System& system, TransitionId id, const Word* state) {
+  const Transition& transition = system.transitions[id];
+  for (const auto& test : transition.tests)
+    if (((state[test.word] & test.mask) == test.value) != test.equal) return false;
+  for (auto node : transition.rest)
+    if (!holds(system, node, state)) return false;
+  if (!transition.tentative) return true;
+  std::vector<Word> trial(state, state + system.words);
+  StepLog log;
+  return fire(system, id, trial.data(), log) != Outcome::GaveUp;
+}
+
+} // namespace proskill::verify

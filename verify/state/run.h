@@ -1,0 +1,37 @@
+#pragma once
+
+#include "verify/model/system.h"
+
+#include <string>
+
+namespace proskill::verify {
+
+enum class Outcome : std::uint8_t {
+  Done,
+  GaveUp, ///< an `on` was false: the transition is not enabled
+  Failed, ///< a value left its range or cannot be had: an error of the model
+};
+
+/// What happened in a step. Kept between steps, so that nothing is allocated.
+struct StepLog {
+  std::vector<EventId> events;
+  std::vector<fiacre::OriginId> origins;
+  std::vector<std::uint32_t> leaves; ///< by part
+  std::string failure;
+
+  void clear() {
+    events.clear();
+    origins.clear();
+    leaves.clear();
+  }
+};
+
+/// Fires a transition in place, whatever its guard. Where the outcome is not Done, the state is
+/// spoilt. \pre the guard holds
+[[nodiscard]] Outcome fire(const System& system, TransitionId transition, Word* state,
+                           StepLog& log);
+
+/// Whether the transition can fire, were it not for time.
+[[nodiscard]] bool isEnabled(const System& system, TransitionId transition, const Word* state);
+
+} // namespace proskill::verify

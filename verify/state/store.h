@@ -1,0 +1,141 @@
+#pragma once
+
+#include "verify/model/dbm.h"
+#include "verify/model/system.h"
+
+#include <span>
+#include <vector>
+
+/// Tables of what was seen: each thing is kept once, in one long array, and has a number.
+namespace proskill::verify {
+
+[[nodiscard]] inline std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+  hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
+  return hash ^ (hash >> 29);
+}
+
+/// Open addressing over numbers; the owner keeps the things themselves and compares them.
+class NumberTable {
+public:
+  /// The number whose thing `same` says is equal, or `next`, which is then entered.
+  template <class Same> std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t next, Same same) {
+    if ((used + 1) * 2 > slots.size()) grow();
+    const std::uint64_t mask = slots.size() - 1;
+    const auto tag = static_cast<std::uint32_t>(hash >> 32);
+    for (std::uint64_t at = hash & mask;; at = (at + 1) & mask) {
+      Slot& slot = slots[at];
+      if (slot.number == kNone) {
+        slot = {next, tag, static_cast<std::uint32_t>(hash)};
+        ++used;
+        return next;
+      }
+      if (slot.tag == tag && slot.low == static_cast<std::uint32_t>(hash) && same(slot.number))
+        return slot.number;
+    }
+  }
+  [[nodiscard]] std::uint64_t bytes() const { return slots.capacity() * sizeof(Slot); }
+
+private:
+  struct Slot {
+    std::uint32_t number = kNone;
+    std::uint32_t tag = 0; ///< the upper half of the hash
+    std::uint32_t low = 0; ///< the lower half, to grow without the things
+  };
+
+  void grow();
+
+  std::vector<Slot> slots = std::vector<Slot>(1024);
+  std::uint64_t used = 0;
+};
+
+using StateId = std::uint32_t;
+using ZoneId = std::uint32_t;
+
+/// Discrete states, packed.
+class StateStore {
+public:
+  explicit StateStore(std::uint32_t wordsOfEach) : words(wordsOfEach) {}
+
+  struct Added {
+    StateId id = 0;
+    bool isNew = false;
+  };
+  Added add(const Word* state);
+  [[nodiscard]] const Word* at(StateId id) const { return arena.data() + std::size_t{id} * words; }
+  [[nodiscard]] std::uint32_t size() const { return count; }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return table.bytes() + arena.capacity() * sizeof(Word);
+  }
+
+private:
+  std::uint32_t words;
+  std::uint32_t count = 0;
+  std::vector<Word> arena;
+  NumberTable table;
+};
+
+/// Zones by their matrices.
+class ZoneStore {
+public:
+  ZoneId add(const Dbm& zone);
+  [[nodiscard]] std::span<const Bound> matrix(ZoneId id) const {
+    const Place& place = places[id];
+    return {arena.data() + place.offset, std::size_t{place.dimension} * place.dimension};
+  }
+  [[nodiscard]] Dbm zone(ZoneId id) const { return {places[id].dimension, matrix(id)}; }
+  [[nodiscard]] Bound at(ZoneId id, std::uint32_t i, std::uint32_t j) const {
+    const Place& place = places[id];
+    return arena[place.offset + std::size_t{i} * place.dimension + j];
+  }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(places.size()); }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return table.bytes() + arena.capacity() * sizeof(Bound) + places.capacity() * sizeof(Place);
+  }
+
+private:
+  struct Place {
+    std::uint64_t offset = 0;
+    std::uint32_t dimension = 0;
+  };
+
+  std::vector<Place> places;
+  std::vector<Bound> arena;
+  NumberTable table;
+};
+
+/// A function from triples of numbers to a number, as far as it is known.
+class Memo {
+public:
+  struct Key {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t c = 0;
+    std::uint32_t d = 0;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  /// The value at `key`, from `make` where it is not known.
+  template <class Make> std::uint32_t get(const Key& key, Make make) {
+    std::uint64_t hash =
+        mix(mix(0, std::uint64_t{key.a} << 32 | key.b), std::uint64_t{key.c} << 32 | key.d);
+    auto next = static_cast<std::uint32_t>(keys.size());
+    auto at = table.findOrAdd(hash, next, [&](std::uint32_t i) { return keys[i] == key; });
+    if (at == next) {
+      keys.push_back(key);
+      values.push_back(kNone);
+      const std::uint32_t made = make();
+      values[at] = made;
+    }
+    return values[at];
+  }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return table.bytes() + keys.capacity() * sizeof(Key) +
+           values.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  std::vector<Key> keys;
+  std::vector<std::uint32_t> values;
+  NumberTable table;
+};
+
+} // namespace proskill::verify

@@ -1,0 +1,159 @@
+#include "verify/state/timing.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+Bound lowerBound(const fiacre::Interval& interval) {
+  return bound(-interval.lower, interval.lowerOpen);
+}
+
+Bound upperBound(const fiacre::Interval& interval) {
+  return interval.upper ? bound(*interval.upper, interval.upperOpen) : kInfinite;
+}
+
+Bound notYet(const fiacre::Interval& interval) {
+  return bound(interval.lower, !interval.lowerOpen);
+}
+
+bool resets(const System& system, TransitionId transition, ClockId id) {
+  const Clock& clock = system.clocks[id];
+  const Bits& consumed = system.transitions[transition].consumed;
+  if (clock.instance != kNone) return consumed.contains(clock.instance);
+  if (clock.transition == transition || clock.transition == system.transitions[transition].unseen)
+    return true;
+  return std::ranges::any_of(system.transitions[clock.transition].parts, [&](PathId part) {
+    return consumed.contains(system.paths[part].instance);
+  });
+}
+
+namespace {
+
+std::uint32_t indexOf(const Signature& signature, ClockId clock) {
+  auto at = std::ranges::lower_bound(signature.clocks, clock);
+  return static_cast<std::uint32_t>(at - signature.clocks.begin()) + 1;
+}
+
+/// Fills in what the enabled transitions say of their clocks.
+void describeClocks(const System& system, Forgetting forgetting, Signature& signature) {
+  for (auto id : signature.enabled) signature.clocks.push_back(system.transitions[id].clock);
+  std::ranges::sort(signature.clocks);
+  auto twice = std::ranges::unique(signature.clocks);
+  signature.clocks.erase(twice.begin(), twice.end());
+  signature.invariants.assign(signature.clocks.size(), kInfinite);
+  signature.lower.assign(signature.clocks.size() + 1, -1);
+  signature.upper.assign(signature.clocks.size() + 1, -1);
+  for (auto id : signature.enabled) {
+    const auto& transition = system.transitions[id];
+    const auto& interval = transition.interval;
+    const auto at = indexOf(signature, transition.clock);
+    auto& invariant = signature.invariants[at - 1];
+    invariant = std::min(invariant, upperBound(interval));
+    const auto from = static_cast<std::int32_t>(interval.lower);
+    if (from > 0 || interval.lowerOpen) signature.lower[at] = std::max(signature.lower[at], from);
+    if (transition.blocksLater) signature.upper[at] = std::max(signature.upper[at], from);
+    if (interval.upper)
+      signature.upper[at] =
+          std::max(signature.upper[at], static_cast<std::int32_t>(*interval.upper));
+  }
+  if (forgetting == Forgetting::LowerUpper) return;
+  for (std::size_t i = 1; i <= signature.clocks.size(); ++i) {
+    bool keepAll = forgetting == Forgetting::Least && signature.invariants[i - 1] != kInfinite;
+    const auto most = keepAll ? INT32_MAX / 4 : std::max(signature.lower[i], signature.upper[i]);
+    signature.lower[i] = signature.upper[i] = most;
+  }
+}
+
+} // namespace
+
+SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
+                              const TransitionSet& clocked) {
+  std::uint64_t hash = mix(0, urgent);
+  for (std::size_t k = 0; k < enabled.size(); ++k) hash = mix(hash, enabled[k] & clocked[k]);
+  const auto next = static_cast<SignatureId>(signatures.size());
+  auto id = table.findOrAdd(hash, next, [&](SignatureId other) {
+    bool same = signatures[other].urgent == urgent;
+    for (std::size_t k = 0; k < enabled.size() && same; ++k)
+      same = sets[other][k] == (enabled[k] & clocked[k]);
+    return same;
+  });
+  if (id != next) return id;
+  Signature made{.urgent = urgent};
+  TransitionSet set = enabled;
+  for (std::size_t k = 0; k < set.size(); ++k) set[k] &= clocked[k];
+  eachIn(set, [&](TransitionId transition) { made.enabled.push_back(transition); });
+  describeClocks(system, forgetting, made);
+  signatures.push_back(std::move(made));
+  sets.push_back(std::move(set));
+  return id;
+}
+
+ZoneId Timing::settle(Dbm zone, const Signature& signature) {
+  const auto limitTime = [&] {
+    for (std::uint32_t i = 0; i < signature.clocks.size(); ++i)
+      if (!zone.constrain(i + 1, 0, signature.invariants[i])) return false;
+    return true;
+  };
+  if (!signature.urgent) zone.up();
+  if (!limitTime()) return kNone;
+  zone.extrapolate(signature.lower, signature.upper);
+  if (!limitTime()) return kNone;
+  return store.add(zone);
+}
+
+ZoneId Timing::initial(SignatureId id) {
+  const Signature& signature = signatures[id];
+  return settle(Dbm(static_cast<std::uint32_t>(signature.clocks.size())), signature);
+}
+
+bool Timing::isFirable(ZoneId zone, SignatureId id, TransitionId transition) const {
+  const auto& of = system.transitions[transition];
+  if (!of.laterBlockers.empty()) {
+    Dbm allowed = store.zone(zone);
+    return allow(allowed, id, transition);
+  }
+  if (of.clock == kNone) return true;
+  const auto at = indexOf(signatures[id], of.clock);
+  return plus(store.at(zone, at, 0), lowerBound(of.interval)) >= kZero;
+}
+
+bool Timing::allow(Dbm& zone, SignatureId id, TransitionId transition) const {
+  const Signature& signature = signatures[id];
+  const auto& fired = system.transitions[transition];
+  if (fired.clock != kNone) {
+    const auto at = indexOf(signature, fired.clock);
+    if (!zone.constrain(0, at, lowerBound(fired.interval))) return false;
+    if (!zone.constrain(at, 0, upperBound(fired.interval))) return false;
+  }
+  return std::ranges::all_of(fired.laterBlockers, [&](TransitionId blocker) {
+    if (!std::ranges::binary_search(signature.enabled, blocker)) return true;
+    const auto& first = system.transitions[blocker];
+    return zone.constrain(indexOf(signature, first.clock), 0, notYet(first.interval));
+  });
+}
+
+std::vector<std::uint32_t> Timing::kept(SignatureId beforeId, TransitionId transition,
+                                        SignatureId afterId) const {
+  const Signature& before = signatures[beforeId];
+  std::vector<std::uint32_t> from;
+  for (auto clock : signatures[afterId].clocks) {
+    bool goesOn =
+        std::ranges::binary_search(before.clocks, clock) && !resets(system, transition, clock);
+    from.push_back(goesOn ? indexOf(before, clock) : 0);
+  }
+  return from;
+}
+
+ZoneId Timing::after(ZoneId zone, SignatureId before, TransitionId transition, SignatureId next) {
+  return memo.get({zone, before, transition, next},
+                  [&] { return calculate(zone, before, transition, next); });
+}
+
+ZoneId Timing::calculate(ZoneId id, SignatureId before, TransitionId transition,
+                         SignatureId after) {
+  Dbm zone = store.zone(id);
+  if (!allow(zone, before, transition)) return kNone;
+  return settle(zone.over(kept(before, transition, after)), signatures[after]);
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "verify/model/system.h"
+
+#include <bit>
+
+namespace proskill::verify {
+
+/// A set of transitions, of fixed size.
+using TransitionSet = std::vector<Word>;
+
+[[nodiscard]] inline bool contains(const TransitionSet& set, TransitionId id) {
+  return (set[id / 64] >> (id % 64) & 1) != 0;
+}
+
+inline void insert(TransitionSet& set, TransitionId id) { set[id / 64] |= Word{1} << (id % 64); }
+
+inline void erase(TransitionSet& set, TransitionId id) { set[id / 64] &= ~(Word{1} << (id % 64)); }
+
+template <class Visit> void eachIn(const TransitionSet& set, Visit visit) {
+  for (std::size_t i = 0; i < set.size(); ++i)
+    for (Word rest = set[i]; rest != 0; rest &= rest - 1)
+      visit(static_cast<TransitionId>(i * 64 + std::countr_zero(rest)));
+}
+
+} // namespace proskill::verify

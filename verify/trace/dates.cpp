@@ -1,0 +1,188 @@
+#include "verify/trace/dates.h"
+
+#include "verify/state/place.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+/// `later - earlier` is at most `limit`, or less: as 2c + 1 or 2c, in 64 bits.
+struct Constraint {
+  std::size_t later = 0;
+  std::size_t earlier = 0;
+  std::int64_t limit = 1;
+};
+
+constexpr std::int64_t kNoLimit = INT64_MAX;
+
+std::int64_t add(std::int64_t a, std::int64_t b) {
+  if (a == kNoLimit || b == kNoLimit) return kNoLimit;
+  return a + b - ((a | b) & 1);
+}
+
+/// Walks along the steps and writes down what each says about dates. Date 0 is the start, i the
+/// i-th step, and the last the moment at which the evidence is seen.
+class Writer {
+public:
+  Writer(const System& of, const Enabling& with, const Evidence& from)
+      : system(of), enabling(with), evidence(from) {}
+
+  std::optional<std::vector<Constraint>> write() {
+    std::vector<Word> state = initialState(system);
+    enabling.compute(state.data(), enabled);
+    since.assign(system.clocks.size(), 0);
+    for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
+      const TransitionId step = evidence.steps[i];
+      if (!contains(enabled, step)) return std::nullopt;
+      letTimePass(i, i + 1);
+      const auto& fired = system.transitions[step];
+      if (fired.clock != kNone)
+        all.push_back({since[fired.clock], i + 1, lowerBound(fired.interval)});
+      for (auto blocker : fired.laterBlockers) {
+        const auto& first = system.transitions[blocker];
+        if (contains(enabled, blocker))
+          all.push_back({i + 1, since[first.clock], notYet(first.interval)});
+      }
+      const TransitionSet before = enabled;
+      const Outcome outcome = fire(system, step, state.data(), log);
+      if (outcome == Outcome::Failed && i + 1 == evidence.steps.size()) {
+        all.push_back({i + 1, i + 2, kZero}); // an error: all ends here
+        all.push_back({i + 2, i + 1, kZero});
+        return std::move(all);
+      }
+      if (outcome != Outcome::Done) return std::nullopt;
+      enabling.update(step, state.data(), enabled);
+      restart(step, before, i + 1);
+    }
+    const std::size_t last = evidence.steps.size();
+    letTimePass(last, last + 1);
+    watch(last);
+    for (const auto& range : evidence.clocks) {
+      all.push_back({since[range.clock], last + 1, range.lower});
+      if (range.upper != kInfinite) all.push_back({last + 1, since[range.clock], range.upper});
+    }
+    return std::move(all);
+  }
+
+private:
+  void letTimePass(std::size_t from, std::size_t to) {
+    all.push_back({from, to, kZero});
+    if (enabling.isUrgent(enabled)) all.push_back({to, from, kZero});
+    eachIn(enabled, [&](TransitionId id) {
+      const auto& transition = system.transitions[id];
+      if (transition.clock != kNone && transition.interval.upper)
+        all.push_back({to, since[transition.clock], upperBound(transition.interval)});
+    });
+  }
+
+  /// The moves of a monitor: when they are, and what its clock is then. Dates of their own are
+  /// behind that of the end.
+  void watch(std::size_t last) {
+    std::size_t reset = 0;
+    std::size_t own = last + 2;
+    std::size_t before = 0;
+    for (const auto& mark : evidence.marks) {
+      const auto& edge = evidence.monitor->locations[mark.location].edges[mark.edge];
+      const std::size_t date = mark.atStep ? mark.after : own++;
+      if (before != date) all.push_back({before, date, kZero}); // in this order
+      if (mark.after != date) {
+        all.push_back({mark.after, date, kZero});
+        all.push_back({date, mark.after + 1, kZero});
+      }
+      before = date;
+      if (evidence.monitor->locations[mark.location].timed) {
+        if (edge.clock.lower != kZero) all.push_back({reset, date, edge.clock.lower});
+        if (edge.clock.upper != kInfinite) all.push_back({date, reset, edge.clock.upper});
+      }
+      if (edge.reset) reset = date;
+    }
+  }
+
+  /// Clocks that do not go on start at the step.
+  void restart(TransitionId step, const TransitionSet& before, std::size_t at) {
+    std::vector<bool> ran(system.clocks.size());
+    eachIn(before, [&](TransitionId id) {
+      if (system.transitions[id].clock != kNone) ran[system.transitions[id].clock] = true;
+    });
+    for (ClockId clock = 0; clock < system.clocks.size(); ++clock)
+      if (!ran[clock] || resets(system, step, clock)) since[clock] = at;
+  }
+
+  const System& system;
+  const Enabling& enabling;
+  const Evidence& evidence;
+  TransitionSet enabled;
+  std::vector<std::size_t> since; ///< by clock: the step that started it
+  std::vector<Constraint> all;
+  StepLog log;
+};
+
+/// Bellman and Ford: the tightest limit of each date against date 0, or of date 0 against each
+/// date.
+std::optional<std::vector<std::int64_t>> tightest(const std::vector<Constraint>& constraints,
+                                                  std::size_t dates, bool forward) {
+  std::vector<std::int64_t> limits(dates, kNoLimit);
+  limits[0] = 1;
+  for (std::size_t round = 0; round <= dates; ++round) {
+    bool changed = false;
+    for (const auto& constraint : constraints) {
+      const std::size_t from = forward ? constraint.earlier : constraint.later;
+      const std::size_t to = forward ? constraint.later : constraint.earlier;
+      const std::int64_t limit = add(limits[from], constraint.limit);
+      if (limit >= limits[to]) continue;
+      limits[to] = limit;
+      changed = true;
+    }
+    if (!changed) return limits;
+  }
+  return std::nullopt;
+}
+
+/// The least dates that meet all constraints, in units so fine that each strict bound can be missed
+/// by one of them.
+std::optional<std::vector<std::int64_t>> earliestRun(const std::vector<Constraint>& constraints,
+                                                     std::size_t dates, std::int64_t scale) {
+  std::vector<std::int64_t> made(dates);
+  for (std::size_t round = 0; round <= dates; ++round) {
+    bool changed = false;
+    for (const auto& [later, earlier, limit] : constraints) {
+      const std::int64_t least = made[later] - ((limit >> 1) * scale - (limit % 2 == 0 ? 1 : 0));
+      if (least <= made[earlier]) continue;
+      made[earlier] = least;
+      changed = true;
+    }
+    if (made[0] != 0) return std::nullopt;
+    if (!changed) return made;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Dating> dated(const System& system, const Enabling& enabling,
+                            const Evidence& evidence) {
+  auto constraints = Writer(system, enabling, evidence).write();
+  if (!constraints) return std::nullopt;
+  const auto ofTheMonitor = static_cast<std::size_t>(
+      std::ranges::count(evidence.marks, false, &Mark::atStep)); // moves between steps
+  const std::size_t dates = evidence.steps.size() + 2 + ofTheMonitor;
+  bool strict = std::ranges::any_of(*constraints, [](const auto& c) { return c.limit % 2 == 0; });
+  Dating made{.scale = strict ? static_cast<std::int64_t>(dates) : 1};
+  auto latest = tightest(*constraints, dates, true);
+  auto earliest = tightest(*constraints, dates, false);
+  auto run = earliestRun(*constraints, dates, made.scale);
+  if (!latest || !earliest || !run) return std::nullopt;
+  for (std::size_t i = 1; i <= evidence.steps.size(); ++i) {
+    Window window{.date = (*run)[i]};
+    window.earliest = {-((*earliest)[i] >> 1), (*earliest)[i] % 2 == 0};
+    if ((*latest)[i] != kNoLimit) window.latest = Date{(*latest)[i] >> 1, (*latest)[i] % 2 == 0};
+    made.steps.push_back(window);
+  }
+  made.end = (*run)[evidence.steps.size() + 1];
+  for (std::size_t i = evidence.steps.size() + 2; i < dates; ++i) made.marks.push_back((*run)[i]);
+  return made;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,140 @@
+#include "verify/trace/simulator.h"
+
+#include "verify/state/place.h"
+
+#include <algorithm>
+#include <set>
+
+namespace proskill::verify {
+
+Concrete Simulator::start() const {
+  Concrete made{initialState(system), {}};
+  for (auto id : enabledIn(made.state)) made.since[id] = 0;
+  return made;
+}
+
+bool Simulator::mayWait(const Concrete& now, std::int64_t date) const {
+  return std::ranges::all_of(now.since, [&](const auto& entry) {
+    const auto& interval = system.transitions[entry.first].interval;
+    const std::int64_t age = date - entry.second;
+    const std::int64_t most = interval.upper.value_or(0) * scale;
+    return !interval.upper || age < most || (age == most && !interval.upperOpen);
+  });
+}
+
+bool Simulator::isRipe(const Concrete& now, TransitionId id, std::int64_t date) const {
+  const auto canGo = [&](TransitionId other) { return isOldEnough(now, other, date); };
+  const auto& of = system.transitions[id];
+  return canGo(id) && std::ranges::none_of(of.blockers, canGo) &&
+         std::ranges::none_of(of.laterBlockers, canGo);
+}
+
+/// Whether it is enabled for as long as it needs to be.
+bool Simulator::isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const {
+  auto enabled = now.since.find(id);
+  if (enabled == now.since.end()) return false;
+  const auto& interval = system.transitions[id].interval;
+  const std::int64_t age = date - enabled->second;
+  return age > interval.lower * scale || (age == interval.lower * scale && !interval.lowerOpen);
+}
+
+std::optional<Opportunity> Simulator::opportunity(const Concrete& now, TransitionId id,
+                                                  std::int64_t date) const {
+  if (isBlocked(now, id)) return std::nullopt;
+  const auto& interval = system.transitions[id].interval;
+  Opportunity found{now.since.at(id) + interval.lower * scale, interval.lowerOpen, {}, false};
+  if (found.earliest < date) found = {date, false, {}, false};
+  const auto limit = [&](std::int64_t latest, bool open) {
+    if (found.latest && (*found.latest < latest || (*found.latest == latest && !open))) return;
+    found.latest = latest;
+    found.beforeLatest = open;
+  };
+  for (const auto& [other, since] : now.since) {
+    const auto& bound = system.transitions[other].interval;
+    if (bound.upper) limit(since + *bound.upper * scale, bound.upperOpen);
+  }
+  for (auto blocker : system.transitions[id].laterBlockers)
+    if (auto since = now.since.find(blocker); since != now.since.end()) {
+      const auto& bound = system.transitions[blocker].interval;
+      limit(since->second + bound.lower * scale, !bound.lowerOpen);
+    }
+  const bool strict = found.afterEarliest || found.beforeLatest;
+  if (found.latest &&
+      (*found.latest < found.earliest || (strict && *found.latest == found.earliest)))
+    return std::nullopt;
+  return found;
+}
+
+bool Simulator::fails(const Concrete& now, TransitionId id, StepLog& log) const {
+  auto state = now.state;
+  log.clear();
+  return fire(system, id, state.data(), log) == Outcome::Failed;
+}
+
+std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, std::int64_t date,
+                                        StepLog& log) const {
+  Concrete next{now.state, {}};
+  log.clear();
+  if (fire(system, id, next.state.data(), log) != Outcome::Done) return std::nullopt;
+  for (auto other : enabledIn(next.state)) {
+    const auto clocked = withoutObservers(other);
+    auto before = now.since.find(clocked);
+    bool goesOn =
+        before != now.since.end() && clocked != withoutObservers(id) && !disturbs(id, clocked);
+    next.since[other] = goesOn ? before->second : date;
+  }
+  return next;
+}
+
+bool Simulator::canGoOn(const Concrete& now, std::int64_t date) const {
+  constexpr std::size_t kWidest = 20'000;
+  std::set<Concrete> seen{now};
+  std::vector<Concrete> todo{now};
+  StepLog log;
+  while (!todo.empty()) {
+    Concrete at = std::move(todo.back());
+    todo.pop_back();
+    if (mayWaitALittle(at, date) || seen.size() > kWidest) return true;
+    for (const auto& [id, _] : at.since) {
+      if (!isRipe(at, id, date)) continue;
+      auto next = take(at, id, date, log);
+      if (next && seen.insert(*next).second) todo.push_back(std::move(*next));
+    }
+  }
+  return false;
+}
+
+std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) const {
+  std::vector<TransitionId> all;
+  for (TransitionId id = 0; id < system.transitions.size(); ++id)
+    if (isEnabled(system, id, state.data())) all.push_back(id);
+  return all;
+}
+
+/// The same step without those who watch for it: whether they do does not matter to its time.
+TransitionId Simulator::withoutObservers(TransitionId id) const {
+  const auto unseen = system.transitions[id].unseen;
+  return unseen == kNone ? id : unseen;
+}
+
+/// Whether something that has priority is enabled.
+bool Simulator::isBlocked(const Concrete& now, TransitionId id) const {
+  return std::ranges::any_of(system.transitions[id].blockers,
+                             [&](TransitionId blocker) { return now.since.contains(blocker); });
+}
+
+/// Whether `fired` consumes the place of an instance that takes part in `other`.
+bool Simulator::disturbs(TransitionId fired, TransitionId other) const {
+  return std::ranges::any_of(system.transitions[other].parts, [&](PathId part) {
+    return system.transitions[fired].consumed.contains(system.paths[part].instance);
+  });
+}
+
+bool Simulator::mayWaitALittle(const Concrete& now, std::int64_t date) const {
+  return std::ranges::all_of(now.since, [&](const auto& entry) {
+    const auto& interval = system.transitions[entry.first].interval;
+    return !interval.upper || date - entry.second < *interval.upper * scale;
+  });
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,147 @@
+#include "verify/trace/witness.h"
+
+#include "verify/state/evaluate.h"
+#include "verify/state/place.h"
+#include "verify/trace/dates.h"
+#include "verify/trace/replay.h"
+#include "verify/trace/telling.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+Witness::Witness(const System& whole, const Reductions& used, const fiacre::Provenance& origins)
+    : system(whole),
+      enabling(whole, used.dropped),
+      all(whole),
+      dropped(used.dropped),
+      provenance(origins) {
+  if (used.openVariables) open.emplace(*used.openVariables, whole);
+}
+
+/// Dates and replays the evidence. Says what is wrong with it, nothing where it stands.
+std::string Witness::check(const Goal& goal, const Evidence& evidence,
+                           std::optional<Dating>& dating) const {
+  dating = dated(system, all, evidence);
+  if (!dating) return "the steps have no dates";
+  return replay(system, goal, evidence, *dating);
+}
+
+std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evidence) const {
+  evidence = tidied(goal, evidence);
+  std::optional<Dating> dating;
+  std::string wrong = check(goal, evidence, dating);
+  if (!wrong.empty()) return std::unexpected(wrong);
+
+  Trace made{.scale = dating->scale,
+             .end = goal.kind == GoalKind::Run ? dating->end : 0,
+             .loop = evidence.loop};
+  std::vector<Word> state = initialState(system);
+  made.initial = valuesIn(system, state);
+  StepLog log;
+  for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
+    const std::vector<Word> before = state;
+    log.clear();
+    const Outcome outcome = fire(system, evidence.steps[i], state.data(), log);
+    const bool fails = outcome == Outcome::Failed && goal.kind == GoalKind::Error;
+    if (outcome != Outcome::Done && !fails) return std::unexpected("a step fails");
+    if (fails) state = before;
+    const Window& window = dating->steps[i];
+    made.steps.push_back({.origins = tellingLast(provenance, log),
+                          .transitions = {nameOf(system, evidence.steps[i], log)},
+                          .instances = instancesOf(system, evidence.steps[i]),
+                          .earliest = window.earliest,
+                          .latest = window.latest,
+                          .date = window.date,
+                          .changes = changesBetween(system, before, state),
+                          .failure = fails ? log.failure : ""});
+  }
+  return made;
+}
+
+/// The evidence on the whole system, with as few steps of the environment as will do.
+Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
+  Evidence whole = evidence;
+  whole.steps = completed(goal, evidence.steps, whole);
+  if (!open) return whole;
+  std::optional<Dating> dating;
+  Evidence better{.clocks = evidence.clocks};
+  better.steps = completed(goal, lazily(evidence.steps), better);
+  if (!check(goal, better, dating).empty()) return whole;
+  constexpr std::size_t kLong = 400;
+  for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
+    if (!open->isSetter(better.steps[i])) continue;
+    Evidence shorter = better;
+    shorter.steps.erase(shorter.steps.begin() + static_cast<std::ptrdiff_t>(i));
+    if (check(goal, shorter, dating).empty()) better = std::move(shorter);
+  }
+  return better;
+}
+
+/// The search sets open variables before each step and back after it. Here they are set only when a
+/// step reads them, or when time may have to pass and could not as they are.
+Steps Witness::lazily(const Steps& steps) const {
+  Steps made;
+  StepLog log;
+  std::vector<Word> there = initialState(system); // as the search had it
+  std::vector<Word> here = there;
+  const auto urgent = [&](const std::vector<Word>& state) {
+    TransitionSet enabled;
+    enabling.compute(state.data(), enabled);
+    return enabling.isUrgent(enabled);
+  };
+  const auto take = [&](TransitionId id) {
+    made.push_back(id);
+    return fire(system, id, here.data(), log) == Outcome::Done;
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const TransitionId step = steps[i];
+    if (open->isSetter(step) && i + 1 < steps.size()) {
+      if (fire(system, step, there.data(), log) != Outcome::Done) return steps;
+    } else {
+      for (auto setter : open->between(here.data(), there.data(), open->readBy(step))) take(setter);
+      if (!take(step) || fire(system, step, there.data(), log) != Outcome::Done) return steps;
+    }
+    if (urgent(here) && !urgent(there))
+      for (auto setter : open->between(here.data(), there.data())) take(setter);
+  }
+  return made;
+}
+
+/// The steps with those of the dropped processes put in where they have to happen: at once.
+Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidence) const {
+  if (dropped.empty()) return steps;
+  Steps made;
+  std::vector<Word> state = initialState(system);
+  StepLog log;
+  const auto take = [&](TransitionId id) {
+    made.push_back(id);
+    return fire(system, id, state.data(), log) == Outcome::Done;
+  };
+  const auto settle = [&](bool alsoLater) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      dropped.each([&](TransitionId id) {
+        if (moved || (!system.transitions[id].urgent && !alsoLater)) return;
+        moved = isEnabled(system, id, state.data()) && take(id);
+      });
+    }
+  };
+  // A monitor moves in a state when all that has to happen at once has happened.
+  std::vector<std::size_t> ownPlaces{0};
+  if (evidence.monitor) settle(false);
+  std::vector<std::size_t> places{made.size()};
+  for (auto step : steps) {
+    settle(false);
+    if (!take(step)) return steps;
+    ownPlaces.push_back(made.size());
+    if (evidence.monitor) settle(false);
+    places.push_back(made.size());
+  }
+  for (auto& mark : evidence.marks) mark.after = (mark.atStep ? ownPlaces : places)[mark.after];
+  if (evidence.loop) evidence.loop = places[*evidence.loop];
+  if (goal.kind == GoalKind::Deadlock) settle(true);
+  return made;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "verify/explore/search.h"
+#include "verify/model/goals.h"
+#include "verify/reduce/open_variables.h"
+#include "verify/trace/dates.h"
+
+namespace proskill::verify {
+
+/// Makes a trace of evidence: on the system with nothing reduced, with dates, replayed.
+class Witness {
+public:
+  /// \param whole the system with every cell kept \param reductions those that the search used
+  Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance);
+
+  /// The trace, or why the evidence does not stand: a mistake of the engine.
+  [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal, Evidence evidence) const;
+
+private:
+  [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
+                                  std::optional<Dating>& dating) const;
+  [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
+  [[nodiscard]] Steps lazily(const Steps& steps) const;
+  [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps, Evidence& evidence) const;
+
+  const System& system;
+  Enabling enabling; ///< of what the search looked at
+  Enabling all;
+  const Bits& dropped;
+  std::optional<OpenVariables> open; ///< as the search used them
+  const fiacre::Provenance& provenance;
+};
+
+} // namespace proskill::verify

@@ -1,0 +1,143 @@
+#include "view/http_server.h"
+
+#include <asio.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+
+namespace proskill::cli {
+
+namespace {
+
+using asio::ip::tcp;
+
+constexpr std::size_t kLargestHead = std::size_t{1} << 14;
+/// Each request for news keeps one until there is some.
+constexpr std::size_t kThreads = 16;
+/// For a client to send or take what is due; browsers open connections that they do not use.
+constexpr std::chrono::seconds kPatience{10};
+
+/// One request and its response; then the connection is closed. Reads and writes on the thread of
+/// its context, where it waits for nobody; the handler runs on a worker.
+class Exchange : public std::enable_shared_from_this<Exchange> {
+public:
+  Exchange(tcp::socket connection, asio::thread_pool& pool, const HttpServer::Handler& answer)
+      : socket(std::move(connection)),
+        patience(socket.get_executor()),
+        workers(pool),
+        handler(answer) {}
+
+  void start() {
+    wait();
+    asio::async_read_until(socket, asio::dynamic_buffer(bytes, kLargestHead), "\r\n\r\n",
+                           [self = shared_from_this()](asio::error_code error, std::size_t length) {
+                             if (error == asio::error::not_found)
+                               self->refuse(413, "the request is too large");
+                             else if (!error)
+                               self->takeHead(length);
+                           });
+  }
+
+private:
+  void wait() {
+    patience.expires_after(kPatience);
+    patience.async_wait([self = shared_from_this()](asio::error_code error) {
+      if (!error) self->socket.close(error);
+    });
+  }
+
+  void takeHead(std::size_t length) {
+    auto head = parseHead(std::string_view(bytes).substr(0, length - 4));
+    if (!head) return refuse(400, "this is no request");
+    request = std::move(*head);
+    bytes.erase(0, length);
+    const auto size = bodySize(request);
+    if (!size) return refuse(413, "the request is too large, or does not tell its length");
+    const auto missing = *size - std::min(*size, bytes.size());
+    asio::async_read(
+        socket, asio::dynamic_buffer(bytes), asio::transfer_exactly(missing),
+        [self = shared_from_this(), size = *size](asio::error_code error, std::size_t) {
+          if (!error) self->takeBody(size);
+        });
+  }
+
+  void takeBody(std::size_t size) {
+    patience.cancel();
+    request.body = bytes.substr(0, size);
+    asio::post(workers, [self = shared_from_this()] {
+      auto response = self->handler(self->request);
+      asio::post(self->socket.get_executor(),
+                 [self, response = std::move(response)] { self->send(response); });
+    });
+  }
+
+  void refuse(int status, std::string why) { send({status, "text/plain", std::move(why), {}}); }
+
+  void send(const HttpResponse& response) {
+    wait();
+    bytes = toBytes(response);
+    asio::async_write(socket, asio::buffer(bytes),
+                      [self = shared_from_this()](asio::error_code error, std::size_t) {
+                        self->patience.cancel();
+                        self->socket.shutdown(tcp::socket::shutdown_both, error);
+                      });
+  }
+
+  tcp::socket socket;
+  asio::steady_timer patience;
+  asio::thread_pool& workers;
+  const HttpServer::Handler& handler;
+  HttpRequest request;
+  std::string bytes;
+};
+
+class LoopbackServer : public HttpServer {
+public:
+  LoopbackServer() : signals(context, SIGINT, SIGTERM), acceptor(context) {}
+
+  asio::error_code open(std::uint16_t wanted) {
+    asio::error_code error;
+    const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), wanted);
+    acceptor.open(endpoint.protocol(), error);
+    if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error) acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    return error;
+  }
+
+  [[nodiscard]] std::uint16_t port() const override { return acceptor.local_endpoint().port(); }
+
+  void run(const Handler& handler, const std::function<void()>& stopping) override {
+    asio::thread_pool workers(kThreads);
+    signals.async_wait([this](const asio::error_code&, int) { context.stop(); });
+    accept(workers, handler);
+    context.run();
+    asio::error_code ignored;
+    acceptor.close(ignored);
+    stopping();
+    workers.join();
+  }
+
+private:
+  void accept(asio::thread_pool& workers, const Handler& handler) {
+    acceptor.async_accept([&](const asio::error_code& error, tcp::socket socket) {
+      if (!error) std::make_shared<Exchange>(std::move(socket), workers, handler)->start();
+      accept(workers, handler);
+    });
+  }
+
+  asio::io_context context;
+  asio::signal_set signals;
+  tcp::acceptor acceptor;
+};
+
+} // namespace
+
+std::expected<std::unique_ptr<HttpServer>, std::string> HttpServer::listen(std::uint16_t port) {
+  auto server = std::make_unique<LoopbackServer>();
+  if (const auto error = server->open(port)) return std::unexpected(error.message());
+  return server;
+}
+
+} // namespace proskill::cli

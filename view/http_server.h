@@ -1,0 +1,29 @@
+#pragma once
+
+#include "view/http.h"
+
+#include <atomic>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <memory>
+
+namespace proskill::cli {
+
+/// Answers requests on the loopback interface alone.
+class HttpServer {
+public:
+  using Handler = std::function<HttpResponse(const HttpRequest&)>;
+
+  /// Takes a port, any free one for 0. What went wrong is the error.
+  [[nodiscard]] static std::expected<std::unique_ptr<HttpServer>, std::string>
+  listen(std::uint16_t port);
+  virtual ~HttpServer() = default;
+
+  [[nodiscard]] virtual std::uint16_t port() const = 0;
+  /// Until Ctrl-C or SIGTERM; then `stopping` is called, so that no handler waits any longer. The
+  /// handler is called by several threads.
+  virtual void run(const Handler& handler, const std::function<void()>& stopping) = 0;
+};
+
+} // namespace proskill::cli

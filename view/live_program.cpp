@@ -1,0 +1,265 @@
+#include "codegen/model.h"
+#include "disk/disk.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "report/source_place.h"
+#include "report/verify_report.h"
+#include "view/panel_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace proskill::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::chrono::milliseconds kBetweenLooks{250};
+
+/// A program and what it was read from. Never changes.
+struct Loaded {
+  analysis::Program program;
+  std::optional<codegen::Model> model; ///< of a model in Fiacre; else generated when it is needed
+  std::string error;                   ///< the first one; empty: the program has none
+  std::vector<std::pair<fs::path, fs::file_time_type>> stamps;
+};
+
+fs::file_time_type stampOf(const fs::path& path) {
+  std::error_code error;
+  const auto time = fs::last_write_time(path, error);
+  return error ? fs::file_time_type::min() : time;
+}
+
+std::string firstError(const analysis::Program& program,
+                       const std::vector<syntax::Diagnostic>& diagnostics) {
+  for (const auto& found : diagnostics) {
+    if (found.severity != syntax::Severity::Error) continue;
+    SourcePlaces places(program);
+    return fmt::format("{}:{}: {}", places.path(found.location.file),
+                       places.begin(found.location).line, found.message);
+  }
+  return "";
+}
+
+std::shared_ptr<const Loaded> load(const std::string& file) {
+  auto loaded = std::make_shared<Loaded>();
+  const DiskFileSystem disk;
+  // Before the texts are read: what is written in between is then seen as a change.
+  const auto before = stampOf(file);
+  if (ide::isFiacre(file)) {
+    auto read = ide::readFiacre(file, disk.read(file).value_or(""));
+    loaded->program = std::move(read.program);
+    loaded->model = std::move(read.model);
+    loaded->error = firstError(loaded->program, read.diagnostics);
+  } else {
+    loaded->program = analysis::load(disk, file);
+    loaded->error = firstError(loaded->program, analysis::check(loaded->program));
+  }
+  for (const auto& read : loaded->program.files)
+    loaded->stamps.emplace_back(read.path, stampOf(read.path));
+  loaded->stamps.front().second = before;
+  return loaded;
+}
+
+bool hasChanged(const Loaded& loaded) {
+  return std::ranges::any_of(
+      loaded.stamps, [](const auto& stamp) { return stampOf(stamp.first) != stamp.second; });
+}
+
+class LiveProgram : public PanelData {
+public:
+  LiveProgram(ViewOptions chosen, NewsBoard& board)
+      : options(std::move(chosen)),
+        news(board),
+        loaded(load(options.file)),
+        worker([this] { work(); }) {}
+
+  ~LiveProgram() override {
+    stopped = true;
+    cancelled = true;
+    wake.notify_all();
+    worker.join();
+  }
+
+  Json program() override {
+    const std::lock_guard lock(mutex);
+    Json json = report.is_null() ? empty() : report;
+    json["main"] = mainSkill();
+    json["label"] = fs::path(options.file).filename().generic_string();
+    json["state"] = state;
+    json["stale"] = stale;
+    json["message"] = message;
+    json["progress"] = progress;
+    json["pictures"] = picturesJson(loaded->program);
+    json["files"] = filesJson(loaded->program);
+    return json;
+  }
+
+  Answer trace(const std::string& name) override {
+    const std::lock_guard lock(mutex);
+    const auto found = traces.find(name);
+    if (found == traces.end()) return std::unexpected("this property has no trace");
+    return found->second;
+  }
+
+  Answer picture(const PictureParams& params) override {
+    const auto now = current();
+    return pictureJson(now->program, params, !now->error.empty());
+  }
+
+  Answer source(const std::string& uri) override {
+    const auto now = current();
+    for (const auto& file : now->program.files)
+      if (file.path.generic_string() == uri)
+        return Json{{"uri", uri}, {"text", file.document.text()}};
+    return std::unexpected("the program has no file of this name");
+  }
+
+  void verify() override {
+    asked = true;
+    cancelled = true;
+    wake.notify_all();
+  }
+
+  [[nodiscard]] bool canVerify() const override { return true; }
+
+private:
+  std::shared_ptr<const Loaded> current() {
+    const std::lock_guard lock(mutex);
+    return loaded;
+  }
+
+  [[nodiscard]] Json empty() const {
+    return {{"version", 1},
+            {"program", fs::path(options.file).generic_string()},
+            {"properties", Json::array()},
+            {"exploration", nullptr}};
+  }
+
+  [[nodiscard]] Json mainSkill() const {
+    if (!options.mainSkill.empty()) return options.mainSkill;
+    const auto* skill = analysis::mainSkill(loaded->program).skill;
+    return skill ? Json(skill->name()) : Json();
+  }
+
+  void work() {
+    while (!stopped) {
+      cancelled = false;
+      asked = false;
+      verifyOnce(current());
+      waitForChange();
+      if (stopped) return;
+      auto fresh = load(options.file);
+      {
+        const std::lock_guard lock(mutex);
+        loaded = std::move(fresh);
+        stale = !report.is_null();
+      }
+      news.announce("edited", Json::object());
+    }
+  }
+
+  void waitForChange() {
+    while (!stopped && !asked && !hasChanged(*current())) {
+      std::unique_lock lock(mutex);
+      wake.wait_for(lock, kBetweenLooks, [this] { return stopped || asked; });
+    }
+  }
+
+  void set(std::string now, std::string words, Json much = nullptr) {
+    {
+      const std::lock_guard lock(mutex);
+      state = std::move(now);
+      message = std::move(words);
+      progress = std::move(much);
+    }
+    news.announce("program", program());
+  }
+
+  void verifyOnce(const std::shared_ptr<const Loaded>& now) {
+    if (!now->error.empty()) return set("errors", now->error);
+    const auto model = modelOf(*now);
+    if (!model) return set("errors", model.error().message);
+    set("checking", "");
+    const auto result = ide::verifyModel(*model, {}, engine(now, model->checks.size()));
+    if (!result) return set("failed", "this model cannot be explored: " + result.error().message);
+    if (cancelled) return; // what comes next is newer
+    take(lsp::reportJson({now->program, *model, *result, model->mainSkill}));
+    set("done", "");
+  }
+
+  [[nodiscard]] std::expected<codegen::Model, codegen::GenerationError>
+  modelOf(const Loaded& now) const {
+    if (now.model) return *now.model;
+    codegen::Options choice;
+    choice.mainSkill = options.mainSkill;
+    return codegen::generate(now.program, choice);
+  }
+
+  verify::Options engine(const std::shared_ptr<const Loaded>& now, std::size_t total) {
+    verify::Options engine;
+    engine.limits = options.limits;
+    engine.cancelled = &cancelled;
+    engine.progress = [this, now, total](const verify::Progress& seen) {
+      if (hasChanged(*now)) cancelled = true;
+      const double rate = seen.seconds > 0 ? static_cast<double>(seen.classes) / seen.seconds : 0;
+      set("checking", "",
+          {{"decided", seen.decided},
+           {"total", total},
+           {"classes", seen.classes},
+           {"rate", rate},
+           {"bytes", seen.bytes},
+           {"seconds", seen.seconds}});
+    };
+    return engine;
+  }
+
+  /// Traces are large and asked for one at a time.
+  void take(Json whole) {
+    std::map<std::string, Json> apart;
+    for (auto& property : whole["properties"]) {
+      const auto trace = std::exchange(property["trace"], nullptr);
+      if (trace.is_null()) continue;
+      property["steps"] = trace["steps"].size();
+      Json about{{"name", property["name"]},
+                 {"words", property["words"]},
+                 {"verdict", property["verdict"]}};
+      about.update(trace);
+      apart[property["name"].get<std::string>()] = std::move(about);
+    }
+    const std::lock_guard lock(mutex);
+    report = std::move(whole);
+    traces = std::move(apart);
+    stale = false;
+  }
+
+  ViewOptions options;
+  NewsBoard& news;
+  std::mutex mutex; ///< of what follows, up to `progress`
+  std::shared_ptr<const Loaded> loaded;
+  Json report; ///< the last one; null: there is none yet
+  std::map<std::string, Json> traces;
+  bool stale = false;
+  std::string state = "checking";
+  std::string message;
+  Json progress;
+  std::condition_variable wake;
+  std::atomic<bool> stopped{false};
+  std::atomic<bool> asked{false};
+  std::atomic<bool> cancelled{false};
+  std::thread worker; ///< the last: it uses the others
+};
+
+} // namespace
+
+std::unique_ptr<PanelData> liveProgram(ViewOptions options, NewsBoard& news) {
+  return std::make_unique<LiveProgram>(std::move(options), news);
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "view/http.h"
+#include "view/panel_data.h"
+
+#include <cstdint>
+
+namespace proskill::cli {
+
+/// Who may ask: pages under the token, at this port of this machine.
+struct PanelAddress {
+  std::uint16_t port = 0;
+  std::string token;
+
+  [[nodiscard]] std::string url() const;
+};
+
+/// 128 random bits in hexadecimal.
+[[nodiscard]] std::string randomToken();
+
+/// The panel's page and the answers to its requests. Whoever does not know the token, or comes from
+/// a page of another origin, gets 403 and nothing else.
+[[nodiscard]] HttpResponse answer(const HttpRequest& request, const PanelAddress& address,
+                                  PanelData& data, NewsBoard& news);
+
+} // namespace proskill::cli

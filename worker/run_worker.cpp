@@ -1,0 +1,104 @@
+#include "worker/run_worker.h"
+
+#include "process/child.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+namespace proskill::lsp {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often a cancellation is looked for while nothing comes.
+constexpr std::chrono::milliseconds kPatience{10};
+/// Beyond the budget, for all that is no exploration: reading, compiling, making traces.
+constexpr double kGraceSeconds = 10;
+
+WorkerProgress progressOf(const OrderedJson& json) {
+  WorkerProgress progress;
+  progress.decided = json.value("decided", std::uint64_t{0});
+  progress.total = json.value("total", std::uint64_t{0});
+  progress.classes = json.value("classes", std::uint64_t{0});
+  progress.markings = json.value("markings", std::uint64_t{0});
+  progress.waiting = json.value("waiting", std::uint64_t{0});
+  progress.bytes = json.value("bytes", std::uint64_t{0});
+  progress.seconds = json.value("seconds", 0.0);
+  return progress;
+}
+
+/// One conversation with a worker.
+class Conversation {
+public:
+  using Result = std::expected<OrderedJson, WorkerFailure>;
+
+  Conversation(process::Child& with, const std::function<void(const WorkerProgress&)>& tell)
+      : child(with), progress(tell) {}
+
+  Result hold(std::string_view toSend, const Cancellation& cancellation, double seconds) {
+    const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
+    while (!result) {
+      if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
+      if (Clock::now() > deadline)
+        return std::unexpected(
+            WorkerFailure{false, "the verification did not end in time, and was ended"});
+      auto done = child.exchange(toSend, kPatience);
+      toSend.remove_prefix(done.sent);
+      hear(done.received);
+      if (done.ended && !result)
+        return std::unexpected(
+            WorkerFailure{false, "the process that verifies gave no answer: " + child.ending()});
+    }
+    return std::move(*result);
+  }
+
+private:
+  void hear(std::string_view bytes) {
+    while (!bytes.empty() && !result) {
+      const auto end = bytes.find('\n');
+      line += bytes.substr(0, end);
+      if (end == std::string_view::npos) return;
+      understand(OrderedJson::parse(std::exchange(line, {}), nullptr, false));
+      bytes.remove_prefix(end + 1);
+    }
+  }
+
+  void understand(OrderedJson message) {
+    if (!message.is_object()) return fail("the process that verifies said what is no JSON object");
+    if (message.contains("progress")) {
+      if (progress) progress(progressOf(message["progress"]));
+    } else if (message.contains("report")) {
+      result = std::move(message["report"]);
+    } else {
+      fail(message.value("error", "the process that verifies gave an answer without a report"));
+    }
+  }
+
+  void fail(std::string message) {
+    result = std::unexpected(WorkerFailure{false, std::move(message)});
+  }
+
+  process::Child& child;
+  const std::function<void(const WorkerProgress&)>& progress;
+  std::string line; ///< as far as it has come
+  std::optional<Result> result;
+};
+
+} // namespace
+
+std::expected<OrderedJson, WorkerFailure>
+runWorker(const std::vector<std::string>& command, const WorkerJob& job,
+          const Cancellation& cancellation,
+          const std::function<void(const WorkerProgress&)>& progress) {
+  if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
+  auto child = process::Child::start(command);
+  if (!child)
+    return std::unexpected(
+        WorkerFailure{false, "the process that verifies could not be started: " + child.error()});
+  return Conversation(*child, progress)
+      .hold(encode(job, getpid()), cancellation, job.budget.seconds + kGraceSeconds);
+}
+
+} // namespace proskill::lsp

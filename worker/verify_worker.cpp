@@ -1,0 +1,227 @@
+#include "worker/verify_worker.h"
+
+#include "codegen/model.h"
+#include "ide/snapshot/fiacre_file.h"
+#include "process/child.h"
+#include "report/report_json.h"
+#include "worker/worker_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <map>
+#include <thread>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace proskill::lsp {
+
+namespace {
+
+enum ExitCode { kDone = 0, kNoJob = 2, kAlone = 3 };
+
+constexpr rlim_t kMegabyte = rlim_t{1} << 20;
+
+/// The texts of a job, and no others, by whatever names they include each other.
+class JobFiles : public analysis::FileSystem {
+public:
+  explicit JobFiles(const std::vector<WorkerText>& all) {
+    for (const auto& text : all) texts.emplace(canonical(text.path), &text);
+  }
+
+  [[nodiscard]] std::expected<std::string, std::string>
+  read(const std::filesystem::path& path) const override {
+    const auto found = texts.find(canonical(path));
+    if (found == texts.end()) return std::unexpected("it is not a file of the program");
+    return found->second->text;
+  }
+  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override {
+    std::error_code error;
+    auto found = std::filesystem::weakly_canonical(path, error);
+    return error ? path.lexically_normal() : found;
+  }
+  [[nodiscard]] std::filesystem::path nameOf(const std::filesystem::path& path) const override {
+    const auto found = texts.find(canonical(path));
+    return found == texts.end() ? path : found->second->path;
+  }
+
+private:
+  std::map<std::filesystem::path, const WorkerText*> texts; ///< by their canonical names
+};
+
+/// Reads bytes as they come, up to what is asked for.
+class Input {
+public:
+  /// Without its end; nothing where the stream ends before.
+  std::optional<std::string> line() {
+    while (buffer.find('\n') == std::string::npos)
+      if (!more()) return std::nullopt;
+    auto line = take(buffer.find('\n') + 1);
+    line.pop_back();
+    return line;
+  }
+
+  std::optional<std::string> bytes(std::size_t count) {
+    while (buffer.size() < count)
+      if (!more()) return std::nullopt;
+    return take(count);
+  }
+
+private:
+  bool more() {
+    char chunk[65536];
+    auto count = ::read(STDIN_FILENO, chunk, sizeof chunk);
+    if (count < 0 && errno == EINTR) return true;
+    if (count > 0) buffer.append(chunk, static_cast<std::size_t>(count));
+    return count > 0;
+  }
+
+  std::string take(std::size_t count) {
+    auto taken = buffer.substr(0, count);
+    buffer.erase(0, count);
+    return taken;
+  }
+
+  std::string buffer;
+};
+
+std::optional<JobHeader> readJob() {
+  Input input;
+  auto line = input.line();
+  auto header = line ? decodeHeader(*line) : std::nullopt;
+  if (!header) return std::nullopt;
+  for (std::size_t i = 0; i < header->lengths.size(); ++i) {
+    auto text = input.bytes(header->lengths[i]);
+    if (!text) return std::nullopt;
+    header->job.texts[i].text = std::move(*text);
+  }
+  return header;
+}
+
+/// Whoever asked closes our standard input when the answer is not wanted any more.
+void endWithInput() {
+  std::thread([] {
+    char byte;
+    while (true) {
+      auto count = ::read(STDIN_FILENO, &byte, 1);
+      if (count == 0 || (count < 0 && errno != EINTR)) _exit(kAlone);
+    }
+  }).detach();
+}
+
+void limit(__rlimit_resource resource, rlim_t most) {
+  const rlimit both{most, most};
+  setrlimit(resource, &both);
+}
+
+/// What the engine does not see, it cannot keep: these limits hold for all of the process. They are
+/// wider than the budget, within which the engine gives its answer.
+void confine(const Budget& budget) {
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(budget.seconds, 0.0, 1e8))) + 5);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which map terabytes
+  limit(RLIMIT_AS, (budget.megabytes + budget.megabytes / 2 + 512) * kMegabyte);
+#endif
+  constexpr int kBehindTheEditor = 5;
+  setpriority(PRIO_PROCESS, 0, kBehindTheEditor);
+}
+
+void say(const OrderedJson& json) {
+  auto line = json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  std::string_view rest = line;
+  while (!rest.empty()) {
+    auto count = ::write(STDOUT_FILENO, rest.data(), rest.size());
+    if (count < 0 && errno != EINTR) _exit(kAlone);
+    if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void sayError(const std::string& message) { say({{"error", message}}); }
+
+void sayProgress(const verify::Progress& now) {
+  say({{"progress",
+        {{"decided", now.decided},
+         {"total", now.questions},
+         {"classes", now.classes},
+         {"markings", now.markings},
+         {"waiting", now.waiting},
+         {"bytes", now.bytes},
+         {"seconds", now.seconds}}}});
+}
+
+verify::Options engineOptions(const Budget& budget) {
+  verify::Options options;
+  options.limits.seconds = budget.seconds;
+  options.limits.bytes = budget.megabytes * kMegabyte;
+  options.limits.classes = budget.classes;
+  options.progress = sayProgress;
+  return options;
+}
+
+/// The first name that selects no property.
+const std::string* unknownName(const codegen::Model& model, const std::vector<std::string>& names) {
+  auto found = std::ranges::find_if(names, [&](const std::string& name) {
+    return std::ranges::none_of(model.checks,
+                                [&](const auto& check) { return ide::selects({name}, check); });
+  });
+  return found == names.end() ? nullptr : &*found;
+}
+
+/// What is verified: a program with its model, or a model by hand.
+struct Verifiable {
+  analysis::Program program;
+  codegen::Model model;
+};
+
+std::expected<Verifiable, std::string> ofFiacre(const WorkerText& text) {
+  auto file = ide::readFiacre(text.path, text.text);
+  if (!file.diagnostics.empty())
+    return std::unexpected("the model has errors: " + file.diagnostics[0].message);
+  if (!file.isModel()) return std::unexpected("the text names no model");
+  return Verifiable{std::move(file.program), std::move(file.model)};
+}
+
+std::expected<Verifiable, std::string> verifiableOf(const WorkerJob& job) {
+  if (ide::isFiacre(job.texts.front().path)) return ofFiacre(job.texts.front());
+  auto program = analysis::load(JobFiles(job.texts), job.texts.front().path);
+  for (const auto& diagnostic : analysis::check(program))
+    if (diagnostic.severity == syntax::Severity::Error)
+      return std::unexpected("the program has errors: " + diagnostic.message);
+  codegen::Options options;
+  options.mainSkill = job.mainSkill;
+  auto model = codegen::generate(program, options);
+  if (!model) return std::unexpected(model.error().message);
+  return Verifiable{std::move(program), std::move(*model)};
+}
+
+void work(const WorkerJob& job) {
+  const auto subject = verifiableOf(job);
+  if (!subject) return sayError(subject.error());
+  const auto& model = subject->model;
+  if (const auto* name = unknownName(model, job.names))
+    return sayError(fmt::format("no property is called `{}`", *name));
+  const auto result = ide::verifyModel(model, job.names, engineOptions(job.budget));
+  if (!result) return sayError("this model cannot be explored: " + result.error().message);
+  say({{"report", reportJson({subject->program, model, *result, model.mainSkill})}});
+}
+
+} // namespace
+
+int runVerifyWorker() {
+  const auto header = readJob();
+  if (!header) return kNoJob;
+  if (!process::dieWithParent(header->parentId)) return kAlone;
+  endWithInput();
+  confine(header->job.budget);
+  try {
+    work(header->job);
+  } catch (const std::bad_alloc&) {
+    sayError("there was not enough memory within the limit");
+  }
+  return kDone;
+}
+
+} // namespace proskill::lsp
