@@ -8,7 +8,7 @@ namespace proskill::codegen {
 
 std::expected<Model, GenerationError> generate(const analysis::Program& program,
                                                const Options& options) {
-  auto plan = makePlan(program, options);
+  auto plan = makeGenerationPlan(program, options);
   if (!plan) return std::unexpected(std::move(plan.error()));
   const auto times = Times::of(program, options);
   if (!times) return std::unexpected(times.error());

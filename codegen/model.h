@@ -10,14 +10,14 @@
 
 namespace proskill::codegen {
 
-enum class Edition : std::uint8_t { Offline, Expanded, Runtime };
+enum class Edition : std::uint8_t { Compact, Expanded, Runtime };
 
 /// Exact: a forbidden move is seen in the transition that makes it. Paper: the automaton polls the
 /// variable.
 enum class StateVariableAutomata : std::uint8_t { Exact, Paper };
 
 struct Options {
-  Edition edition = Edition::Offline;
+  Edition edition = Edition::Compact;
   StateVariableAutomata automata = StateVariableAutomata::Exact;
   std::string mainSkill;             ///< empty: the one that no other skill calls
   std::int64_t ticksPerSecond = 100; ///< of the runtime edition

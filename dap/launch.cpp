@@ -121,7 +121,7 @@ std::expected<LaunchArguments, std::string> readLaunch(const Json& json) {
   return arguments;
 }
 
-Source openSource(const LaunchArguments& arguments, const Surroundings& around) {
+Source openSource(const LaunchArguments& arguments, const LaunchContext& around) {
   if (!arguments.trace.empty()) return fromFile(arguments, around.disk);
   auto program = programOf(arguments, around.disk);
   if (!program) return std::unexpected(program.error());

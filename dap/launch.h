@@ -22,7 +22,7 @@ struct LaunchArguments {
 /// What is wrong with them is in words.
 [[nodiscard]] std::expected<LaunchArguments, std::string> readLaunch(const lsp::Json& json);
 
-struct Surroundings {
+struct LaunchContext {
   const analysis::FileSystem& disk;
   const std::vector<std::string>& worker; ///< the command that runs `lsp::runVerifyWorker`
   lsp::Cancellation cancellation;
@@ -32,6 +32,6 @@ struct Surroundings {
 /// Where the session's steps come from: a file with a trace, a simulation, or the verification of a
 /// property.
 [[nodiscard]] std::expected<std::unique_ptr<StepSource>, std::string>
-openSource(const LaunchArguments& arguments, const Surroundings& surroundings);
+openSource(const LaunchArguments& arguments, const LaunchContext& surroundings);
 
 } // namespace proskill::dap

@@ -21,9 +21,9 @@ namespace {
 
 /// What the child gets: the socket as its input and output, no other of our files, and the usual
 /// effect of all signals.
-class Surroundings {
+class ChildEnvironment {
 public:
-  explicit Surroundings(int socket) {
+  explicit ChildEnvironment(int socket) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, socket, STDOUT_FILENO);
@@ -39,12 +39,12 @@ public:
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   }
-  ~Surroundings() {
+  ~ChildEnvironment() {
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
   }
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
+  ChildEnvironment(const ChildEnvironment&) = delete;
+  ChildEnvironment& operator=(const ChildEnvironment&) = delete;
 
   posix_spawn_file_actions_t actions{};
   posix_spawnattr_t attributes{};
@@ -67,7 +67,7 @@ std::expected<Child, std::string> Child::start(const std::vector<std::string>& c
   for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t child = -1;
-  const Surroundings surroundings(ends[1]);
+  const ChildEnvironment surroundings(ends[1]);
   const int error = posix_spawn(&child, arguments[0], &surroundings.actions,
                                 &surroundings.attributes, arguments.data(), environ);
   ::close(ends[1]);

@@ -50,18 +50,18 @@ private:
 };
 
 /// While it lives, signals wait that the supervisor waits for.
-class Held {
+class BlockedSignals {
 public:
-  Held() {
+  BlockedSignals() {
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGTERM);
     sigaddset(&signals, SIGCHLD);
     pthread_sigmask(SIG_BLOCK, &signals, &before);
   }
-  ~Held() { pthread_sigmask(SIG_SETMASK, &before, nullptr); }
-  Held(const Held&) = delete;
-  Held& operator=(const Held&) = delete;
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
 
 private:
   sigset_t before{};
@@ -97,7 +97,8 @@ public:
     const Supervised program{arguments.data(), job.directory.c_str(), job.memory,
                              out.writing(),    err.writing(),         report.writing()};
     const pid_t self = getpid();
-    const Held held; // a signal that comes early is for the supervisor, not for handlers of ours
+    const BlockedSignals
+        held; // a signal that comes early is for the supervisor, not for handlers of ours
     supervisor = fork();
     if (supervisor == 0) supervise(program, self);
     out.closeWriting();

@@ -22,46 +22,46 @@ struct Received {
   std::uint64_t order = 0; ///< how many requests came before it
 };
 /// Work that another thread has prepared and that the main one finishes.
-using Errand = std::function<void()>;
-using Incident = std::variant<Received, MalformedMessage, Errand, EndOfStream>;
+using Task = std::function<void()>;
+using InboxEvent = std::variant<Received, MalformedMessage, Task, EndOfStream>;
 
 /// What waits for the main thread: from the reading thread, in order.
 class Inbox {
 public:
-  void put(Incident incident) {
+  void put(InboxEvent event) {
     {
       std::lock_guard lock(mutex);
-      queue.push_back(std::move(incident));
+      queue.push_back(std::move(event));
     }
     wake.notify_one();
   }
 
   /// The next one; nothing where the deadline comes first.
-  std::optional<Incident> take(std::optional<std::chrono::steady_clock::time_point> deadline) {
+  std::optional<InboxEvent> take(std::optional<std::chrono::steady_clock::time_point> deadline) {
     std::unique_lock lock(mutex);
     auto ready = [&] { return !queue.empty(); };
     if (!deadline)
       wake.wait(lock, ready);
     else if (!wake.wait_until(lock, *deadline, ready))
       return std::nullopt;
-    auto incident = std::move(queue.front());
+    auto event = std::move(queue.front());
     queue.pop_front();
-    return incident;
+    return event;
   }
 
   /// The next one, where it is there already and wanted.
-  template <class Wanted> std::optional<Incident> takeIf(const Wanted& wanted) {
+  template <class Wanted> std::optional<InboxEvent> takeIf(const Wanted& wanted) {
     const std::lock_guard lock(mutex);
     if (queue.empty() || !wanted(queue.front())) return std::nullopt;
-    auto incident = std::move(queue.front());
+    auto event = std::move(queue.front());
     queue.pop_front();
-    return incident;
+    return event;
   }
 
 private:
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<Incident> queue;
+  std::deque<InboxEvent> queue;
 };
 
 } // namespace proskill::lsp

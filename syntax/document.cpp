@@ -63,7 +63,7 @@ struct Document::State {
   /// Whether what stands there is what was read: nothing was put in or left out.
   [[nodiscard]] bool isReadAsIs(const Piece& piece) const {
     const auto& parsed = *piece.region->parsed;
-    return !parsed.mended && parsed.text == textOf(piece.range);
+    return !parsed.recovered && parsed.text == textOf(piece.range);
   }
   [[nodiscard]] bool isWithoutMistake(const Piece& piece) const {
     return piece.region->diagnostics.empty() && isReadAsIs(piece);

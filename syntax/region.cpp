@@ -1,7 +1,7 @@
 #include "syntax/region.h"
 
 #include "syntax/diagnostics/codes.h"
-#include "syntax/recovery/mend.h"
+#include "syntax/recovery/recover.h"
 #include "syntax/text/scan.h"
 #include "syntax/tree/build.h"
 #include "syntax/tree/statements.h"
@@ -110,8 +110,8 @@ Region readRegion(Parser& parser, std::string_view text) {
   parsed->text = text;
   cleanBytes(parsed->text, region.diagnostics);
   Scan scanned = scan(parsed->text);
-  bool mended = mendStrings(parsed->text, scanned, region.diagnostics);
-  if (mended) scanned = scan(parsed->text);
+  bool recovered = recoverStrings(parsed->text, scanned, region.diagnostics);
+  if (recovered) scanned = scan(parsed->text);
   region.comments = scanned.comments;
   if (const Parenthesis* place = tooDeep(scanned)) {
     builder.report(Code::NestedTooDeep, {place->at, place->at + 1}, kDeepest);
@@ -120,17 +120,17 @@ Region readRegion(Parser& parser, std::string_view text) {
   }
   if (region.comments.size() > kMostComments) blank(parsed->text, region.comments);
   auto judge = [&](std::string_view attempt) { return problemsOf(parser, attempt); };
-  mended |= mendParentheses(parsed->text, scanned, judge, region.diagnostics);
-  parsed->mended = mended;
+  recovered |= recoverParentheses(parsed->text, scanned, judge, region.diagnostics);
+  parsed->recovered = recovered;
   parsed->tree = parser.parse(parsed->text);
   parsed->tree.shrink_to_fit();
   checkWords(parsed->text, parsed->tree, region.diagnostics);
-  // What else seems to be wrong with mended forms may come from the same mistake.
+  // What else seems to be wrong with recovered forms may come from the same mistake.
   std::vector<Diagnostic> ignored;
-  Builder forms{parsed->text, mended ? ignored : region.diagnostics};
+  Builder forms{parsed->text, recovered ? ignored : region.diagnostics};
   region.forms = compactForms(forms, *parsed);
   for (ReadForm& form : region.forms) {
-    form.mended = mended;
+    form.recovered = recovered;
     form.bodyIndex = bodyIndexOf(form.node);
   }
   sortByPlace(region.diagnostics);

@@ -17,7 +17,8 @@ struct ParsedText {
   std::pmr::monotonic_buffer_resource arena; ///< of the forms
   std::string text;
   Tree tree;
-  bool mended = false; ///< something is missing or too much, also where `text` had no room for it
+  bool recovered =
+      false; ///< something is missing or too much, also where `text` had no room for it
 };
 
 /// A stretch of a text that was parsed on its own: everything in it depends on its text alone.

@@ -1,7 +1,7 @@
 #include "tina/guide.h"
 
 #include "verify/state/evaluate.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ namespace {
 /// With a node that is always true, for `Guide::anything`.
 verify::System withTruth(verify::System system) {
   system.nodes.push_back({.op = verify::NodeOp::Number, .number = 1});
-  return placed(std::move(system));
+  return withStateLayout(std::move(system));
 }
 
 std::string stepWords(std::size_t step, const std::string& name) {

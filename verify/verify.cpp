@@ -4,10 +4,10 @@
 #include "verify/explore/monitor_search.h"
 #include "verify/explore/search.h"
 #include "verify/reduce/dead_variables.h"
+#include "verify/reduce/free_inputs.h"
 #include "verify/reduce/live_variables.h"
-#include "verify/reduce/open_variables.h"
-#include "verify/reduce/safe_steps.h"
-#include "verify/state/place.h"
+#include "verify/reduce/stubborn_sets.h"
+#include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ Watching watch(const System& compiled, const System& whole, const Goal& goal,
   };
   const bool slices = takes(Reduction::DeadVariables) && goal.monitor.ofPoints;
   const Relevance relevance = slices ? findRelevant(compiled, seen) : everything(compiled);
-  const System system = placed(compiled, relevance.cells);
+  const System system = withStateLayout(compiled, relevance.cells);
   const LiveVariables live(system, seen, relevance.dropped);
   auto found = watchFor(system, goal.monitor, takes(Reduction::LiveVariables) ? &live : nullptr,
                         relevance.dropped, errorsAreAsked, limits);
@@ -89,19 +89,19 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   const Relevance relevance = takes(Reduction::DeadVariables)
                                   ? findRelevant(compiled->system, compiled->goals)
                                   : everything(compiled->system);
-  const System system = placed(compiled->system, relevance.cells);
-  const SafeSteps safeSteps(system, compiled->goals, relevance.dropped);
+  const System system = withStateLayout(compiled->system, relevance.cells);
+  const StubbornSets stubbornSets(system, compiled->goals, relevance.dropped);
   const LiveVariables liveVariables(system, compiled->goals, relevance.dropped);
-  const OpenVariables openVariables(system, compiled->goals, relevance.dropped);
-  const bool open = takes(Reduction::OpenVariables) && !openVariables.none();
-  const Reductions reductions{.inclusion = takes(Reduction::Inclusion),
-                              .safeSteps = takes(Reduction::SafeSteps) ? &safeSteps : nullptr,
-                              .liveVariables =
-                                  takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
-                              .openVariables = open ? &openVariables : nullptr,
-                              .dropped = relevance.dropped};
-  const auto forgetting =
-      takes(Reduction::Extrapolation) ? Forgetting::LowerUpper : Forgetting::Least;
+  const FreeInputs freeInputs(system, compiled->goals, relevance.dropped);
+  const bool open = takes(Reduction::FreeInputs) && !freeInputs.none();
+  const Reductions reductions{
+      .inclusion = takes(Reduction::Inclusion),
+      .stubbornSets = takes(Reduction::StubbornSets) ? &stubbornSets : nullptr,
+      .liveVariables = takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
+      .freeInputs = open ? &freeInputs : nullptr,
+      .dropped = relevance.dropped};
+  const auto extrapolation =
+      takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
   const bool errorsAreAsked = std::ranges::any_of(
       compiled->goals, [](const Goal& goal) { return goal.kind == GoalKind::Error; });
   const bool onlyRuns =
@@ -109,9 +109,9 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
         return goal.kind == GoalKind::Run;
       });
   SearchResult found{.statistics = {.complete = true}};
-  if (!onlyRuns) found = search(system, compiled->goals, reductions, forgetting, limits);
+  if (!onlyRuns) found = search(system, compiled->goals, reductions, extrapolation, limits);
   if (found.failure) return std::unexpected(*found.failure);
-  const System whole = placed(compiled->system);
+  const System whole = withStateLayout(compiled->system);
   const Witness witness(whole, reductions, provenance);
   Result result;
   result.exploration = found.statistics;

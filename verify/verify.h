@@ -69,8 +69,8 @@ struct Answer {
 enum class Reduction : std::uint8_t {
   DeadVariables, ///< variables that nothing reads, and processes that only watch
   LiveVariables, ///< a variable that is written before it is read again counts as 0
-  OpenVariables, ///< one of the values that the environment may set at any time stands for all
-  SafeSteps,     ///< one safe urgent step at a time
+  FreeInputs,    ///< one of the values that the environment may set at any time stands for all
+  StubbornSets,  ///< one safe urgent step at a time
   Inclusion,     ///< a zone within another of the same marking is not explored
   Extrapolation, ///< bounds beyond the largest constants are forgotten (LU)
 };
@@ -93,7 +93,7 @@ struct Progress {
 
 struct Options {
   std::set<Reduction> reductions{Reduction::DeadVariables, Reduction::LiveVariables,
-                                 Reduction::OpenVariables, Reduction::SafeSteps,
+                                 Reduction::FreeInputs,    Reduction::StubbornSets,
                                  Reduction::Inclusion,     Reduction::Extrapolation};
   Limits limits;
   unsigned jobs = 1;

@@ -15,7 +15,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-std::string small(std::string_view text) {
+std::string toLower(std::string_view text) {
   std::string out(text);
   std::ranges::transform(out, out.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
@@ -66,7 +66,8 @@ bool takeRequestLine(std::string_view line, HttpRequest& request) {
 bool takeHeader(std::string_view line, HttpRequest& request) {
   const auto colon = line.find(':');
   if (hasControls(line) || colon == 0 || colon == line.npos) return false;
-  return request.headers.emplace(small(line.substr(0, colon)), trim(line.substr(colon + 1))).second;
+  return request.headers.emplace(toLower(line.substr(0, colon)), trim(line.substr(colon + 1)))
+      .second;
 }
 
 } // namespace

@@ -74,7 +74,7 @@ bool hasChanged(const Loaded& loaded) {
 
 class LiveProgram : public PanelData {
 public:
-  LiveProgram(ViewOptions chosen, NewsBoard& board)
+  LiveProgram(ViewOptions chosen, EventFeed& board)
       : options(std::move(chosen)),
         news(board),
         loaded(load(options.file)),
@@ -240,7 +240,7 @@ private:
   }
 
   ViewOptions options;
-  NewsBoard& news;
+  EventFeed& news;
   std::mutex mutex; ///< of what follows, up to `progress`
   std::shared_ptr<const Loaded> loaded;
   Json report; ///< the last one; null: there is none yet
@@ -258,7 +258,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<PanelData> liveProgram(ViewOptions options, NewsBoard& news) {
+std::unique_ptr<PanelData> liveProgram(ViewOptions options, EventFeed& news) {
   return std::make_unique<LiveProgram>(std::move(options), news);
 }
 

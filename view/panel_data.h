@@ -30,7 +30,7 @@ public:
 };
 
 /// What there is to tell the pages that are open.
-class NewsBoard {
+class EventFeed {
 public:
   using Json = nlohmann::ordered_json;
 
@@ -55,7 +55,7 @@ struct ViewOptions {
 };
 
 /// A program, verified in the background, and again whenever one of its files changes.
-[[nodiscard]] std::unique_ptr<PanelData> liveProgram(ViewOptions options, NewsBoard& news);
+[[nodiscard]] std::unique_ptr<PanelData> liveProgram(ViewOptions options, EventFeed& news);
 
 /// A report or a trace that was saved in a file. What is wrong with its text is the error.
 [[nodiscard]] std::expected<std::unique_ptr<PanelData>, std::string>

@@ -57,7 +57,7 @@ bool isFromHere(const HttpRequest& request, std::uint16_t port) {
 }
 
 PanelData::Answer call(std::string_view method, const Json& params, PanelData& data,
-                       NewsBoard& news) {
+                       EventFeed& news) {
   const auto text = [&](const char* name) { return params.value(name, std::string()); };
   if (method == "hello")
     return Json{{"contract", 1},
@@ -83,7 +83,7 @@ PanelData::Answer call(std::string_view method, const Json& params, PanelData& d
 }
 
 HttpResponse callJson(std::string_view method, const HttpRequest& request, PanelData& data,
-                      NewsBoard& news) {
+                      EventFeed& news) {
   if (!request.header("content-type").starts_with("application/json"))
     return refuse(400, "requests are JSON");
   const auto params = Json::parse(request.body, nullptr, false);
@@ -115,7 +115,7 @@ std::string randomToken() {
 }
 
 HttpResponse answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
-                    NewsBoard& news) {
+                    EventFeed& news) {
   if (!isFromHere(request, address.port)) return refuse(403, "not for this host or origin");
   std::string_view path = request.target;
   path = path.substr(0, path.find('?'));

@@ -21,6 +21,6 @@ struct PanelAddress {
 /// The panel's page and the answers to its requests. Whoever does not know the token, or comes from
 /// a page of another origin, gets 403 and nothing else.
 [[nodiscard]] HttpResponse answer(const HttpRequest& request, const PanelAddress& address,
-                                  PanelData& data, NewsBoard& news);
+                                  PanelData& data, EventFeed& news);
 
 } // namespace proskill::cli

@@ -33,7 +33,7 @@ struct Arguments {
 
 codegen::Edition edition(const Arguments& arguments) {
   if (arguments.target == Target::HFiacre) return codegen::Edition::Runtime;
-  return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Offline;
+  return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
 int run(const Arguments& arguments) {

@@ -68,8 +68,8 @@ void onInterrupt(int signal) {
 const std::map<std::string, verify::Reduction> kReductions{
     {"dead-variables", verify::Reduction::DeadVariables},
     {"live-variables", verify::Reduction::LiveVariables},
-    {"open-variables", verify::Reduction::OpenVariables},
-    {"safe-steps", verify::Reduction::SafeSteps},
+    {"open-variables", verify::Reduction::FreeInputs},
+    {"safe-steps", verify::Reduction::StubbornSets},
     {"inclusion", verify::Reduction::Inclusion},
     {"extrapolation", verify::Reduction::Extrapolation}};
 
@@ -272,7 +272,7 @@ int run(const Arguments& arguments, bool list) {
   if (!program) return kUsage;
   codegen::Options options;
   options.mainSkill = arguments.mainSkill;
-  options.edition = arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Offline;
+  options.edition = arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
   options.automata = arguments.automata;
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());

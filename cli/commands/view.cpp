@@ -55,7 +55,7 @@ bool isJson(const std::filesystem::path& path, const std::string& text) {
 }
 
 std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& arguments,
-                                                              NewsBoard& news) {
+                                                              EventFeed& news) {
   const std::filesystem::path path(arguments.file);
   const auto text = DiskFileSystem().read(path);
   if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());
@@ -69,7 +69,7 @@ std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& a
 int run(const Arguments& arguments) {
   auto server = HttpServer::listen(arguments.port);
   if (!server) return fail("cannot listen on the port: " + server.error());
-  NewsBoard news;
+  EventFeed news;
   auto data = dataOf(arguments, news);
   if (!data) return fail(data.error());
   const PanelAddress address{(*server)->port(), randomToken()};

@@ -4,7 +4,7 @@
 
 namespace proskill::codegen {
 
-Names::Names(const analysis::Program& program, const Plan& plan)
+Names::Names(const analysis::Program& program, const GenerationPlan& plan)
     : global({"skill",
               "None",
               "root",

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analysis/program/program.h"
-#include "codegen/plan/namer.h"
 #include "codegen/plan/plan.h"
+#include "codegen/plan/unique_names.h"
 
 #include <map>
 #include <string>
@@ -14,7 +14,7 @@ namespace proskill::codegen {
 /// where that is possible, in this order; what the generator adds gives way to them.
 class Names {
 public:
-  Names(const analysis::Program& program, const Plan& plan);
+  Names(const analysis::Program& program, const GenerationPlan& plan);
 
   const std::string& variable(std::string_view sv) { return global.of("variable", sv); }
   const std::string& type(std::string_view sv) { return global.of("type", {"sv", sv}); }
@@ -51,12 +51,14 @@ public:
     return properties.of("property", preferred);
   }
 
-  [[nodiscard]] const std::vector<Namer::Renaming>& renamings() const { return global.renamings(); }
+  [[nodiscard]] const std::vector<UniqueNames::Renaming>& renamings() const {
+    return global.renamings();
+  }
 
 private:
-  Namer global;
-  Namer tags;
-  Namer properties;
+  UniqueNames global;
+  UniqueNames tags;
+  UniqueNames properties;
   std::map<std::string_view, int> ownersOfValue; ///< how many variables have a value
 };
 

@@ -71,7 +71,7 @@ public:
   Planner(const Program& program, const SkillDefinition* mission)
       : program(program), mission(mission) {}
 
-  Plan make() {
+  GenerationPlan make() {
     addSkills();
     addEnvironment();
     for (const auto& skill : plan.skills)
@@ -171,21 +171,22 @@ private:
 
   const Program& program;
   const SkillDefinition* mission;
-  Plan plan;
+  GenerationPlan plan;
 };
 
 } // namespace
 
-const SkillPlan* Plan::find(std::string_view name) const {
+const SkillPlan* GenerationPlan::find(std::string_view name) const {
   const auto found = std::ranges::find(skills, name, &SkillPlan::name);
   return found == skills.end() ? nullptr : &*found;
 }
 
-bool Plan::hasGeneralCaller() const {
+bool GenerationPlan::hasGeneralCaller() const {
   return std::ranges::any_of(skills, &SkillPlan::generalCaller);
 }
 
-std::expected<Plan, GenerationError> makePlan(const Program& program, const Options& options) {
+std::expected<GenerationPlan, GenerationError> makeGenerationPlan(const Program& program,
+                                                                  const Options& options) {
   const auto mission = chooseMission(program, options);
   if (!mission) return std::unexpected(mission.error());
   return Planner(program, *mission).make();

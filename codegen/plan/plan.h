@@ -48,7 +48,7 @@ struct SkillPlan {
 };
 
 /// Which skills are in the model, and who calls whom.
-struct Plan {
+struct GenerationPlan {
   std::deque<SkillPlan> skills;       ///< basic ones, then composite ones, in the order of the text
   const SkillPlan* mission = nullptr; ///< null: a library of skills
   const analysis::Definition<syntax::Environment>* environment =
@@ -61,7 +61,7 @@ struct Plan {
 
 /// Basic skills are all in the model; composite ones where the mission or a monitor calls them,
 /// directly or not. What only another candidate for the mission calls is left out.
-[[nodiscard]] std::expected<Plan, GenerationError> makePlan(const analysis::Program& program,
-                                                            const Options& options);
+[[nodiscard]] std::expected<GenerationPlan, GenerationError>
+makeGenerationPlan(const analysis::Program& program, const Options& options);
 
 } // namespace proskill::codegen

@@ -17,9 +17,9 @@ namespace {
 std::string syncState(const BodyState& state) { return state.name + "_" + state.next + "_sync"; }
 std::string busyState(const BodyState& state) { return state.name + "_busy"; }
 
-Statement withWatch(Statement main, std::vector<Statement> strikes) {
-  strikes.insert(strikes.begin(), std::move(main));
-  return select(std::move(strikes));
+Statement withWatch(Statement main, std::vector<Statement> abortStatements) {
+  abortStatements.insert(abortStatements.begin(), std::move(main));
+  return select(std::move(abortStatements));
 }
 
 } // namespace
@@ -82,7 +82,7 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
 
 void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, Statement main) {
   addState(process, state.name, origin(state.statement->range),
-           withWatch(std::move(main), strikes({}, false)), lineOf(state));
+           withWatch(std::move(main), abortStatements({}, false)), lineOf(state));
 }
 
 /// A forbidden move among the effects tells more than the wait, so it comes behind its words.
@@ -159,11 +159,12 @@ void BodyProcess::addCall(fiacre::Process& process, const BodyState& state) {
              sequence({atOnce(), ifThenElse(isFree, callNow(state, sync), std::move(findBusy))}),
              lineOf(state));
     addState(process, busy, place,
-             withWatch(sequence({atOnce(), on(isFree), callNow(state, sync)}), strikes({}, false)));
+             withWatch(sequence({atOnce(), on(isFree), callNow(state, sync)}),
+                       abortStatements({}, false)));
   }
   addState(process, sync, place,
            withWatch(sequence({atOnce(), on(calls.isDone(callee.name())), returnFrom(state)}),
-                     strikes({callee.name()}, false)));
+                     abortStatements({callee.name()}, false)));
 }
 
 Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) {
@@ -206,7 +207,7 @@ void BodyProcess::addParallel(fiacre::Process& process, const BodyState& state) 
   }
   start.push_back(at(origin(state.statement->range, "starts its parallel branches"), to(sync)));
   addState(process, state.name, place, sequence(std::move(start)), lineOf(state));
-  addState(process, sync, place, withWatch(join(state), strikes(running, true)));
+  addState(process, sync, place, withWatch(join(state), abortStatements(running, true)));
 }
 
 Statement BodyProcess::join(const BodyState& state) {

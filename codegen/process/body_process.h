@@ -16,8 +16,8 @@ protected:
   void addBody(fiacre::Process& process);
 
   /// What else can happen where time can pass, while these skills or branches run for this body.
-  virtual std::vector<fiacre::Statement> strikes(const std::vector<std::string_view>& running,
-                                                 bool joining) = 0;
+  virtual std::vector<fiacre::Statement>
+  abortStatements(const std::vector<std::string_view>& running, bool joining) = 0;
   /// At the end of the body; null where it just stays there.
   virtual std::optional<fiacre::Statement> atEnd() = 0;
   /// Of `(success tag)` and `(failure tag)`.

@@ -194,7 +194,7 @@ private:
 
   [[nodiscard]] std::string edition() const {
     switch (context.options.edition) {
-    case Edition::Offline: return "a model for verification, compact";
+    case Edition::Compact: return "a model for verification, compact";
     case Edition::Expanded: return "a model for verification, every state named";
     case Edition::Runtime: return "a program for the executor, in H-Fiacre";
     }

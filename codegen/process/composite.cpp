@@ -134,8 +134,8 @@ private:
     return reasons.size() > 1 ? assign(name("stopping"), reason) : sequence({});
   }
 
-  std::vector<Statement> strikes(const std::vector<std::string_view>& running,
-                                 bool joining) override {
+  std::vector<Statement> abortStatements(const std::vector<std::string_view>& running,
+                                         bool joining) override {
     const auto& node = skill.skill();
     std::vector<Statement> all;
     const auto interruption = interruptionOf(skill);
@@ -251,8 +251,8 @@ private:
     return sequence({returnNow(place, words), to(context.isExpanded() ? "done" : "idle")});
   }
 
-  std::vector<Statement> strikes(const std::vector<std::string_view>& running,
-                                 bool joining) override {
+  std::vector<Statement> abortStatements(const std::vector<std::string_view>& running,
+                                         bool joining) override {
     static_cast<void>(joining);
     if (!skill.mayStrikeBranches()) return {};
     auto asked = at(origin(range(), "is asked to stop"), on(context.cellField(body.name, "stop")));

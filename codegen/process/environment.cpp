@@ -30,8 +30,8 @@ public:
   }
 
 private:
-  std::vector<Statement> strikes(const std::vector<std::string_view>& running,
-                                 bool joining) override {
+  std::vector<Statement> abortStatements(const std::vector<std::string_view>& running,
+                                         bool joining) override {
     static_cast<void>(running);
     static_cast<void>(joining);
     return {};

@@ -75,7 +75,7 @@ private:
   const Variable& variable;
   const Actor& actor;
   fiacre::Process& process;
-  Namer states;
+  UniqueNames states;
 };
 
 } // namespace

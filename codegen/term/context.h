@@ -21,7 +21,7 @@ namespace proskill::codegen {
 struct Context {
   const analysis::Program& program;
   const Options& options;
-  Plan plan;
+  GenerationPlan plan;
   Times times;
   Names names;
   Origins origins;
@@ -33,7 +33,7 @@ struct Context {
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
   /// Every state is named, not only those where time passes.
-  [[nodiscard]] bool isExpanded() const { return options.edition != Edition::Offline; }
+  [[nodiscard]] bool isExpanded() const { return options.edition != Edition::Compact; }
 
   [[nodiscard]] const syntax::StateVariable& stateVariable(std::string_view name) const {
     return program.stateVariables.find(name)->node();

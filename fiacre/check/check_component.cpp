@@ -25,7 +25,7 @@ std::optional<Interface> interfaceOf(const std::string& name, const Declarations
 
 class InstanceCheck {
 public:
-  InstanceCheck(const Instance& checked, const Interface& made, const Surroundings& near,
+  InstanceCheck(const Instance& checked, const Interface& made, const CheckContext& near,
                 const Report& to)
       : instance(checked), wanted(made), around(near), report(to) {}
 
@@ -71,7 +71,7 @@ private:
 
   const Instance& instance;
   const Interface& wanted;
-  const Surroundings& around;
+  const CheckContext& around;
   const Report& report;
 };
 
@@ -86,7 +86,7 @@ bool comesBefore(std::string_view high, std::string_view low, const Order& below
          });
 }
 
-void checkPriorities(const Component& component, const Surroundings& around, const Report& report) {
+void checkPriorities(const Component& component, const CheckContext& around, const Report& report) {
   const auto known = [&](const std::string& port) {
     if (!around.ports.contains(port)) report(fmt::format("the port `{}` is not declared", port));
   };
@@ -117,7 +117,7 @@ bool contains(const std::vector<Instance>& parts, std::string_view name, const D
   });
 }
 
-void checkInstances(const std::vector<Instance>& parts, const Surroundings& around,
+void checkInstances(const std::vector<Instance>& parts, const CheckContext& around,
                     const Report& report) {
   for (const auto& part : parts) {
     if (part.synchronised)
@@ -161,7 +161,7 @@ void checkComponent(const Component& component, const Declarations& known, const
   checkPorts(component.ports, known, report);
   checkVariables(component.parameters, component.variables, known, report);
 
-  Surroundings around{.known = known, .scope = scopeOf(component.parameters, component.variables)};
+  CheckContext around{.known = known, .scope = scopeOf(component.parameters, component.variables)};
   for (const auto* ports : {&component.interfacePorts, &component.ports})
     for (const auto& port : *ports)
       if (!around.ports.emplace(port.name, &port).second)

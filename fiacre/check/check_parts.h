@@ -32,7 +32,7 @@ void checkVariables(const std::vector<Parameter>& parameters,
 void checkPorts(const std::vector<Port>& ports, const Declarations& known, const Report& report);
 
 /// What the statements of one process, component or function may name.
-struct Surroundings {
+struct CheckContext {
   const Declarations& known;
   Scope scope;
   std::map<std::string_view, const Port*> ports;
@@ -40,7 +40,7 @@ struct Surroundings {
   const Type* result = nullptr; ///< of the function that it is
 };
 /// Names and types in a statement and all within it.
-void checkNames(const Statement& statement, const Surroundings& around, const Report& report);
+void checkNames(const Statement& statement, const CheckContext& around, const Report& report);
 /// Each path through the statements of a `from`: its end, its wait, its communication.
 void checkPaths(const Statement& statement, const Report& report);
 /// The statement sets variables and nothing else, as `init` must; it may choose the state.

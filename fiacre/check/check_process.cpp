@@ -5,7 +5,7 @@
 namespace proskill::fiacre {
 namespace {
 
-void addPorts(Surroundings& around, const std::vector<Port>& ports) {
+void addPorts(CheckContext& around, const std::vector<Port>& ports) {
   for (const auto& [name, event] : around.known.eventPorts)
     around.ports.emplace(name, &event->port);
   for (const auto& port : ports) around.ports.emplace(port.name, &port);
@@ -41,7 +41,7 @@ void checkProcess(const Process& process, const Declarations& known, const Repor
   checkVariables(process.parameters, process.variables, known, report);
   checkStates(process, report);
 
-  Surroundings around{.known = known, .scope = scopeOf(process.parameters, process.variables)};
+  CheckContext around{.known = known, .scope = scopeOf(process.parameters, process.variables)};
   addPorts(around, process.ports);
   for (const auto& state : process.states) around.states.insert(state.name);
   if (process.init) {
@@ -59,7 +59,7 @@ void checkProcess(const Process& process, const Declarations& known, const Repor
 void checkFunction(const Function& function, const Declarations& known, const Report& report) {
   checkVariables(function.parameters, function.variables, known, report);
   checkType(function.result, known, report);
-  const Surroundings around{.known = known,
+  const CheckContext around{.known = known,
                             .scope = scopeOf(function.parameters, function.variables),
                             .result = &function.result};
   checkNames(function.body, around, report);

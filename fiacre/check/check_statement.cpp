@@ -11,7 +11,7 @@ namespace {
 /// Checks one kind of statement each; what is within is checked by `checkNames`.
 class StatementCheck {
 public:
-  StatementCheck(const Statement& checked, const Surroundings& near, const Report& to)
+  StatementCheck(const Statement& checked, const CheckContext& near, const Report& to)
       : s(checked), around(near), report(to), typing(near.known, near.scope, to) {}
 
   void run() const {
@@ -140,14 +140,14 @@ private:
   }
 
   const Statement& s;
-  const Surroundings& around;
+  const CheckContext& around;
   const Report& report;
   Typing typing;
 };
 
 } // namespace
 
-void checkNames(const Statement& statement, const Surroundings& around, const Report& report) {
+void checkNames(const Statement& statement, const CheckContext& around, const Report& report) {
   const auto here = report.from(statement.origin);
   StatementCheck(statement, around, here).run();
   for (const auto& child : statement.children) checkNames(child, around, here);

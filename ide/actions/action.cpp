@@ -55,7 +55,7 @@ syntax::Range surroundings(const syntax::Document& document,
 const syntax::Form* ActionContext::form() const {
   for (const auto& form : view.document().forms()) {
     bool holds = form.range.begin <= selection.begin && selection.end <= form.range.end;
-    if (holds) return form.mended ? nullptr : &form;
+    if (holds) return form.recovered ? nullptr : &form;
   }
   return nullptr;
 }

@@ -31,7 +31,7 @@ struct Action {
   ActionKind kind = ActionKind::QuickFix;
   std::shared_ptr<const AnalysedProgram> owner; ///< whose files the edits are in
   std::vector<FileEdit> edits;                  ///< of texts as they are, none over another
-  const syntax::Diagnostic* mends = nullptr;    ///< lives in the owner
+  const syntax::Diagnostic* fixes = nullptr;    ///< lives in the owner
   bool preferred = false;                       ///< the only way to mend it
   std::string_view explains{}; ///< a code: nothing is edited, its explanation is shown
 };

@@ -82,8 +82,8 @@ void addFailureBranch(const ActionContext& context, Actions& actions) {
   const auto* skill = skillOf(context, call->head.text);
   if (!skill || (skill->failures.empty() && skill->invariants.empty())) return;
   const bool isTold = std::ranges::any_of(actions, [&](const Action& action) {
-    return action.mends && action.mends->code == syntax::Code::ResultIgnored &&
-           action.mends->location.range == call->head.range;
+    return action.fixes && action.fixes->code == syntax::Code::ResultIgnored &&
+           action.fixes->location.range == call->head.range;
   });
   if (isTold) return;
   auto next = context.textOf({call->range.end, selected.form->range.end});
@@ -149,7 +149,7 @@ void addInlineSkill(const ActionContext& context, Actions& actions) {
   if (!call || call->kind != StatementKind::Call || !call->arguments.empty()) return;
   const auto* definition = context.view.program().skills.find(call->head.text);
   if (!definition || &definition->node() == selected.skill || !isPlain(definition->node()) ||
-      definition->form->mended || !isOnlyCalled(context, call->head.text))
+      definition->form->recovered || !isOnlyCalled(context, call->head.text))
     return;
   const auto& text = context.view.program().files[definition->file].document.text();
   auto body = definition->node().body->range;

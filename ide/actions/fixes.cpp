@@ -46,7 +46,7 @@ std::vector<FileEdit> merged(const std::vector<const Diagnostic*>& found) {
 }
 
 /// What can be mended safely in the file, within the program that it is first seen in.
-std::vector<const Diagnostic*> mendable(const ActionContext& context) {
+std::vector<const Diagnostic*> fixable(const ActionContext& context) {
   std::vector<const Diagnostic*> result;
   for (const auto& finding : diagnostics(context.snapshot, context.path))
     if (finding.owner == context.view.owner && isSafe(*finding.diagnostic))
@@ -101,13 +101,13 @@ void addExplain(const ActionContext& context, Actions& actions) {
     auto id = syntax::info(finding.diagnostic->code).id;
     actions.push_back({.title = fmt::format("Explain {}", id),
                        .owner = finding.owner,
-                       .mends = finding.diagnostic,
+                       .fixes = finding.diagnostic,
                        .explains = id});
   }
 }
 
 void addFixAll(const ActionContext& context, Actions& actions) {
-  auto all = mendable(context);
+  auto all = fixable(context);
   if (all.empty()) return;
   std::map<syntax::Code, std::vector<const Diagnostic*>> byCode;
   for (const auto* diagnostic : all) byCode[diagnostic->code].push_back(diagnostic);

@@ -3,7 +3,7 @@
 #include "analysis/flow/inspect.h"
 #include "ide/snapshot/include_graph.h"
 #include "ide/snapshot/known_flow.h"
-#include "ide/snapshot/last_used.h"
+#include "ide/snapshot/lru_cache.h"
 
 #include <filesystem>
 #include <functional>
@@ -191,7 +191,7 @@ private:
     void put(const std::string& root, const std::shared_ptr<Entry>& entry);
 
     std::mutex mutex;
-    LastUsed<std::shared_ptr<Entry>> entries{kMostBytes};
+    LruCache<std::shared_ptr<Entry>> entries{kMostBytes};
   };
 
   std::optional<View> viewIn(const std::filesystem::path& root,

@@ -57,10 +57,10 @@ std::int64_t versionOf(const Request& request, const std::filesystem::path& path
 Json actionJson(const ide::Action& action, const Request& request) {
   Json json{{"title", action.title}, {"kind", nameOf(action.kind)}};
   if (action.preferred) json["isPreferred"] = true;
-  if (action.mends) {
+  if (action.fixes) {
     const Converter convert(action.owner->program, request.snapshot.open(),
                             request.client.encoding);
-    const auto diagnostic = diagnosticJson({action.owner, action.mends}, convert, request.client);
+    const auto diagnostic = diagnosticJson({action.owner, action.fixes}, convert, request.client);
     json["diagnostics"] = Json::array({Json::parse(dump(diagnostic))}); // compared by `resolve`
   }
   if (!action.explains.empty())

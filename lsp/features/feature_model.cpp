@@ -51,7 +51,7 @@ Json rangesJson(const fiacre::PrintResult& printed, const fiacre::Provenance& pr
 
 std::optional<codegen::Edition> editionIn(const Json& params) {
   const auto edition = params.value("edition", Json("compact"));
-  if (edition == "compact") return codegen::Edition::Offline;
+  if (edition == "compact") return codegen::Edition::Compact;
   if (edition == "expanded") return codegen::Edition::Expanded;
   if (edition == "runtime") return codegen::Edition::Runtime;
   return std::nullopt;
@@ -131,7 +131,7 @@ Json programJson(const ide::View& view, const Request& request) {
       {"uri", convert.uri(0)},     {"label", view.program().files.front().path.filename().string()},
       {"main", nullptr},           {"error", nullptr},
       {"subjects", Json::array()}, {"texts", textsJson(view.program(), request.snapshot.open())}};
-  const auto made = modelOf(view, codegen::Edition::Offline);
+  const auto made = modelOf(view, codegen::Edition::Compact);
   if (!made) {
     json["error"] = made.error();
     return json;

@@ -48,9 +48,9 @@ Encoding chooseEncoding(const Json& capabilities) {
   return Encoding::Utf16;
 }
 
-/// Neovim asks for the diagnostics of the text that is edited, and never again for those of the other
-/// open ones: 0.10 cannot be told to, 0.12 then asks for those of the workspace and drops what is about
-/// open texts. It is told, as Neovims before 0.10 are.
+/// Neovim asks for the diagnostics of the text that is edited, and never again for those of the
+/// other open ones: 0.10 cannot be told to, 0.12 then asks for those of the workspace and drops
+/// what is about open texts. It is told, as Neovims before 0.10 are.
 bool asksForDiagnostics(const Json& capabilities, const Json& name) {
   return memberAt(capabilities, {"textDocument", "diagnostic"}).is_object() && name != "Neovim";
 }

@@ -93,11 +93,11 @@ Answer Server::execute(const Json& params) {
 int Server::run() {
   std::jthread reader([this] { readStream(); });
   while (true) {
-    auto incident = inbox.take(nextDeadline());
-    if (!incident) {
+    auto event = inbox.take(nextDeadline());
+    if (!event) {
       if (parentIsGone()) break;
       onDeadline();
-    } else if (!handle(*incident)) {
+    } else if (!handle(*event)) {
       break;
     }
   }
@@ -157,14 +157,14 @@ void Server::receive(Message message) {
 }
 
 /// False where the server's life ends here.
-bool Server::handle(Incident& incident) {
-  if (std::holds_alternative<EndOfStream>(incident)) return false;
-  if (auto* received = std::get_if<Received>(&incident)) return handleMessage(*received);
-  if (auto* errand = std::get_if<Errand>(&incident)) {
-    (*errand)();
+bool Server::handle(InboxEvent& event) {
+  if (std::holds_alternative<EndOfStream>(event)) return false;
+  if (auto* received = std::get_if<Received>(&event)) return handleMessage(*received);
+  if (auto* task = std::get_if<Task>(&event)) {
+    (*task)();
     return true;
   }
-  const auto& malformed = std::get<MalformedMessage>(incident);
+  const auto& malformed = std::get<MalformedMessage>(event);
   log("malformed message: " + malformed.error.message);
   outbox.send(replyError(malformed.id, malformed.error));
   return true;
@@ -244,8 +244,8 @@ void Server::notified(Received& received) {
 /// nobody has asked about, and a text is parsed sooner once than often.
 void Server::gatherEdits(Message& edit) {
   for (unsigned i = 0; i < kMostGathered; ++i) {
-    auto next = inbox.takeIf([&](const Incident& incident) {
-      const auto* received = std::get_if<Received>(&incident);
+    auto next = inbox.takeIf([&](const InboxEvent& event) {
+      const auto* received = std::get_if<Received>(&event);
       return received && continues(received->message, edit);
     });
     if (!next) return;

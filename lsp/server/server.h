@@ -51,7 +51,7 @@ private:
   void receive(Message message);
   [[nodiscard]] std::optional<Time> nextDeadline() const;
   void onDeadline();
-  bool handle(Incident& incident);
+  bool handle(InboxEvent& event);
   bool handleMessage(Received& received);
   void handleRequest(Received& received);
   bool handleNotification(Received& received);

@@ -98,7 +98,8 @@ Json Server::initialize(const Json& params) {
   verification.start(client, initialSettings(first));
   if (first.is_object()) setSettings(first);
   Json capabilities = registry.capabilities;
-  if (!client.pullDiagnostics) capabilities.erase("diagnosticProvider"); // what is told, nobody asks for
+  if (!client.pullDiagnostics)
+    capabilities.erase("diagnosticProvider"); // what is told, nobody asks for
   capabilities["positionEncoding"] = nameOf(client.encoding);
   capabilities["textDocumentSync"] = {
       {"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}};

@@ -113,8 +113,8 @@ void Verification::view(const std::filesystem::path& path) {
   viewed.push_front(path);
 }
 
-/// Where the last one has been closed, as an editor does with a file that a refactoring changed, the
-/// one before. \pre the mutex is held
+/// Where the last one has been closed, as an editor does with a file that a refactoring changed,
+/// the one before. \pre the mutex is held
 std::optional<std::filesystem::path> Verification::inView() {
   if (!snapshot) return std::nullopt;
   viewed.remove_if([&](const auto& path) { return !snapshot->open().contains(path); });

@@ -2,7 +2,7 @@
 
 #include "lsp/protocol/client.h"
 #include "lsp/protocol/registry.h"
-#include "lsp/verification/verdict_board.h"
+#include "lsp/verification/verdict_store.h"
 #include "lsp/verification/verification_settings.h"
 
 #include <condition_variable>
@@ -68,7 +68,7 @@ private:
   [[nodiscard]] std::optional<std::filesystem::path> inView();
 
   Outside outside;
-  VerdictBoard board;
+  VerdictStore board;
   mutable std::mutex mutex;
   std::condition_variable wake;
   VerificationSettings settings;
@@ -77,8 +77,8 @@ private:
   std::shared_ptr<const ide::Snapshot> snapshot;
   std::list<std::filesystem::path> viewed; ///< open texts that a user looked at, the last one first
   bool edited = false;                     ///< since `noticeEdit`
-  std::optional<Time> due;                   ///< of live verification
-  Cancellation running;                      ///< of live verification
+  std::optional<Time> due;                 ///< of live verification
+  Cancellation running;                    ///< of live verification
   Programs runningOn;
   std::map<std::filesystem::path, std::int64_t> runningVersions;
   std::jthread thread; ///< last: it uses all of the above

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/program/file_system.h"
-#include "ide/snapshot/last_used.h"
+#include "ide/snapshot/lru_cache.h"
 
 #include <filesystem>
 #include <functional>
@@ -68,7 +68,7 @@ private:
   std::shared_ptr<const analysis::FileSystem> disk;
   StampOf stampOf;
   mutable std::mutex mutex;
-  mutable ide::LastUsed<Entry> entries;
+  mutable ide::LruCache<Entry> entries;
   mutable std::unordered_map<std::string, Followed> followed;
 };
 

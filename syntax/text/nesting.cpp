@@ -9,8 +9,8 @@ constexpr unsigned kHint = 1;
 
 class Walk {
 public:
-  Walk(std::string_view source, const Scan& scanned, const Mending& changes)
-      : text(source), scan(scanned), mending(changes) {}
+  Walk(std::string_view source, const Scan& scanned, const Recovery& changes)
+      : text(source), scan(scanned), recovery(changes) {}
 
   Nesting run() {
     result.doubts.resize(scan.landmarks.size());
@@ -39,7 +39,7 @@ private:
 
   void pass(std::size_t index) {
     const Parenthesis& parenthesis = scan.parentheses[index];
-    if (mending.removed[index]) return;
+    if (recovery.removed[index]) return;
     if (parenthesis.opens) {
       if (stack.empty() && !outerColumn) outerColumn = parenthesis.column;
       formsInField = stack.empty() ? 0 : formsInField + (stack.size() == 1);
@@ -53,7 +53,7 @@ private:
   }
 
   void insert(std::size_t landmark) {
-    for (unsigned i = 0; i < mending.inserted[landmark] && !stack.empty(); ++i) {
+    for (unsigned i = 0; i < recovery.inserted[landmark] && !stack.empty(); ++i) {
       result.closedByInsertion.push_back(stack.back().parenthesis);
       stack.pop_back();
     }
@@ -94,7 +94,7 @@ private:
 
   std::string_view text;
   const Scan& scan;
-  const Mending& mending;
+  const Recovery& recovery;
   std::vector<Opener> stack;
   std::optional<Offset> outerColumn; ///< of the first form
   unsigned formsInField = 0; ///< how many came directly in a definition since its last keyword
@@ -103,8 +103,8 @@ private:
 
 } // namespace
 
-Nesting nestingOf(std::string_view text, const Scan& scan, const Mending& mending) {
-  return Walk(text, scan, mending).run();
+Nesting nestingOf(std::string_view text, const Scan& scan, const Recovery& recovery) {
+  return Walk(text, scan, recovery).run();
 }
 
 } // namespace proskill::syntax

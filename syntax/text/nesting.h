@@ -10,7 +10,7 @@
 namespace proskill::syntax {
 
 /// The changes that were made so far to make a text balance.
-struct Mending {
+struct Recovery {
   std::vector<bool> removed;          ///< by parenthesis
   std::vector<std::uint8_t> inserted; ///< `)` before each landmark, and at the end of the text
 };
@@ -32,6 +32,6 @@ struct Nesting {
   return landmark < scan.landmarks.size() ? scan.landmarks[landmark].previousEnd : scan.end;
 }
 
-[[nodiscard]] Nesting nestingOf(std::string_view text, const Scan& scan, const Mending& mending);
+[[nodiscard]] Nesting nestingOf(std::string_view text, const Scan& scan, const Recovery& recovery);
 
 } // namespace proskill::syntax

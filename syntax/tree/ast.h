@@ -300,9 +300,9 @@ struct BodyIndex {
 
 /// A form at the top level, where it was read.
 struct ReadForm {
-  Range range;         ///< from its parenthesis to its parenthesis
-  Name keyword;        ///< `defskill`, …
-  bool mended = false; ///< a parenthesis or quote was put in or left out: a guess
+  Range range;            ///< from its parenthesis to its parenthesis
+  Name keyword;           ///< `defskill`, …
+  bool recovered = false; ///< a parenthesis or quote was put in or left out: a guess
   FormNode node;
   BodyIndex bodyIndex; ///< of its body, where it has one
 };

@@ -57,7 +57,7 @@ Form::Form(std::shared_ptr<const ReadForm> form)
     : range(form->range),
       keyword(form->keyword),
       name(nameOf(*form)),
-      mended(form->mended),
+      recovered(form->recovered),
       kind(static_cast<std::uint8_t>(form->node.index())),
       read(form.get()),
       placed(std::make_shared<const PlacedNode>(std::move(form), 0)) {}

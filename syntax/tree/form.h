@@ -21,11 +21,11 @@ public:
   /// The same so many bytes further towards the end of the text; may wrap around.
   [[nodiscard]] Form moved(Offset further) const;
 
-  Range range;         ///< from its parenthesis to its parenthesis
-  Name keyword;        ///< `defskill`, …
-  Name name;           ///< of what it defines; empty where it has none
-  bool mended = false; ///< a parenthesis or quote was put in or left out: a guess
-  Range comment;       ///< the lines of comment directly above, empty where there are none
+  Range range;            ///< from its parenthesis to its parenthesis
+  Name keyword;           ///< `defskill`, …
+  Name name;              ///< of what it defines; empty where it has none
+  bool recovered = false; ///< a parenthesis or quote was put in or left out: a guess
+  Range comment;          ///< the lines of comment directly above, empty where there are none
 
   template <class Node> [[nodiscard]] bool is() const { return kind == kindOf<Node>(); }
   [[nodiscard]] bool isAs(const Form& other) const { return kind == other.kind; }

@@ -44,14 +44,15 @@ void checkEscape(Builder& builder, const Node& escape) {
 }
 
 void checkName(Builder& builder, const Node& name) {
-  std::string mended(builder.textOf(name));
-  auto& diagnostic = builder.report(Code::MalformedName, name.range, mended);
-  for (char& c : mended)
+  std::string recovered(builder.textOf(name));
+  auto& diagnostic = builder.report(Code::MalformedName, name.range, recovered);
+  for (char& c : recovered)
     if (c == '-') c = '_';
-  bool ascii = std::ranges::all_of(mended, [](char c) { return static_cast<signed char>(c) > 0; });
-  if (ascii && (mended[0] < '0' || mended[0] > '9'))
+  bool ascii =
+      std::ranges::all_of(recovered, [](char c) { return static_cast<signed char>(c) > 0; });
+  if (ascii && (recovered[0] < '0' || recovered[0] > '9'))
     diagnostic.fixes.push_back(
-        {fmt::format("write `{}`", shortened(mended)), {0, name.range}, mended});
+        {fmt::format("write `{}`", shortened(recovered)), {0, name.range}, recovered});
 }
 
 } // namespace

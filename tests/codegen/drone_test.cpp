@@ -28,7 +28,7 @@ std::size_t processes(const codegen::Model& model, std::string_view begin, std::
 } // namespace
 
 TEST_CASE("the drone has the processes that the paper counts") {
-  for (const auto edition : {Edition::Offline, Edition::Expanded}) {
+  for (const auto edition : {Edition::Compact, Edition::Expanded}) {
     const auto model = test::modelOf(droneProgram(), {.edition = edition});
     CHECK(processes(model, "sv_", "_automata") == 7);
     CHECK(processes(model, "event_", "_automata") == 10);

@@ -50,7 +50,7 @@ TEST_CASE("the compact and the expanded edition of a program have the same verdi
     test::ProgramSize size;
     size.properties = 0; // the expanded edition has more steps, which a property of steps may see
     const auto text = test::textOf(test::randomProgram(seed, size));
-    const auto compact = verdicts(text, Edition::Offline);
+    const auto compact = verdicts(text, Edition::Compact);
     if (!compact) continue;
     const auto expanded = verdicts(text, Edition::Expanded);
     if (!expanded) continue;

@@ -1,4 +1,4 @@
-#include "codegen/plan/namer.h"
+#include "codegen/plan/unique_names.h"
 #include "tests/codegen/model_of.h"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@ using namespace proskill;
 using Catch::Contains;
 
 TEST_CASE("a thing has one name, the same whenever it is asked for") {
-  codegen::Namer namer;
+  codegen::UniqueNames namer;
   CHECK(namer.of("skill", "takeoff") == "takeoff");
   CHECK(namer.of("event", "takeoff") == "takeoff_");
   CHECK(namer.of("value", "takeoff") == "takeoff__");
@@ -15,13 +15,13 @@ TEST_CASE("a thing has one name, the same whenever it is asked for") {
 }
 
 TEST_CASE("parts that join to the same name stay different things") {
-  codegen::Namer namer;
+  codegen::UniqueNames namer;
   CHECK(namer.of("tag", {"a", "success", "b", "postcondition"}) == "a_success_b_postcondition");
   CHECK(namer.of("tag", {"a", "success", "b_postcondition"}) == "a_success_b_postcondition_");
 }
 
 TEST_CASE("words that Fiacre reserves, its patterns' too, get an underscore") {
-  codegen::Namer namer;
+  codegen::UniqueNames namer;
   CHECK(namer.of("variable", "process") == "process_");
   CHECK(namer.of("variable", "within") == "within_");
   REQUIRE(namer.renamings().size() == 2);

@@ -78,7 +78,7 @@ TEST_CASE("whoever can be struck may stop what it calls, directly or not") {
     (defskill inner :body ((wave)))
     (defskill outer :invariant (shut (:guard (door Closed))) :body ((inner)))
     (defskill mission :body ((outer) (look))))");
-  const auto plan = codegen::makePlan(program, {});
+  const auto plan = codegen::makeGenerationPlan(program, {});
   REQUIRE(plan.has_value());
   CHECK(plan->find("inner")->callerMayStop);
   CHECK(plan->find("wave")->callerMayStop);

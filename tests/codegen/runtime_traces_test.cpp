@@ -79,7 +79,7 @@ TEST_CASE("what happens at runtime, on a platform that keeps its times, may happ
     const auto text = test::textOf(test::randomProgram(seed, size));
     const auto program = test::programOfText(text);
     const auto runtime = modelOf(program, Edition::Runtime);
-    const auto offline = modelOf(program, Edition::Offline);
+    const auto offline = modelOf(program, Edition::Compact);
     if (!runtime || !offline) continue;
     const auto closed = test::withPlatform(*runtime, program);
     INFO("seed " << seed << "\n" << text);

@@ -66,7 +66,7 @@ TEST_CASE("what is printed of random models with observers is read as it was") {
 TEST_CASE("what is printed of the models of random programs is read as it was") {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const auto program = test::programOfText(test::textOf(test::randomProgram(seed)));
-    for (auto edition : {Edition::Offline, Edition::Expanded, Edition::Runtime}) {
+    for (auto edition : {Edition::Compact, Edition::Expanded, Edition::Runtime}) {
       codegen::Options options;
       options.edition = edition;
       const auto model = codegen::generate(program, options);

@@ -45,7 +45,7 @@ std::string after(std::string_view marked, std::string_view title) {
   INFO(text);
   CHECK(syntax::Document::parse(text).diagnostics().size() <=
         program.view().document().diagnostics().size());
-  bool mends = action->mends || action->kind == ide::ActionKind::SourceFixAll;
+  bool mends = action->fixes || action->kind == ide::ActionKind::SourceFixAll;
   if (!mends) CHECK(errorsOf(text) == errorsOf(program.view().text()));
   return text;
 }

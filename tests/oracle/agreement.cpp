@@ -50,7 +50,7 @@ const std::vector<std::pair<std::string, Options>>& settings() {
     made.emplace_back("no reduction", Options{.reductions = {}});
     const std::vector<std::pair<std::string, Reduction>> names{
         {"dead variables", Reduction::DeadVariables}, {"live variables", Reduction::LiveVariables},
-        {"open variables", Reduction::OpenVariables}, {"safe steps", Reduction::SafeSteps},
+        {"open variables", Reduction::FreeInputs},    {"safe steps", Reduction::StubbornSets},
         {"inclusion", Reduction::Inclusion},          {"extrapolation", Reduction::Extrapolation}};
     for (const auto& [name, reduction] : names) {
       made.emplace_back("without " + name, Options{});

@@ -127,8 +127,8 @@ TEST_CASE("a definition that breaks off leaves those after it alone") {
   REQUIRE(test::codesOf(document) == "PS0101");
   CHECK(document.diagnostics()[0].related.size() == 4);
   REQUIRE(document.forms().size() == 2);
-  CHECK(document.forms()[0].mended);
-  CHECK_FALSE(document.forms()[1].mended);
+  CHECK(document.forms()[0].recovered);
+  CHECK_FALSE(document.forms()[1].recovered);
   CHECK(std::get<syntax::Event>(document.forms()[1].node()).effects.items.size() == 1);
 }
 

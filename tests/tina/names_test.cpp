@@ -3,7 +3,7 @@
 #include "tina/names.h"
 #include "verify/compile/compile.h"
 #include "verify/graph/tina_names.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +14,7 @@ namespace {
 verify::System systemOf(const fiacre::Program& program) {
   auto compiled = verify::compile(program, {}, {});
   if (!compiled) FAIL(compiled.error().message);
-  return placed(std::move(compiled->system));
+  return withStateLayout(std::move(compiled->system));
 }
 
 } // namespace

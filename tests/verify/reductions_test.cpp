@@ -103,7 +103,7 @@ TEST_CASE("Safe steps: independent chains of urgent steps are run one after the 
                       {from("a", {wait(1, 1), to("b")}), from("b", {now(), to("c")}),
                        from("c", {now(), to("d")})}));
   const auto progress = plain(fiacre::PatternKind::Progress);
-  CHECK(classes(model, progress, {Reduction::SafeSteps}) < classes(model, progress, {}) / 3);
+  CHECK(classes(model, progress, {Reduction::StubbornSets}) < classes(model, progress, {}) / 3);
 }
 
 TEST_CASE("Safe steps: what a question looks at is not skipped") {
@@ -157,7 +157,7 @@ TEST_CASE("Open variables: one value stands for all that the environment may set
                      from("b", {wait(1, 1), to("a")})}));
   const auto progress = plain(fiacre::PatternKind::Progress);
   CHECK(classes(model, progress, {}) == 3 * 2 + 1);
-  CHECK(classes(model, progress, {Reduction::OpenVariables}) == 2 + 1);
+  CHECK(classes(model, progress, {Reduction::FreeInputs}) == 2 + 1);
 }
 
 TEST_CASE("Open variables: each value, and the first one, leads where it leads") {
@@ -200,7 +200,7 @@ TEST_CASE(
                     {from("a", {now(), on(all), to("b")}),
                      from("b", {now(), on(unary(fiacre::Op::Not, all)), to("c")})}));
   CHECK(model.answer(absentState(25, "c")).truth == verify::Truth::False);
-  CHECK(classes(model, plain(fiacre::PatternKind::Progress), {Reduction::OpenVariables}) == 3);
+  CHECK(classes(model, plain(fiacre::PatternKind::Progress), {Reduction::FreeInputs}) == 3);
 }
 
 TEST_CASE("Open variables: what one value of an input breaks does not hide what others lead to") {

@@ -1,18 +1,18 @@
 #include "verify/explore/explorer.h"
 
+#include "verify/reduce/free_inputs.h"
 #include "verify/reduce/live_variables.h"
-#include "verify/reduce/open_variables.h"
-#include "verify/reduce/safe_steps.h"
+#include "verify/reduce/stubborn_sets.h"
 #include "verify/state/evaluate.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 
 namespace proskill::verify {
 
 Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reductions& with,
-                   Forgetting forgetting, LimitWatch& watch)
-    : system(of), goals(asked), reductions(with), limits(watch), graph(of, with, forgetting) {
+                   Extrapolation extrapolation, LimitWatch& watch)
+    : system(of), goals(asked), reductions(with), limits(watch), graph(of, with, extrapolation) {
   goalsOfEvent.resize(system.eventCount);
   hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
   result.goals.resize(goals.size());
@@ -68,12 +68,12 @@ void Explorer::start() {
   for (std::size_t i = 0; i < goals.size(); ++i)
     if (goals[i].kind == GoalKind::Events && goals[i].initially) found(i);
   noticeState(current);
-  if (reductions.openVariables)
+  if (reductions.freeInputs)
     passed =
-        reductions.openVariables->normalise(current.state.data(), current.enabled, graph.enabling);
+        reductions.freeInputs->normalise(current.state.data(), current.enabled, graph.enabling);
   current.signature = signatureOf(current);
   current.zone = graph.timing.initial(current.signature);
-  runSafeSteps(current);
+  runStubbornSets(current);
   if (result.failure.empty()) add(current, kNone, kNone, 0);
 }
 
@@ -81,9 +81,9 @@ void Explorer::start() {
 /// are some.
 SignatureId Explorer::signatureOf(const Current& current) {
   bool urgent = graph.enabling.isUrgent(current.enabled);
-  if (urgent && reductions.openVariables) {
+  if (urgent && reductions.freeInputs) {
     trial = current.state;
-    urgent = !reductions.openVariables->calm(trial.data(), current.enabled);
+    urgent = !reductions.freeInputs->calm(trial.data(), current.enabled);
   }
   return graph.enabling.signature(current.enabled, urgent, graph.timing);
 }
@@ -105,7 +105,7 @@ void Explorer::expand(NodeIndex index) {
   load(index);
   expanding = index;
   passed.clear();
-  if (reductions.openVariables) return expandOpen(index);
+  if (reductions.freeInputs) return expandOpen(index);
   bool stopped = true;
   const bool ends = fails(loaded.enabled); // the run ends here: a guard comes to a fault
   eachIn(loaded.enabled, [&](TransitionId transition) {
@@ -119,7 +119,7 @@ void Explorer::expand(NodeIndex index) {
 /// The state stands for all choices of values of its open variables: each transition is fired from
 /// those that differ for it. There is no deadlock, since the environment can always go on.
 void Explorer::expandOpen(NodeIndex index) {
-  const OpenVariables& open = *reductions.openVariables;
+  const FreeInputs& open = *reductions.freeInputs;
   std::vector<Word> state = loaded.state;
   const bool ends = fails(loaded.enabled);
   eachIn(open.candidates(state.data(), loaded.enabled), [&](TransitionId transition) {
@@ -150,7 +150,7 @@ void Explorer::step(NodeIndex parent, TransitionId transition) {
 /// A step from the loaded state, with other values of open variables.
 void Explorer::stepWith(NodeIndex parent, TransitionId transition, const std::vector<Word>& state,
                         std::uint32_t choice) {
-  const OpenVariables& open = *reductions.openVariables;
+  const FreeInputs& open = *reductions.freeInputs;
   work = loaded;
   work.state = state;
   passed = open.between(loaded.state.data(), state.data());
@@ -165,9 +165,9 @@ void Explorer::follow(NodeIndex parent, TransitionId transition, std::uint32_t c
   if (!graph.timing.isFirable(work.zone, work.signature, transition)) return;
   ++result.statistics.transitions;
   if (!advance(work, transition)) return;
-  const OpenVariables* open = reductions.openVariables;
+  const FreeInputs* open = reductions.freeInputs;
   if (open && open->staysWithin(transition, loaded.state.data())) return;
-  runSafeSteps(work);
+  runStubbornSets(work);
   if (result.failure.empty()) add(work, parent, transition, choice);
 }
 
@@ -184,9 +184,8 @@ bool Explorer::advance(Current& current, TransitionId transition) {
   }
   graph.enabling.update(transition, current.state.data(), current.enabled);
   Steps back;
-  if (reductions.openVariables)
-    back =
-        reductions.openVariables->normalise(current.state.data(), current.enabled, graph.enabling);
+  if (reductions.freeInputs)
+    back = reductions.freeInputs->normalise(current.state.data(), current.enabled, graph.enabling);
   const SignatureId signature = signatureOf(current);
   current.zone = graph.timing.after(current.zone, current.signature, transition, signature);
   current.signature = signature;
@@ -200,21 +199,21 @@ bool Explorer::advance(Current& current, TransitionId transition) {
 /// As long as there is a step that is safe to take alone, takes it. Stops where it comes by a state
 /// again: that state is then stored and expanded fully, so that nothing is put off for ever.
 template <class Advance>
-void Explorer::followSafeSteps(const std::vector<Word>& state, const TransitionSet& enabled,
-                               Advance advance) const {
-  if (!reductions.safeSteps) return;
+void Explorer::followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
+                                  Advance advance) const {
+  if (!reductions.stubbornSets) return;
   std::vector<Word> mark; // Brent: the state at the last power of two
   for (std::size_t length = 1;; ++length) {
-    const TransitionId next = reductions.safeSteps->pick(state.data(), enabled);
+    const TransitionId next = reductions.stubbornSets->pick(state.data(), enabled);
     if (next == kNone || state == mark) return;
     if (std::has_single_bit(length)) mark = state;
     if (!advance(next)) return;
   }
 }
 
-void Explorer::runSafeSteps(Current& current) {
-  followSafeSteps(current.state, current.enabled,
-                  [&](TransitionId next) { return advance(current, next); });
+void Explorer::runStubbornSets(Current& current) {
+  followStubbornSets(current.state, current.enabled,
+                     [&](TransitionId next) { return advance(current, next); });
 }
 
 /// The way to a node, as it was taken: with the setters that lead to each choice of values and
@@ -222,7 +221,7 @@ void Explorer::runSafeSteps(Current& current) {
 Steps Explorer::pathTo(NodeIndex index) const {
   std::vector<NodeIndex> line;
   for (; index != kNone; index = graph.nodes[index].parent) line.push_back(index);
-  const OpenVariables* open = reductions.openVariables;
+  const FreeInputs* open = reductions.freeInputs;
   Steps path;
   std::vector<Word> state = initialState(system);
   TransitionSet enabled;
@@ -242,7 +241,7 @@ Steps Explorer::pathTo(NodeIndex index) const {
   };
   graph.enabling.compute(state.data(), enabled);
   normalise();
-  followSafeSteps(state, enabled, fireOne);
+  followStubbornSets(state, enabled, fireOne);
   for (std::size_t i = line.size(); i-- > 0;) {
     const ZoneNode& node = graph.nodes[line[i]];
     const Word* stored = graph.states.at(node.state);
@@ -264,7 +263,7 @@ Steps Explorer::pathTo(NodeIndex index) const {
       graph.enabling.compute(state.data(), enabled);
     }
     fireOne(next.transition);
-    followSafeSteps(state, enabled, fireOne);
+    followStubbornSets(state, enabled, fireOne);
   }
   return path;
 }

@@ -41,9 +41,9 @@ struct ZoneGraph {
   std::vector<NodeIndex> headOf;        ///< by state: the first of its nodes
   std::vector<ZoneNode> nodes;
 
-  ZoneGraph(const System& system, const Reductions& reductions, Forgetting forgetting)
+  ZoneGraph(const System& system, const Reductions& reductions, Extrapolation extrapolation)
       : enabling(system, reductions.dropped),
-        timing(system, forgetting),
+        timing(system, extrapolation),
         states(system.storedWords) {}
   [[nodiscard]] std::uint64_t bytes() const;
 };
@@ -53,7 +53,7 @@ class Explorer {
 public:
   /// \pre the arguments outlive this
   Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
-           Forgetting forgetting, LimitWatch& limits);
+           Extrapolation extrapolation, LimitWatch& limits);
 
   /// To be called once.
   Explored run();
@@ -81,7 +81,7 @@ private:
   void follow(NodeIndex parent, TransitionId transition, std::uint32_t choice);
   SignatureId signatureOf(const Current& current);
   bool advance(Current& current, TransitionId transition);
-  void runSafeSteps(Current& current);
+  void runStubbornSets(Current& current);
   void add(Current& current, NodeIndex parent, TransitionId transition, std::uint32_t choice);
   bool isCovered(StateId state, ZoneId zone);
   void noticeStep(const Current& after);
@@ -95,8 +95,8 @@ private:
   /// Takes safe steps from a state on by `advance`, which gets each transition and says whether to
   /// go on.
   template <class Advance>
-  void followSafeSteps(const std::vector<Word>& state, const TransitionSet& enabled,
-                       Advance advance) const;
+  void followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
+                          Advance advance) const;
 
   const System& system;
   const std::vector<Goal>& goals;

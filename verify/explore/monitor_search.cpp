@@ -2,7 +2,7 @@
 
 #include "graph/components.h"
 #include "verify/state/evaluate.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 #include <deque>
@@ -50,7 +50,7 @@ public:
         cycles(with.looksForCycles()),
         limits(watch),
         enabling(of, dropped),
-        timing(of, Forgetting::LowerUpper),
+        timing(of, Extrapolation::LowerUpper),
         states(of.storedWords) {
     for (const auto& location : monitor.locations)
       for (const auto& edge : location.edges)

@@ -1,6 +1,6 @@
 #include "verify/explore/search.h"
 
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ bool isStuckGoal(const Goal& goal) { return goal.kind == GoalKind::Stuck; }
 /// Whether a run along these steps ends with the clocks in these ranges: the zones along it, with
 /// nothing forgotten but what cannot be told apart.
 bool isReal(const System& system, const Evidence& evidence) {
-  Timing timing(system, Forgetting::Least);
+  Timing timing(system, Extrapolation::Least);
   Enabling enabling(system);
   StepLog log;
   std::vector<Word> state = initialState(system);
@@ -60,10 +60,10 @@ void add(Exploration& to, const Exploration& more) {
 }
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
-                    const Reductions& reductions, Forgetting forgetting, LimitWatch& limits) {
+                    const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits) {
   SearchResult result;
   result.goals.resize(goals.size());
-  Explorer explorer(system, goals, reductions, forgetting, limits);
+  Explorer explorer(system, goals, reductions, extrapolation, limits);
   Explored explored = explorer.run();
   result.statistics = explored.statistics;
   if (!explored.failure.empty())
@@ -75,10 +75,10 @@ SearchResult search(const System& system, const std::vector<Goal>& goals,
 
   auto stuck = findStuck(system, reductions, explorer);
   // Extra+LU may put clocks nearer to their upper bounds than they get; the maximum does not.
-  if (stuck && forgetting == Forgetting::LowerUpper && !isReal(system, *stuck)) {
+  if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck)) {
     std::vector<Goal> stuckGoals;
     std::ranges::copy_if(goals, std::back_inserter(stuckGoals), isStuckGoal);
-    Explorer finer(system, stuckGoals, reductions, Forgetting::Maximum, limits);
+    Explorer finer(system, stuckGoals, reductions, Extrapolation::Maximum, limits);
     Explored again = finer.run();
     add(result.statistics, again.statistics);
     stuck = findStuck(system, reductions, finer);

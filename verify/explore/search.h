@@ -6,7 +6,7 @@
 namespace proskill::verify {
 
 /// A move of a monitor along the steps: with a step, or at a date between two.
-struct Mark {
+struct MonitorMove {
   std::size_t after = 0; ///< how many steps were taken, that of the move included
   bool atStep = false;
   std::uint32_t location = 0; ///< of the monitor, before
@@ -18,7 +18,7 @@ struct Evidence {
   Steps steps;
   std::vector<ClockRange> clocks;
   const Monitor* monitor = nullptr; ///< that accepts the run, by these moves
-  std::vector<Mark> marks;
+  std::vector<MonitorMove> marks;
   std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
 };
 
@@ -34,7 +34,7 @@ void add(Exploration& to, const Exploration& more);
 /// Looks for all goals: one exploration, and one more, with finer zones, where the first could not
 /// tell whether time can stop.
 [[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,
-                                  const Reductions& reductions, Forgetting forgetting,
+                                  const Reductions& reductions, Extrapolation extrapolation,
                                   LimitWatch& limits);
 
 } // namespace proskill::verify

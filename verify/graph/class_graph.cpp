@@ -4,7 +4,7 @@
 #include "verify/state/enabled.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/firing_domains.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 #include <deque>
@@ -251,7 +251,7 @@ std::expected<StateGraph, Unsupported> stateGraph(const fiacre::Program& program
   if (!compiled) return std::unexpected(compiled.error());
   const bool timed = kind != GraphKind::Untimed;
   const System system =
-      placed(timed ? std::move(compiled->system) : untimed(std::move(compiled->system)));
+      withStateLayout(timed ? std::move(compiled->system) : untimed(std::move(compiled->system)));
   if (auto why = withoutClasses(system)) return std::unexpected(*why);
   GraphRecorder recorder(system, program.main, kind);
   ClassGraph classes(system, limits, &recorder);
@@ -268,7 +268,7 @@ std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& prog
   LimitWatch limits(options);
   auto compiled = compile(program, {}, {});
   if (!compiled) return std::unexpected(compiled.error());
-  const System system = placed(std::move(compiled->system));
+  const System system = withStateLayout(std::move(compiled->system));
   if (auto why = withoutClasses(system)) return std::unexpected(*why);
   return ClassGraph(system, limits).run();
 }

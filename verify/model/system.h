@@ -44,7 +44,7 @@ struct Cell {
 enum class NodeOp : std::uint8_t {
   Number, // number
   Cell,   // cell a
-  Test,   // (word a & mask) == value; made of comparisons with constants when cells are placed
+  Test,   // (word a & mask) == value; made of comparisons with constants when the state is laid out
   Not,
   Negate, // a
   And,
@@ -101,9 +101,9 @@ struct BitStore {
 };
 
 enum class InstructionKind : std::uint8_t {
-  Assign,     // assignments[first, last): all values first, then all targets
-  Store,      // an Assign of constants as stores[firstStore, lastStore), made when cells are placed
-  On,         // give the path up unless node
+  Assign, // assignments[first, last): all values first, then all targets
+  Store, // an Assign of constants as stores[firstStore, lastStore), made when the state is laid out
+  On,    // give the path up unless node
   JumpUnless, // to instruction `last` unless node
   Jump,       // to instruction `last`
   Tag,        // event
@@ -170,7 +170,7 @@ struct Transition {
   bool urgent = false;        ///< [0,0]
   ClockId clock = kNone;      ///< nothing: urgent, or [0,...[
   NodeId guard = 0;           ///< locations and guards of all parts
-  std::vector<BitTest> tests; ///< the guard, made when cells are placed: all of these
+  std::vector<BitTest> tests; ///< the guard, made when the state is laid out: all of these
   std::vector<NodeId> rest;   ///< and all of those
   bool tentative = false;
   bool fails = false; ///< it is an error of the model that this is enabled

@@ -13,7 +13,7 @@ namespace proskill::verify {
 /// ever write again reads nothing any more.
 class LiveVariables {
 public:
-  /// \pre the system is placed
+  /// \pre the system has a state layout
   LiveVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
 
   /// Sets the dead cells of a packed state to their least value.

@@ -12,7 +12,7 @@ namespace proskill::verify {
 
 /// Whether running the path may turn a condition on cells from false to true. A path that only
 /// writes constants to the one cell of a condition does so only with one that makes it true. \pre
-/// the system is placed
+/// the system has a state layout
 [[nodiscard]] bool mayMakeTrue(const System& system, const Path& path, NodeId condition);
 
 /// Whether the condition is false after the path, wherever it ends: it writes constants to the

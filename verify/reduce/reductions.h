@@ -5,16 +5,16 @@
 
 namespace proskill::verify {
 
-class SafeSteps;
+class StubbornSets;
 class LiveVariables;
-class OpenVariables;
+class FreeInputs;
 
 /// The measures that an exploration takes; what is null or empty is not taken.
 struct Reductions {
   bool inclusion = false;
-  const SafeSteps* safeSteps = nullptr;
+  const StubbornSets* stubbornSets = nullptr;
   const LiveVariables* liveVariables = nullptr;
-  const OpenVariables* openVariables = nullptr;
+  const FreeInputs* freeInputs = nullptr;
   Bits dropped; ///< transitions of processes that only watch
 };
 

@@ -22,7 +22,7 @@ struct BitField {
 /// Evaluates guards of one system.
 class PartialEvaluation {
 public:
-  /// \pre the system is placed
+  /// \pre the system has a state layout
   explicit PartialEvaluation(const System& system);
 
   /// Whether the tests and conditions of the transition's guard hold, whatever the unknown bits

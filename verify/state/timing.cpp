@@ -35,7 +35,7 @@ std::uint32_t indexOf(const Signature& signature, ClockId clock) {
 }
 
 /// Fills in what the enabled transitions say of their clocks.
-void describeClocks(const System& system, Forgetting forgetting, Signature& signature) {
+void describeClocks(const System& system, Extrapolation extrapolation, Signature& signature) {
   for (auto id : signature.enabled) signature.clocks.push_back(system.transitions[id].clock);
   std::ranges::sort(signature.clocks);
   auto twice = std::ranges::unique(signature.clocks);
@@ -56,9 +56,10 @@ void describeClocks(const System& system, Forgetting forgetting, Signature& sign
       signature.upper[at] =
           std::max(signature.upper[at], static_cast<std::int32_t>(*interval.upper));
   }
-  if (forgetting == Forgetting::LowerUpper) return;
+  if (extrapolation == Extrapolation::LowerUpper) return;
   for (std::size_t i = 1; i <= signature.clocks.size(); ++i) {
-    bool keepAll = forgetting == Forgetting::Least && signature.invariants[i - 1] != kInfinite;
+    bool keepAll =
+        extrapolation == Extrapolation::Least && signature.invariants[i - 1] != kInfinite;
     const auto most = keepAll ? INT32_MAX / 4 : std::max(signature.lower[i], signature.upper[i]);
     signature.lower[i] = signature.upper[i] = most;
   }
@@ -82,7 +83,7 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
   TransitionSet set = enabled;
   for (std::size_t k = 0; k < set.size(); ++k) set[k] &= clocked[k];
   eachIn(set, [&](TransitionId transition) { made.enabled.push_back(transition); });
-  describeClocks(system, forgetting, made);
+  describeClocks(system, extrapolation, made);
   signatures.push_back(std::move(made));
   sets.push_back(std::move(set));
   return id;

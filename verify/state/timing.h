@@ -20,7 +20,7 @@ struct Signature {
   std::vector<std::int32_t> upper;
 };
 
-enum class Forgetting : std::uint8_t {
+enum class Extrapolation : std::uint8_t {
   LowerUpper, ///< Extra+LU
   Maximum,    ///< the same, with the greater of both constants for both: exact up to bisimulation
   Least,      ///< only what an unbounded clock needs for the graph to be finite
@@ -30,7 +30,7 @@ enum class Forgetting : std::uint8_t {
 /// time has passed.
 class Timing {
 public:
-  Timing(const System& of, Forgetting how) : system(of), forgetting(how) {}
+  Timing(const System& of, Extrapolation how) : system(of), extrapolation(how) {}
 
   /// \param clocked which transitions have clocks: of `enabled`, those count
   [[nodiscard]] SignatureId signature(bool urgent, const TransitionSet& enabled,
@@ -59,7 +59,7 @@ private:
   ZoneId settle(Dbm zone, const Signature& signature);
 
   const System& system;
-  Forgetting forgetting;
+  Extrapolation extrapolation;
   std::vector<Signature> signatures;
   std::vector<TransitionSet> sets; ///< by signature
   NumberTable table;

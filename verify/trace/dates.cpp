@@ -1,6 +1,6 @@
 #include "verify/trace/dates.h"
 
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 
@@ -166,7 +166,7 @@ std::optional<Dating> dated(const System& system, const Enabling& enabling,
   auto constraints = Writer(system, enabling, evidence).write();
   if (!constraints) return std::nullopt;
   const auto ofTheMonitor = static_cast<std::size_t>(
-      std::ranges::count(evidence.marks, false, &Mark::atStep)); // moves between steps
+      std::ranges::count(evidence.marks, false, &MonitorMove::atStep)); // moves between steps
   const std::size_t dates = evidence.steps.size() + 2 + ofTheMonitor;
   bool strict = std::ranges::any_of(*constraints, [](const auto& c) { return c.limit % 2 == 0; });
   Dating made{.scale = strict ? static_cast<std::int64_t>(dates) : 1};

@@ -33,7 +33,7 @@ public:
     std::uint32_t location = monitor.initial.at(0);
     if (!evidence.marks.empty()) location = evidence.marks[0].location;
     visited.push_back({0, location});
-    for (const Mark& mark : evidence.marks) {
+    for (const MonitorMove& mark : evidence.marks) {
       const auto& at = monitor.locations[mark.location];
       const auto& edge = at.edges[mark.edge];
       if (mark.location != location) return "the monitor is elsewhere";
@@ -77,7 +77,8 @@ private:
     return within(-age, guard.lower) && within(age, guard.upper);
   }
 
-  [[nodiscard]] bool isSeen(const Mark& mark, NodeId condition, const std::vector<Concrete>& states,
+  [[nodiscard]] bool isSeen(const MonitorMove& mark, NodeId condition,
+                            const std::vector<Concrete>& states,
                             const std::vector<std::vector<EventId>>& events) const {
     const Word* here = states[mark.after].state.data();
     if (!mark.atStep) return holdsAt(system, condition, {here, nullptr, nullptr});

@@ -1,9 +1,9 @@
 #include "verify/trace/simulation.h"
 
 #include "verify/compile/compile.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 #include "verify/trace/simulator.h"
-#include "verify/trace/telling.h"
+#include "verify/trace/step_description.h"
 
 #include <algorithm>
 #include <tuple>
@@ -90,7 +90,8 @@ std::expected<Simulation, Unsupported> Simulation::start(const fiacre::Program& 
                                                          const fiacre::Provenance& provenance) {
   auto compiled = compile(program, provenance, {});
   if (!compiled) return std::unexpected(compiled.error());
-  return Simulation(std::make_unique<State>(placed(std::move(compiled->system)), provenance));
+  return Simulation(
+      std::make_unique<State>(withStateLayout(std::move(compiled->system)), provenance));
 }
 
 const std::vector<Change>& Simulation::initial() const { return state->initial; }

@@ -1,6 +1,6 @@
 #include "verify/trace/simulator.h"
 
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include <algorithm>
 #include <set>

@@ -1,10 +1,10 @@
 #include "verify/trace/witness.h"
 
 #include "verify/state/evaluate.h"
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 #include "verify/trace/dates.h"
 #include "verify/trace/replay.h"
-#include "verify/trace/telling.h"
+#include "verify/trace/step_description.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ Witness::Witness(const System& whole, const Reductions& used, const fiacre::Prov
       all(whole),
       dropped(used.dropped),
       provenance(origins) {
-  if (used.openVariables) open.emplace(*used.openVariables, whole);
+  if (used.freeInputs) open.emplace(*used.freeInputs, whole);
 }
 
 /// Dates and replays the evidence. Says what is wrong with it, nothing where it stands.

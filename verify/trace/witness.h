@@ -2,7 +2,7 @@
 
 #include "verify/explore/search.h"
 #include "verify/model/goals.h"
-#include "verify/reduce/open_variables.h"
+#include "verify/reduce/free_inputs.h"
 #include "verify/trace/dates.h"
 
 namespace proskill::verify {
@@ -27,7 +27,7 @@ private:
   Enabling enabling; ///< of what the search looked at
   Enabling all;
   const Bits& dropped;
-  std::optional<OpenVariables> open; ///< as the search used them
+  std::optional<FreeInputs> open; ///< as the search used them
   const fiacre::Provenance& provenance;
 };
 

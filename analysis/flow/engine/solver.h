@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analysis/flow/engine/interference.h"
-#include "analysis/flow/engine/lift.h"
 #include "analysis/flow/engine/system.h"
+#include "analysis/flow/engine/worklist.h"
 
 #include <set>
 #include <utility>
@@ -128,7 +128,7 @@ private:
   std::vector<std::set<Slot>> grown;              ///< slots that are to be closed again
   std::vector<bool> interrupted;
   std::vector<bool> stopped;
-  Lift queue;
+  Worklist queue;
   std::size_t mostCases = 0;
   std::vector<ValueSet> everything;
   std::vector<const Relation*> byAnyone; ///< of each variable

@@ -11,7 +11,7 @@ namespace proskill::analysis::flow {
 /// callers, and down again. So all that is new at the ends of the called comes up a long chain of
 /// calls in one go, and all that is new at the entries goes down in one. If who is called always
 /// came first, each caller would send what it has learnt down the chain by itself.
-class Lift {
+class Worklist {
 public:
   [[nodiscard]] bool empty() const { return waiting.empty(); }
   /// `rank` is that of the call order: no other process has it.

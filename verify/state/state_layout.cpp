@@ -1,4 +1,4 @@
-#include "verify/state/place.h"
+#include "verify/state/state_layout.h"
 
 #include "verify/model/conjuncts.h"
 #include "verify/state/evaluate.h"
@@ -99,7 +99,7 @@ void lowerCode(const System& system, Path& path) {
 
 } // namespace
 
-System placed(System system, const Bits& kept) {
+System withStateLayout(System system, const Bits& kept) {
   Packer packer;
   for (CellId i = 0; i < system.cells.size(); ++i)
     if (kept.contains(i)) packer.place(system.cells[i]);
@@ -114,10 +114,10 @@ System placed(System system, const Bits& kept) {
   return system;
 }
 
-System placed(System system) {
+System withStateLayout(System system) {
   Bits all;
   for (CellId i = 0; i < system.cells.size(); ++i) all.insert(i);
-  return placed(std::move(system), all);
+  return withStateLayout(std::move(system), all);
 }
 
 std::vector<Word> initialState(const System& system) {

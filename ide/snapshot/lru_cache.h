@@ -12,7 +12,7 @@ namespace proskill::ide {
 
 /// What can be had again, by name: of all that was put in, what was used last and has room. For one
 /// thread at a time.
-template <class Value> class LastUsed {
+template <class Value> class LruCache {
 public:
   struct Item {
     std::string name;
@@ -20,9 +20,9 @@ public:
     Value value;
   };
 
-  explicit LastUsed(std::size_t room) : room(room) {}
-  LastUsed(const LastUsed&) = delete; ///< names are looked up by the items' own
-  LastUsed& operator=(const LastUsed&) = delete;
+  explicit LruCache(std::size_t room) : room(room) {}
+  LruCache(const LruCache&) = delete; ///< names are looked up by the items' own
+  LruCache& operator=(const LruCache&) = delete;
 
   /// Null where it is not there. It is the last used now, and valid until something is put in.
   [[nodiscard]] Value* use(std::string_view name) {

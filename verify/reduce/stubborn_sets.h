@@ -13,9 +13,9 @@ namespace proskill::verify {
 /// reduced state space generation", 1991; Bønneland, Jensen, Larsen, Muñiz, Srba, "Start pruning
 /// when time gets urgent: partial order reduction for timed systems", CAV 2018, for why urgency
 /// lets the untimed theory be used.
-class SafeSteps {
+class StubbornSets {
 public:
-  SafeSteps(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
+  StubbornSets(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
 
   /// A transition that may be fired alone from this state; kNone where there is none.
   [[nodiscard]] TransitionId pick(const Word* state, const TransitionSet& enabled) const;

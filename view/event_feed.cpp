@@ -13,7 +13,7 @@ constexpr std::chrono::seconds kLongestWait{20};
 
 } // namespace
 
-void NewsBoard::announce(std::string method, Json params) {
+void EventFeed::announce(std::string method, Json params) {
   {
     const std::lock_guard lock(mutex);
     kept.push_back({{"method", std::move(method)}, {"params", std::move(params)}});
@@ -23,7 +23,7 @@ void NewsBoard::announce(std::string method, Json params) {
   changed.notify_all();
 }
 
-NewsBoard::Json NewsBoard::after(std::size_t after) {
+EventFeed::Json EventFeed::after(std::size_t after) {
   std::unique_lock lock(mutex);
   changed.wait_for(lock, kLongestWait, [&] { return closed || count > after; });
   Json news = Json::array();
@@ -33,7 +33,7 @@ NewsBoard::Json NewsBoard::after(std::size_t after) {
   return {{"next", count}, {"news", std::move(news)}};
 }
 
-void NewsBoard::close() {
+void EventFeed::close() {
   {
     const std::lock_guard lock(mutex);
     closed = true;

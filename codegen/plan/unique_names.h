@@ -12,7 +12,7 @@ namespace proskill::codegen {
 /// Gives out the names of one Fiacre name space. Each thing has one name, the same whenever it is
 /// asked for: the preferred one, or, where Fiacre reserves that or another thing has it, with as
 /// many `_` behind it as it takes.
-class Namer {
+class UniqueNames {
 public:
   /// What had to be called otherwise.
   struct Renaming {
@@ -20,9 +20,9 @@ public:
     std::string name;
   };
 
-  Namer() = default;
+  UniqueNames() = default;
   /// Words that belong to the generator itself.
-  explicit Namer(std::initializer_list<std::string_view> words);
+  explicit UniqueNames(std::initializer_list<std::string_view> words);
 
   /// `kind` and `parts` say which thing; the parts, joined by `_`, are its preferred name.
   const std::string& of(std::string_view kind, std::initializer_list<std::string_view> parts);

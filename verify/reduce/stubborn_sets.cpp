@@ -1,4 +1,4 @@
-#include "verify/reduce/safe_steps.h"
+#include "verify/reduce/stubborn_sets.h"
 
 #include "verify/model/conjuncts.h"
 #include "verify/model/nodes.h"
@@ -45,7 +45,7 @@ Bits dataWrites(const System& system, const Transition& transition) {
 
 } // namespace
 
-SafeSteps::SafeSteps(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
+StubbornSets::StubbornSets(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
     : system(of), none((of.transitions.size() + 63) / 64) {
   findDependence(dropped);
   findNeeds(dropped);
@@ -53,7 +53,7 @@ SafeSteps::SafeSteps(const System& of, const std::vector<Goal>& goals, const Bit
   findCandidates(goals, dropped);
 }
 
-void SafeSteps::findDependence(const Bits& dropped) {
+void StubbornSets::findDependence(const Bits& dropped) {
   dependent.assign(system.transitions.size(), none);
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     const auto& a = system.transitions[i];
@@ -72,7 +72,7 @@ void SafeSteps::findDependence(const Bits& dropped) {
 }
 
 /// Those that can help a condition to become true.
-const TransitionSet& SafeSteps::helpersOf(NodeId node, const Bits& dropped) {
+const TransitionSet& StubbornSets::helpersOf(NodeId node, const Bits& dropped) {
   auto [entry, isNew] = helpers.try_emplace(node, none);
   if (!isNew) return entry->second;
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
@@ -83,7 +83,7 @@ const TransitionSet& SafeSteps::helpersOf(NodeId node, const Bits& dropped) {
   return entry->second;
 }
 
-void SafeSteps::findNeeds(const Bits& dropped) {
+void StubbornSets::findNeeds(const Bits& dropped) {
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     const auto& transition = system.transitions[i];
     auto& made = needs.emplace_back();
@@ -101,7 +101,7 @@ void SafeSteps::findNeeds(const Bits& dropped) {
   }
 }
 
-void SafeSteps::findWays(const Bits& dropped) {
+void StubbornSets::findWays(const Bits& dropped) {
   for (const auto& instance : system.instances) {
     moves.emplace_back(instance.locations.size());
     auto& all = reached.emplace_back(instance.locations.size());
@@ -128,8 +128,8 @@ void SafeSteps::findWays(const Bits& dropped) {
 }
 
 /// The transitions by which an instance may leave where it is for the target in the end.
-const TransitionSet& SafeSteps::waysTo(InstanceId instance, std::uint32_t from,
-                                       std::uint32_t target) const {
+const TransitionSet& StubbornSets::waysTo(InstanceId instance, std::uint32_t from,
+                                          std::uint32_t target) const {
   auto [entry, isNew] = ways.try_emplace({instance, from, target}, none);
   if (isNew)
     for (const auto& move : moves[instance][from])
@@ -139,7 +139,7 @@ const TransitionSet& SafeSteps::waysTo(InstanceId instance, std::uint32_t from,
 
 /// Urgent transitions that no goal sees, that start or stop no clock of another process by what
 /// they write, and that depend on none that is always possible.
-void SafeSteps::findCandidates(const std::vector<Goal>& goals, const Bits& dropped) {
+void StubbornSets::findCandidates(const std::vector<Goal>& goals, const Bits& dropped) {
   candidates = none;
   Bits visibleCells;
   Bits visibleEvents;
@@ -176,7 +176,7 @@ void SafeSteps::findCandidates(const std::vector<Goal>& goals, const Bits& dropp
   }
 }
 
-TransitionId SafeSteps::pick(const Word* state, const TransitionSet& enabled) const {
+TransitionId StubbornSets::pick(const Word* state, const TransitionSet& enabled) const {
   for (std::size_t k = 0; k < enabled.size(); ++k) {
     for (Word rest = enabled[k] & candidates[k]; rest != 0; rest &= rest - 1) {
       auto id =
@@ -189,8 +189,8 @@ TransitionId SafeSteps::pick(const Word* state, const TransitionSet& enabled) co
 
 /// Closes { transition } under what a stubborn set must have; gives up where that has another
 /// enabled transition.
-bool SafeSteps::isStubbornAlone(TransitionId transition, const Word* state,
-                                const TransitionSet& enabled) const {
+bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
+                                   const TransitionSet& enabled) const {
   TransitionSet stubborn = dependent[transition];
   for (std::size_t k = 0; k < stubborn.size(); ++k)
     if ((stubborn[k] & enabled[k]) != 0) return false;
@@ -217,9 +217,9 @@ bool SafeSteps::isStubbornAlone(TransitionId transition, const Word* state,
 /// Why a transition is disabled: a set of transitions of which one must fire before it can be
 /// enabled. None of them may be enabled unless it is in the stubborn set; the one that adds least
 /// is taken.
-const TransitionSet* SafeSteps::reasonFor(TransitionId transition, const Word* state,
-                                          const TransitionSet& enabled,
-                                          const TransitionSet& stubborn) const {
+const TransitionSet* StubbornSets::reasonFor(TransitionId transition, const Word* state,
+                                             const TransitionSet& enabled,
+                                             const TransitionSet& stubborn) const {
   const TransitionSet* best = nullptr;
   int least = INT32_MAX;
   const auto consider = [&](const TransitionSet& set) {

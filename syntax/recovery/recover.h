@@ -9,12 +9,12 @@
 #include <vector>
 
 /// Finds where parentheses and quotes are missing or too many, reports that where a person would
-/// look, and mends the text in place, as long as it was, so that the rest of it can be read as it
+/// look, and repairs the text in place, as long as it was, so that the rest of it can be read as it
 /// was meant.
 namespace proskill::syntax {
 
 /// Closes the strings that have no closing quote. Returns whether anything was changed.
-bool mendStrings(std::string& text, const Scan& scan, std::vector<Diagnostic>& diagnostics);
+bool recoverStrings(std::string& text, const Scan& scan, std::vector<Diagnostic>& diagnostics);
 
 /// How many things are wrong with the forms of a text: what a good place for a parenthesis makes
 /// few.
@@ -22,7 +22,7 @@ using Judge = std::function<std::size_t(std::string_view text)>;
 
 /// Makes the parentheses balance. Returns whether anything was changed. \pre `scan` is that of
 /// `text`.
-bool mendParentheses(std::string& text, const Scan& scan, const Judge& judge,
-                     std::vector<Diagnostic>& diagnostics);
+bool recoverParentheses(std::string& text, const Scan& scan, const Judge& judge,
+                        std::vector<Diagnostic>& diagnostics);
 
 } // namespace proskill::syntax

@@ -1,4 +1,4 @@
-#include "lsp/verification/verdict_board.h"
+#include "lsp/verification/verdict_store.h"
 
 #include <algorithm>
 
@@ -33,26 +33,26 @@ bool hasChanged(const analysis::Program& program,
   });
 }
 
-std::shared_ptr<const ide::Verdicts> VerdictBoard::verdicts() const {
+std::shared_ptr<const ide::Verdicts> VerdictStore::verdicts() const {
   const std::lock_guard lock(mutex);
   return published;
 }
 
-std::optional<ProgramState> VerdictBoard::of(const std::filesystem::path& root) const {
+std::optional<ProgramState> VerdictStore::of(const std::filesystem::path& root) const {
   const std::lock_guard lock(mutex);
   auto found = entries.find(root);
   return found == entries.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// \pre the mutex is held
-ProgramState& VerdictBoard::entry(const std::shared_ptr<const ide::AnalysedProgram>& program) {
+ProgramState& VerdictStore::entry(const std::shared_ptr<const ide::AnalysedProgram>& program) {
   auto& state = entries[rootOf(*program)];
   state.program = program;
   state.stale = state.verified && !ide::areCurrent(*state.verified->verdicts, program->program);
   return state;
 }
 
-void VerdictBoard::set(const std::shared_ptr<const ide::AnalysedProgram>& program,
+void VerdictStore::set(const std::shared_ptr<const ide::AnalysedProgram>& program,
                        VerificationState now, std::string message) {
   const std::lock_guard lock(mutex);
   const bool isNew = !entries.contains(rootOf(*program));
@@ -67,7 +67,7 @@ void VerdictBoard::set(const std::shared_ptr<const ide::AnalysedProgram>& progra
   tell(state);
 }
 
-void VerdictBoard::setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
+void VerdictStore::setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
                                const WorkerProgress& progress) {
   const std::lock_guard lock(mutex);
   auto& state = entry(program);
@@ -76,7 +76,7 @@ void VerdictBoard::setProgress(const std::shared_ptr<const ide::AnalysedProgram>
   tell(state);
 }
 
-void VerdictBoard::setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program,
+void VerdictStore::setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program,
                                Verified verified, const ide::OpenTexts& open) {
   const std::lock_guard lock(mutex);
   auto& state = entry(program);
@@ -91,13 +91,13 @@ void VerdictBoard::setVerified(const std::shared_ptr<const ide::AnalysedProgram>
 }
 
 /// \pre the mutex is held
-void VerdictBoard::forget(ProgramState& state, std::string why) {
+void VerdictStore::forget(ProgramState& state, std::string why) {
   state.state = VerificationState::Off;
   state.message = std::move(why);
   tell(state);
 }
 
-bool VerdictBoard::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes) {
+bool VerdictStore::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes) {
   const std::lock_guard lock(mutex);
   bool changed = false;
   for (auto it = entries.begin(); it != entries.end();) {
@@ -126,7 +126,7 @@ bool VerdictBoard::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGrap
 }
 
 /// \pre the mutex is held
-void VerdictBoard::publish() {
+void VerdictStore::publish() {
   auto all = std::make_shared<ide::Verdicts>();
   for (const auto& [root, state] : entries)
     if (state.verified) (*all)[root] = state.verified->verdicts;

@@ -1,5 +1,5 @@
 #include "syntax/diagnostics/codes.h"
-#include "syntax/recovery/mend.h"
+#include "syntax/recovery/recover.h"
 #include "syntax/text/nesting.h"
 
 #include <algorithm>
@@ -22,18 +22,18 @@ constexpr unsigned kWeightOfProblem = 3;
 constexpr unsigned kHopeless = 12;
 
 /// A copy of the text with its parentheses changed, as long as it was.
-std::string mended(std::string text, const Scan& scan, const Mending& mending) {
-  for (std::size_t i = 0; i < mending.removed.size(); ++i)
-    if (mending.removed[i]) text[scan.parentheses[i].at] = ' ';
-  for (std::size_t i = 0; i < mending.inserted.size(); ++i) {
+std::string recovered(std::string text, const Scan& scan, const Recovery& recovery) {
+  for (std::size_t i = 0; i < recovery.removed.size(); ++i)
+    if (recovery.removed[i]) text[scan.parentheses[i].at] = ' ';
+  for (std::size_t i = 0; i < recovery.inserted.size(); ++i) {
     Offset at = placeBefore(scan, i);
     // There is no room for more characters: they go over the space there, and over a comment. Where
     // that is too little, the grammar closes the form itself, at the end of the region.
-    if (mending.inserted[i] > 0)
+    if (recovery.inserted[i] > 0)
       if (auto comment = std::ranges::find(scan.comments, at, &Range::begin);
           comment != scan.comments.end())
         std::fill(text.begin() + comment->begin, text.begin() + comment->end, ' ');
-    for (unsigned count = mending.inserted[i]; count > 0 && at < text.size(); --count, ++at) {
+    for (unsigned count = recovery.inserted[i]; count > 0 && at < text.size(); --count, ++at) {
       if (text[at] != ' ' && !(text[at] >= '\t' && text[at] <= '\r')) break;
       text[at] = ')';
     }
@@ -46,14 +46,14 @@ public:
   Balancing(const std::string& source, const Scan& scanned, const Judge& judgement,
             std::vector<Diagnostic>& out)
       : text(source), scan(scanned), judge(judgement), diagnostics(out) {
-    mending.removed.resize(scan.parentheses.size());
-    mending.inserted.resize(scan.landmarks.size() + 1);
+    recovery.removed.resize(scan.parentheses.size());
+    recovery.inserted.resize(scan.landmarks.size() + 1);
   }
 
   /// The text that balances; nothing where it did already.
   std::optional<std::string> run() {
     for (; mistakes < kMostMistakes; ++mistakes) {
-      Nesting nesting = nestingOf(text, scan, mending);
+      Nesting nesting = nestingOf(text, scan, recovery);
       if (nesting.surplus)
         removeOne(nesting);
       else if (!nesting.open.empty())
@@ -63,7 +63,7 @@ public:
     }
     if (mistakes == 0) return std::nullopt;
     reportInsertions();
-    return mended(text, scan, mending);
+    return recovered(text, scan, recovery);
   }
 
 private:
@@ -96,7 +96,7 @@ private:
       for (Candidate& candidate : candidates) {
         apply(candidate.place);
         candidate.penalty +=
-            static_cast<unsigned>(judge(mended(text, scan, mending))) * kWeightOfProblem;
+            static_cast<unsigned>(judge(recovered(text, scan, recovery))) * kWeightOfProblem;
         revert(candidate.place);
       }
       std::ranges::stable_sort(candidates, {}, &Candidate::penalty);
@@ -111,19 +111,19 @@ private:
 
   void removeOne(Nesting& nesting) {
     std::vector<Candidate> candidates;
-    auto apply = [&](std::size_t parenthesis) { mending.removed[parenthesis] = true; };
-    auto revert = [&](std::size_t parenthesis) { mending.removed[parenthesis] = false; };
+    auto apply = [&](std::size_t parenthesis) { recovery.removed[parenthesis] = true; };
+    auto revert = [&](std::size_t parenthesis) { recovery.removed[parenthesis] = false; };
     auto consider = [&](std::size_t parenthesis, unsigned handicap) {
       if (!candidates.empty() && candidates.back().place == parenthesis) return;
       apply(parenthesis);
-      candidates.push_back({parenthesis, nestingOf(text, scan, mending).penalty + handicap});
+      candidates.push_back({parenthesis, nestingOf(text, scan, recovery).penalty + handicap});
       revert(parenthesis);
     };
     // A `)` that begins a line is the likeliest to be left over.
     bool standsAlone = startsLine(scan.parentheses[*nesting.surplus].at);
     for (std::size_t landmark : suspects(nesting)) {
       std::size_t before = scan.landmarks[landmark].parentheses;
-      while (before > 0 && mending.removed[before - 1]) --before;
+      while (before > 0 && recovery.removed[before - 1]) --before;
       bool closes = before > 0 && !scan.parentheses[before - 1].opens;
       if (closes && before - 1 <= *nesting.surplus) consider(before - 1, standsAlone);
     }
@@ -135,18 +135,18 @@ private:
 
   void insertOne(Nesting& nesting) {
     std::vector<Candidate> candidates;
-    auto apply = [&](std::size_t landmark) { ++mending.inserted[landmark]; };
-    auto revert = [&](std::size_t landmark) { --mending.inserted[landmark]; };
+    auto apply = [&](std::size_t landmark) { ++recovery.inserted[landmark]; };
+    auto revert = [&](std::size_t landmark) { --recovery.inserted[landmark]; };
     for (std::size_t landmark : suspects(nesting)) {
       apply(landmark);
-      Nesting then = nestingOf(text, scan, mending);
+      Nesting then = nestingOf(text, scan, recovery);
       bool unasked = nesting.doubts[landmark] == 0;
       if (!then.surplus) candidates.push_back({landmark, then.penalty + unasked});
       revert(landmark);
     }
     std::size_t end = scan.landmarks.size();
     apply(end);
-    candidates.push_back({end, nestingOf(text, scan, mending).penalty});
+    candidates.push_back({end, nestingOf(text, scan, recovery).penalty});
     revert(end);
     apply(best(std::move(candidates), apply, revert));
   }
@@ -160,11 +160,11 @@ private:
 
   /// One report for each place where something is missing, at the innermost parenthesis.
   void reportInsertions() {
-    auto closed = nestingOf(text, scan, mending).closedByInsertion;
+    auto closed = nestingOf(text, scan, recovery).closedByInsertion;
     auto next = closed.begin();
-    for (std::size_t landmark = 0; landmark < mending.inserted.size(); ++landmark) {
+    for (std::size_t landmark = 0; landmark < recovery.inserted.size(); ++landmark) {
       std::ptrdiff_t count =
-          std::min<std::ptrdiff_t>(mending.inserted[landmark], closed.end() - next);
+          std::min<std::ptrdiff_t>(recovery.inserted[landmark], closed.end() - next);
       if (count > 0) reportUnclosed({next, next + count}, placeBefore(scan, landmark));
       next += count;
     }
@@ -189,14 +189,14 @@ private:
   const Scan& scan;
   const Judge& judge;
   std::vector<Diagnostic>& diagnostics;
-  Mending mending;
+  Recovery recovery;
   std::size_t mistakes = 0;
 };
 
 } // namespace
 
-bool mendParentheses(std::string& text, const Scan& scan, const Judge& judge,
-                     std::vector<Diagnostic>& diagnostics) {
+bool recoverParentheses(std::string& text, const Scan& scan, const Judge& judge,
+                        std::vector<Diagnostic>& diagnostics) {
   auto balanced = Balancing(text, scan, judge, diagnostics).run();
   if (balanced) text = std::move(*balanced);
   return balanced.has_value();

@@ -14,7 +14,7 @@ namespace proskill::verify {
 /// only in which of these values such a variable has reach each other in no time, so one of them
 /// stands for all; what it leads to is found by trying the values that each transition reads.
 /// Compare Colby, Godefroid, Jagadeesan, "Automatically closing open reactive programs", PLDI 1998.
-class OpenVariables {
+class FreeInputs {
 public:
   struct Variable {
     CellId cell = 0;
@@ -23,11 +23,11 @@ public:
     TransitionSet readers;             ///< transitions that are enabled or not by it
   };
 
-  /// \pre the system is placed \param dropped transitions that are left out
-  OpenVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
+  /// \pre the system has a state layout \param dropped transitions that are left out
+  FreeInputs(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
 
   /// The same for the same cells in other places.
-  OpenVariables(const OpenVariables& from, const System& elsewhere) : OpenVariables(from) {
+  FreeInputs(const FreeInputs& from, const System& elsewhere) : FreeInputs(from) {
     system = &elsewhere;
   }
 

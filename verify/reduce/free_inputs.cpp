@@ -1,4 +1,4 @@
-#include "verify/reduce/open_variables.h"
+#include "verify/reduce/free_inputs.h"
 
 #include "verify/model/nodes.h"
 #include "verify/reduce/path_facts.h"
@@ -51,7 +51,7 @@ bool isWatched(const System& system, const std::vector<Goal>& goals, const Trans
 
 } // namespace
 
-OpenVariables::OpenVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
+FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
     : system(&of), setters((of.transitions.size() + 63) / 64), silent(setters), evaluation(of) {
   findSetters(goals, dropped);
   forgetMany(dropped);
@@ -66,7 +66,7 @@ OpenVariables::OpenVariables(const System& of, const std::vector<Goal>& goals, c
   findPlaces(dropped);
 }
 
-void OpenVariables::findReads(const Bits& dropped) {
+void FreeInputs::findReads(const Bits& dropped) {
   for (TransitionId i = 0; i < system->transitions.size(); ++i) {
     const auto& transition = system->transitions[i];
     auto& read = reads.emplace_back();
@@ -84,7 +84,7 @@ void OpenVariables::findReads(const Bits& dropped) {
   }
 }
 
-void OpenVariables::findPlaces(const Bits& dropped) {
+void FreeInputs::findPlaces(const Bits& dropped) {
   guarded = urgent = TransitionSet(setters.size());
   std::map<InstanceId, std::vector<std::vector<TransitionId>>> places;
   for (TransitionId i = 0; i < system->transitions.size(); ++i) {
@@ -100,7 +100,7 @@ void OpenVariables::findPlaces(const Bits& dropped) {
   guardedAt.assign(places.begin(), places.end());
 }
 
-bool OpenVariables::isAlwaysPossible(const Transition& transition) const {
+bool FreeInputs::isAlwaysPossible(const Transition& transition) const {
   return !transition.urgent && transition.clock == kNone && !transition.tentative &&
          std::ranges::all_of(transition.parts, [&](PathId part) {
            const Path& path = system->paths[part];
@@ -112,7 +112,7 @@ bool OpenVariables::isAlwaysPossible(const Transition& transition) const {
 
 /// The constant that the transition always writes, where it changes only one cell that is told
 /// apart.
-std::optional<Assignment> OpenVariables::constantOf(const Transition& transition) const {
+std::optional<Assignment> FreeInputs::constantOf(const Transition& transition) const {
   std::optional<Assignment> found;
   for (auto part : transition.parts) {
     const Path& path = system->paths[part];
@@ -132,7 +132,7 @@ std::optional<Assignment> OpenVariables::constantOf(const Transition& transition
   return found;
 }
 
-void OpenVariables::findSetters(const std::vector<Goal>& goals, const Bits& dropped) {
+void FreeInputs::findSetters(const std::vector<Goal>& goals, const Bits& dropped) {
   const Bits closed = closedCells(*system, goals);
   const Bits clocked = clockedInstances(*system);
   std::map<CellId, Variable> byCell;
@@ -155,7 +155,7 @@ void OpenVariables::findSetters(const std::vector<Goal>& goals, const Bits& drop
 }
 
 /// Those with the most values are kept, as long as no transition's code has too many choices.
-void OpenVariables::forgetMany(const Bits& dropped) {
+void FreeInputs::forgetMany(const Bits& dropped) {
   std::ranges::stable_sort(variables, std::greater{},
                            [](const auto& variable) { return variable.values.size(); });
   std::vector<std::size_t> choices(system->transitions.size(), 1);
@@ -174,23 +174,23 @@ void OpenVariables::forgetMany(const Bits& dropped) {
   });
 }
 
-bool OpenVariables::staysWithin(TransitionId transition, const Word* state) const {
+bool FreeInputs::staysWithin(TransitionId transition, const Word* state) const {
   return variableOf[transition] != kNone && valueOf(variableOf[transition], state).has_value();
 }
 
-std::optional<std::uint32_t> OpenVariables::valueOf(std::uint32_t index, const Word* state) const {
+std::optional<std::uint32_t> FreeInputs::valueOf(std::uint32_t index, const Word* state) const {
   const Variable& variable = variables[index];
   auto found = std::ranges::find(variable.values, readCell(*system, variable.cell, state));
   if (found == variable.values.end()) return std::nullopt;
   return static_cast<std::uint32_t>(found - variable.values.begin());
 }
 
-void OpenVariables::set(std::uint32_t variable, std::uint32_t value, Word* state) const {
+void FreeInputs::set(std::uint32_t variable, std::uint32_t value, Word* state) const {
   writeCell(*system, variables[variable].cell, variables[variable].values[value], state);
 }
 
-std::vector<TransitionId> OpenVariables::normalise(Word* state, TransitionSet& enabled,
-                                                   const Enabling& enabling) const {
+std::vector<TransitionId> FreeInputs::normalise(Word* state, TransitionSet& enabled,
+                                                const Enabling& enabling) const {
   std::vector<TransitionId> steps;
   for (std::uint32_t v = 0; v < variables.size(); ++v) {
     if (valueOf(v, state).value_or(0) == 0) continue;
@@ -201,14 +201,14 @@ std::vector<TransitionId> OpenVariables::normalise(Word* state, TransitionSet& e
   return steps;
 }
 
-std::vector<TransitionId> OpenVariables::between(const Word* from, const Word* to) const {
+std::vector<TransitionId> FreeInputs::between(const Word* from, const Word* to) const {
   std::vector<std::uint32_t> which(variables.size());
   std::iota(which.begin(), which.end(), 0U);
   return between(from, to, which);
 }
 
-std::vector<TransitionId> OpenVariables::between(const Word* from, const Word* to,
-                                                 std::span<const std::uint32_t> which) const {
+std::vector<TransitionId> FreeInputs::between(const Word* from, const Word* to,
+                                              std::span<const std::uint32_t> which) const {
   std::vector<TransitionId> steps;
   for (auto v : which) {
     auto wanted = valueOf(v, to);
@@ -217,8 +217,8 @@ std::vector<TransitionId> OpenVariables::between(const Word* from, const Word* t
   return steps;
 }
 
-std::vector<Word> OpenVariables::unknownIn(std::span<const std::uint32_t> which,
-                                           const Word* state) const {
+std::vector<Word> FreeInputs::unknownIn(std::span<const std::uint32_t> which,
+                                        const Word* state) const {
   std::vector<Word> unknown(system->words);
   for (auto v : which) {
     const Cell& cell = system->cells[variables[v].cell];
@@ -227,7 +227,7 @@ std::vector<Word> OpenVariables::unknownIn(std::span<const std::uint32_t> which,
   return unknown;
 }
 
-std::uint32_t OpenVariables::variableAt(const BitField& bits) const {
+std::uint32_t FreeInputs::variableAt(const BitField& bits) const {
   const auto found = std::ranges::find_if(variables, [&](const Variable& variable) {
     const Cell& cell = system->cells[variable.cell];
     return cell.word == bits.word && (cell.mask & bits.mask) != 0;
@@ -235,8 +235,8 @@ std::uint32_t OpenVariables::variableAt(const BitField& bits) const {
   return static_cast<std::uint32_t>(found - variables.begin());
 }
 
-PartialTruth OpenVariables::truth(TransitionId id, const Word* state,
-                                  const std::vector<Word>& unknown, BitField& undecided) const {
+PartialTruth FreeInputs::truth(TransitionId id, const Word* state, const std::vector<Word>& unknown,
+                               BitField& undecided) const {
   const Transition& transition = system->transitions[id];
   const auto known = evaluation.guard(*system, transition, {state, unknown.data()}, undecided);
   if (known != PartialTruth::True || !transition.tentative) return known;
@@ -251,7 +251,7 @@ PartialTruth OpenVariables::truth(TransitionId id, const Word* state,
 
 /// Sets values of unknown variables so that the transition is enabled; false, and the state as
 /// before, where there are none.
-bool OpenVariables::satisfy(TransitionId id, Word* state, std::vector<Word>& unknown) const {
+bool FreeInputs::satisfy(TransitionId id, Word* state, std::vector<Word>& unknown) const {
   BitField undecided;
   switch (truth(id, state, unknown, undecided)) {
   case PartialTruth::False: return false;
@@ -263,8 +263,8 @@ bool OpenVariables::satisfy(TransitionId id, Word* state, std::vector<Word>& unk
 }
 
 /// The same so that none of the transitions is enabled.
-bool OpenVariables::disable(std::span<const TransitionId> all, Word* state,
-                            std::vector<Word>& unknown) const {
+bool FreeInputs::disable(std::span<const TransitionId> all, Word* state,
+                         std::vector<Word>& unknown) const {
   BitField undecided;
   std::vector<TransitionId> unsure;
   for (auto id : all) {
@@ -280,14 +280,14 @@ bool OpenVariables::disable(std::span<const TransitionId> all, Word* state,
                    [&] { return disable(unsure, state, unknown); });
 }
 
-TransitionSet OpenVariables::candidates(const Word* state, const TransitionSet& enabled) const {
+TransitionSet FreeInputs::candidates(const Word* state, const TransitionSet& enabled) const {
   TransitionSet all = enabled;
   for (std::size_t k = 0; k < all.size(); ++k) all[k] &= ~guarded[k];
   eachGuardedHere(state, [&](TransitionId id) { insert(all, id); });
   return all;
 }
 
-bool OpenVariables::calm(Word* state, const TransitionSet& enabled) const {
+bool FreeInputs::calm(Word* state, const TransitionSet& enabled) const {
   for (std::size_t k = 0; k < enabled.size(); ++k)
     if ((enabled[k] & urgent[k] & ~guarded[k]) != 0) return false;
   std::vector<TransitionId> unsure;

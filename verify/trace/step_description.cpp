@@ -1,4 +1,4 @@
-#include "verify/trace/telling.h"
+#include "verify/trace/step_description.h"
 
 #include "verify/compile/watch.h"
 #include "verify/state/evaluate.h"

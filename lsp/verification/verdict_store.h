@@ -24,12 +24,12 @@ struct ProgramState {
 
 /// The last verdicts of each program, by the path of its root. Any thread may use it; every change
 /// is told, in its order.
-class VerdictBoard {
+class VerdictStore {
 public:
   using Told = std::function<void(const ProgramState& state)>;
 
   /// \param tell of every change; never called by two threads at once
-  explicit VerdictBoard(Told tell) : tell(std::move(tell)) {}
+  explicit VerdictStore(Told tell) : tell(std::move(tell)) {}
 
   /// What features may show.
   [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const;

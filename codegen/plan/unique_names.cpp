@@ -1,12 +1,14 @@
-#include "codegen/plan/namer.h"
+#include "codegen/plan/unique_names.h"
 
 #include "fiacre/syntax/words.h"
 
 namespace proskill::codegen {
 
-Namer::Namer(std::initializer_list<std::string_view> words) : taken(words.begin(), words.end()) {}
+UniqueNames::UniqueNames(std::initializer_list<std::string_view> words)
+    : taken(words.begin(), words.end()) {}
 
-const std::string& Namer::of(std::string_view kind, std::initializer_list<std::string_view> parts) {
+const std::string& UniqueNames::of(std::string_view kind,
+                                   std::initializer_list<std::string_view> parts) {
   std::string key(kind);
   std::string preferred;
   for (const auto part : parts) {

@@ -1,9 +1,9 @@
 #include "syntax/diagnostics/codes.h"
-#include "syntax/recovery/mend.h"
+#include "syntax/recovery/recover.h"
 
 namespace proskill::syntax {
 
-bool mendStrings(std::string& text, const Scan& scan, std::vector<Diagnostic>& diagnostics) {
+bool recoverStrings(std::string& text, const Scan& scan, std::vector<Diagnostic>& diagnostics) {
   for (Range range : scan.unterminated) {
     // The parentheses at the end of the line most likely stand behind the string.
     Offset end = range.end;
