@@ -36,6 +36,24 @@ export function actorsOf(trace: Trace): Actor[] {
   });
 }
 
+/** How many colours there are: those of base.css, which the colour-blind can tell apart. */
+export const hues = 10;
+
+/** A colour for each actor of a trace: others for all, as long as there are enough; mostly the same in another trace. */
+export function actorHues(trace: Trace): Map<string, number> {
+  const out = new Map<string, number>();
+  const names = new Set([...(trace.actors?.map(({ name }) => name) ?? []), ...trace.steps.map(({ actor }) => actor)]);
+  const taken = new Set<number>();
+  for (const name of [...names].sort()) {
+    if (taken.size === hues) taken.clear();
+    let at = hue(name, hues);
+    while (taken.has(at)) at = (at + 1) % hues;
+    taken.add(at);
+    out.set(name, at);
+  }
+  return out;
+}
+
 /** A number from 0 to `count` - 1 that stays the same for a name, for its colour. */
 export function hue(name: string, count: number): number {
   let hash = 2166136261;

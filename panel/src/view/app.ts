@@ -77,7 +77,11 @@ class App {
   private draw(): void {
     const { layout } = this.hello;
     document.body.classList.add(`layout-${layout}`);
-    if (layout === 'trace') return this.root.replaceChildren(this.trace.element, this.toast);
+    if (layout === 'trace') {
+      // A person who comes by the keyboard goes through steps.
+      window.addEventListener('focus', () => document.activeElement === document.body && this.trace.focus());
+      return this.root.replaceChildren(this.trace.element, this.toast);
+    }
     if (layout === 'automaton') return this.root.replaceChildren(this.automaton.element, this.toast);
     const main = h('main', {}, this.tabList());
     for (const { panel } of this.tabs.values()) main.append(panel);
@@ -123,6 +127,7 @@ class App {
     if (this.hello.program) this.take(this.hello.program);
     const show = this.hello.show ?? { ...(picture && { picture }), ...(trace && { trace }), ...(step !== undefined && { step }) };
     await this.show(show);
+    if (this.hello.layout === 'trace' && document.hasFocus() && document.activeElement === document.body) this.trace.focus();
     await this.showFirst();
   }
 

@@ -1,5 +1,5 @@
 import type { Trace } from '../api.ts';
-import { hue } from '../model/actors.ts';
+import { actorHues, hue, hues } from '../model/actors.ts';
 import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest, type Drawn, type Lane } from '../model/lanes.ts';
 import { ticks, windowOf } from '../model/time.ts';
 import { h, isTyping, onceAFrame, s } from './dom.ts';
@@ -7,7 +7,8 @@ import { button, toggle } from './icons.ts';
 
 const laneHeight = 24;
 const axisHeight = 26;
-const labelWidth = 168;
+const widestLabel = 168;
+const letter = 6.2; // of a label, on average
 const loopLabelWidth = 60;
 const room = 14; // at the right end, so that the last bar and mark are seen whole
 
@@ -24,6 +25,7 @@ export class LanesView {
   private readonly byStep;
   private trace: Trace | null = null;
   private lanes: Lane[] = [];
+  private colours = new Map<string, number>();
   private hidden: (lane: Lane) => boolean = () => false;
   private axis: Float64Array = new Float64Array();
   private view: [number, number] = [0, 1];
@@ -66,6 +68,7 @@ export class LanesView {
   private take(trace: Trace): void {
     this.trace = trace;
     this.lanes = lanesOf(trace);
+    this.colours = actorHues(trace);
     const timeless = (trace.steps.at(-1)?.date.seconds ?? 0) === 0;
     this.byStep.set(this.byStep.on || timeless);
     this.axis = this.makeAxis();
@@ -95,7 +98,7 @@ export class LanesView {
     const rows = this.shownLanes().length * laneHeight;
     const svg = s('svg', { class: 'lanes-picture' });
     const lower = s('g', { transform: `translate(0, ${axisHeight})` });
-    const plot = width - labelWidth - room;
+    const plot = width - this.labelWidth - room;
     this.fill(svg, lower, plot);
     this.drawCursor(svg.appendChild(s('g')), lower.appendChild(s('g')), plot);
     svg.append(lower);
@@ -132,8 +135,13 @@ export class LanesView {
     this.draw();
   }
 
+  /** Where the panel is narrow, most of it is for the lanes. */
+  private get labelWidth(): number {
+    return Math.min(widestLabel, Math.round(this.element.clientWidth * 0.34));
+  }
+
   private get plotWidth(): number {
-    return Math.max(this.scroller.clientWidth - labelWidth - room, 50);
+    return Math.max(this.scroller.clientWidth - this.labelWidth - room, 50);
   }
 
   private shownLanes(): Lane[] {
@@ -162,14 +170,14 @@ export class LanesView {
 
   private x(at: number, plot: number): number {
     const [from, to] = this.view;
-    return labelWidth + ((at - from) / (to - from)) * plot;
+    return this.labelWidth + ((at - from) / (to - from)) * plot;
   }
 
   private drawAxis(top: Element, rows: Element, plot: number, height: number): void {
     const loop = this.trace?.loop;
-    const loopX = typeof loop === 'number' ? Math.max(this.x(this.axis[loop] ?? 0, plot), labelWidth) : null;
+    const loopX = typeof loop === 'number' ? Math.max(this.x(this.axis[loop] ?? 0, plot), this.labelWidth) : null;
     // The loop's label stands to the right of its beginning; where the axis ends, to the left of that.
-    const loopLabelX = loopX === null ? null : Math.min(loopX + 3, labelWidth + plot - loopLabelWidth);
+    const loopLabelX = loopX === null ? null : Math.min(loopX + 3, this.labelWidth + plot - loopLabelWidth);
     for (const tick of ticks(this.view[0], this.view[1], plot / 90)) {
       if (this.byStep.on && !Number.isInteger(tick)) continue;
       const x = Math.round(this.x(tick, plot)) + 0.5;
@@ -180,18 +188,18 @@ export class LanesView {
       rows.append(s('line', { class: 'grid', x1: x, x2: x, y1: 0, y2: height }));
     }
     if (loopX === null || loopLabelX === null) return;
-    rows.append(s('rect', { class: 'loop', x: loopX, y: 0, width: Math.max(labelWidth + plot - loopX, 0), height }));
+    rows.append(s('rect', { class: 'loop', x: loopX, y: 0, width: Math.max(this.labelWidth + plot - loopX, 0), height }));
     top.append(s('text', { class: 'loop-label', x: loopLabelX, y: axisHeight - 10 }, 'repeats ↻'));
   }
 
   private laneElement(lane: Lane, at: number, plot: number): SVGElement {
     const y = at * laneHeight;
-    const group = s('g', { class: `lane ${lane.kind} hue-${hue(lane.name, 10)}`, 'data-lane': lane.name, transform: `translate(0, ${y})` });
-    group.append(s('line', { class: 'base', x1: labelWidth, x2: labelWidth + plot, y1: laneHeight / 2, y2: laneHeight / 2 }));
+    const group = s('g', { class: `lane ${lane.kind} hue-${this.colours.get(lane.name) ?? hue(lane.name, hues)}`, 'data-lane': lane.name, transform: `translate(0, ${y})` });
+    group.append(s('line', { class: 'base', x1: this.labelWidth, x2: this.labelWidth + plot, y1: laneHeight / 2, y2: laneHeight / 2 }));
     for (const drawn of drawBars(lane, this.axis, this.view[0], this.view[1], plot)) group.append(...this.barElements(lane, drawn));
     group.append(...this.markElements(lane, plot));
-    group.append(s('rect', { class: 'label-ground', x: 0, y: 0, width: labelWidth - 6, height: laneHeight }),
-      s('text', { class: 'label', x: 12, y: 16 }, shorten(lane.name, 24), s('title', {}, `${lane.name}: ${lane.kind}`)));
+    group.append(s('rect', { class: 'label-ground', x: 0, y: 0, width: this.labelWidth - 6, height: laneHeight }),
+      s('text', { class: 'label', x: 12, y: 16 }, shorten(lane.name, Math.floor((this.labelWidth - 18) / letter)), s('title', {}, `${lane.name}: ${lane.kind}`)));
     return group;
   }
 
@@ -201,23 +209,23 @@ export class LanesView {
     const marks = drawMarks(lane, this.axis, this.view[0], this.view[1], plot);
     const isEvent = lane.kind === 'event' || lane.kind === 'environment';
     const shape = (x: number): string => (isEvent ? `M${x} 6l5 6-5 6-5-6z` : `M${x} ${laneHeight - 8}v4`);
-    const drawn = (some: typeof marks): string => some.map((mark) => shape(Math.round((labelWidth + mark.x) * 10) / 10)).join('');
+    const drawn = (some: typeof marks): string => some.map((mark) => shape(Math.round((this.labelWidth + mark.x) * 10) / 10)).join('');
     if (!isEvent || marks.length > 60) return [s('path', { class: isEvent ? 'event-mark' : 'mark', d: drawn(marks) })];
     return marks.map((mark) => s('path', { class: 'event-mark', d: drawn([mark]) },
       s('title', {}, mark.count > 1 ? `${mark.count} steps` : this.stepTip(mark.step))));
   }
 
   private barElements(lane: Lane, drawn: Drawn): SVGElement[] {
-    const x = labelWidth + drawn.x;
+    const x = this.labelWidth + drawn.x;
     const width = Math.max(drawn.width, 2.5);
     const bar = drawn.bar;
     const tone = bar?.tone ?? 'many';
-    const hueOf = bar?.tone === 'value' ? ` hue-${hue(bar.label, 10)}` : '';
+    const hueOf = bar?.tone === 'value' ? ` hue-${hue(bar.label, hues)}` : '';
     const out: SVGElement[] = [s('rect', {
       class: `lane-bar ${tone}${bar?.open ? ' open' : ''}${hueOf}`, x, y: 4, width, height: laneHeight - 8, rx: Math.min(3, width / 2),
     }, width > 3 && s('title', {}, bar ? this.barTip(lane, bar.label, bar.from, bar.open ? null : bar.to, tone) : `${drawn.count} too short to be told apart`))];
     const words = bar && (tone === 'value' ? bar.label : tone === 'failure' || tone === 'interrupted' ? tone : '');
-    const left = Math.max(x, labelWidth);
+    const left = Math.max(x, this.labelWidth);
     if (words && x + width - left > words.length * 6.4 + 10) out.push(s('text', { class: 'bar-label', x: left + 6, y: 16 }, words));
     return out;
   }
@@ -240,15 +248,15 @@ export class LanesView {
     top.replaceChildren();
     rows.replaceChildren();
     if (at === undefined) return;
-    const clamp = (x: number): number => Math.min(Math.max(x, labelWidth), labelWidth + plot);
+    const clamp = (x: number): number => Math.min(Math.max(x, this.labelWidth), this.labelWidth + plot);
     const step = this.trace!.steps[this.current]!;
     if (!this.byStep.on) {
       const left = clamp(this.x(step.earliest.seconds, plot));
-      const right = clamp(step.latest ? this.x(step.latest.seconds, plot) : labelWidth + plot);
+      const right = clamp(step.latest ? this.x(step.latest.seconds, plot) : this.labelWidth + plot);
       if (right > left) rows.append(s('rect', { class: 'window', x: left, y: 0, width: right - left, height }));
     }
     const x = this.x(at, plot);
-    if (x < labelWidth - 1 || x > labelWidth + plot + 1) return;
+    if (x < this.labelWidth - 1 || x > this.labelWidth + plot + 1) return;
     top.append(s('path', { class: 'cursor-head', d: `M${x - 4} ${axisHeight - 6}h8l-4 6z` }));
     rows.append(s('line', { class: 'cursor', x1: x, x2: x, y1: 0, y2: height }));
   }
@@ -276,7 +284,7 @@ export class LanesView {
   }
 
   private placeOf(event: MouseEvent): number {
-    const x = event.clientX - this.scroller.getBoundingClientRect().left - labelWidth;
+    const x = event.clientX - this.scroller.getBoundingClientRect().left - this.labelWidth;
     return this.view[0] + (x / this.plotWidth) * (this.view[1] - this.view[0]);
   }
 

@@ -1,5 +1,5 @@
 import type { Change, Location, Trace } from '../api.ts';
-import { actorsOf, hue } from '../model/actors.ts';
+import { actorHues, actorsOf, hue, hues } from '../model/actors.ts';
 import { isDifferent, type Pair } from '../model/compare.ts';
 import { difference, type Part } from '../model/diff.ts';
 import { groups } from '../model/filter.ts';
@@ -44,6 +44,9 @@ export class StepList {
   private onlyLeft = new Set<number>();
   private shown: Shown | null = null;
   private kinds = new Map<string, string>();
+  private colours = new Map<string, number>();
+  /** all rows are drawn, one below the other */
+  private printing = false;
   private readonly folded = new Set<number>();
   private current = -1;
   private readonly draw = onceAFrame(() => this.drawNow());
@@ -54,6 +57,8 @@ export class StepList {
       onkeydown: (event: KeyboardEvent) => this.key(event),
     }, this.space);
     new ResizeObserver(() => this.draw()).observe(this.element);
+    window.addEventListener('beforeprint', () => this.print(true));
+    window.addEventListener('afterprint', () => this.print(false));
   }
 
   show(shown: Shown): void {
@@ -80,7 +85,13 @@ export class StepList {
 
   private begin(trace: Trace): void {
     this.kinds = new Map(actorsOf(trace).map((actor) => [actor.name, actor.kind]));
+    this.colours = actorHues(trace);
     this.folded.clear();
+  }
+
+  /** Of an actor that only the other trace has, too. */
+  private hueOf(actor: string): number {
+    return this.colours.get(actor) ?? hue(actor, hues);
   }
 
   /** Makes a step the current one and brings it into view. */
@@ -125,9 +136,14 @@ export class StepList {
     }
   }
 
+  private print(on: boolean): void {
+    this.printing = on;
+    this.drawNow();
+  }
+
   private drawNow(): void {
     if (!this.shown) return;
-    const [first, last] = this.layout.visible(this.element.scrollTop, this.element.clientHeight || 600, margin);
+    const [first, last] = this.printing ? [0, this.rows.length] : this.layout.visible(this.element.scrollTop, this.element.clientHeight || 600, margin);
     const out: HTMLElement[] = [];
     for (let at = first; at < last; ++at) {
       const row = this.rows[at];
@@ -153,7 +169,7 @@ export class StepList {
   private headElement(row: Row & { type: 'head' }): HTMLElement {
     const isFolded = this.folded.has(row.group);
     return h('div', {
-      class: `row head hue-${hue(row.actor, 10)}`, role: 'presentation', title: isFolded ? 'Show its steps' : 'Hide its steps',
+      class: `row head hue-${this.hueOf(row.actor)}`, role: 'presentation', title: isFolded ? 'Show its steps' : 'Hide its steps',
       onclick: () => this.fold(row.group),
     }, h('span', { class: `chevron${isFolded ? ' shut' : ''}` }, icon('down')), h('span', { class: 'dot' }),
     h('span', { class: 'actor' }, row.actor), h('span', { class: 'faint' }, this.kinds.get(row.actor) ?? ''),
@@ -172,7 +188,7 @@ export class StepList {
     const sameDate = before && at > 0 && sameMoment(before.earliest, step.earliest) && sameMoment(before.latest, step.latest);
     const only = this.onlyLeft.has(index);
     const classes = ['row', 'step', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
-      this.inLoop(index) && 'in-loop', trace.loop === index && 'loop-start', `hue-${hue(step.actor, 10)}`];
+      this.inLoop(index) && 'in-loop', trace.loop === index && 'loop-start', `hue-${this.hueOf(step.actor)}`];
     return h('div', {
       class: classes.filter(Boolean).join(' '), id: `step-${index}`, role: 'option', 'aria-selected': String(index === this.current),
       'aria-posinset': this.positions.get(index) ?? 1, 'aria-setsize': steps.length,
@@ -181,7 +197,7 @@ export class StepList {
     }, h('span', { class: 'number' }, String(index + 1)),
     h('span', { class: `date${sameDate ? ' same' : ''}`, title: windowWords(step) }, `${windowOf(step)} s`),
     (!grouped || compared) && whoElement(step.actor),
-    h('span', { class: 'words' }, prose(step.words)),
+    ...wordsOf(step.words),
     trace.loop === index && h('span', { class: 'tag' }, 'from here on for ever'),
     only && h('span', { class: 'tag' }, 'only here'),
     step.location && h('span', { class: 'place' }, placeOf(step.location)));
@@ -198,7 +214,7 @@ export class StepList {
 
   private otherElement(index: number): HTMLElement {
     const step = this.shown!.compared!.other.steps[index]!;
-    return h('div', { class: `row step only-right hue-${hue(step.actor, 10)}`, role: 'presentation' },
+    return h('div', { class: `row step only-right hue-${this.hueOf(step.actor)}`, role: 'presentation' },
       h('span', { class: 'number' }, String(index + 1)), h('span', { class: 'date', title: windowWords(step) }, `${windowOf(step)} s`),
       whoElement(step.actor), h('span', { class: 'words' }, prose(step.words)),
       h('span', { class: 'tag' }, 'only in the other'));
@@ -235,6 +251,13 @@ export class StepList {
     const from = steps[at] === this.current || by < 0 ? at : at - 1;
     this.events.select(steps[Math.min(Math.max(from + by, 0), steps.length - 1)]!);
   }
+}
+
+/** What a test has found is seen, however long its condition is. */
+function wordsOf(words: string): HTMLElement[] {
+  const [, before, result] = /^(.*): (true|false)$/.exec(words) ?? [null, words, null];
+  const whole = h('span', { class: 'words', title: words.replaceAll('`', '') }, prose(before));
+  return result === null ? [whole] : [whole, h('span', { class: 'result' }, `: ${result}`)];
 }
 
 export const placeOf = (location: Location): string =>

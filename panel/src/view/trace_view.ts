@@ -1,5 +1,5 @@
 import type { Host, Trace, Verdict } from '../api.ts';
-import { actorsOf, hue } from '../model/actors.ts';
+import { actorHues, actorsOf } from '../model/actors.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
 import { search, select } from '../model/filter.ts';
 import { continuation, tellsTheSame } from '../model/renew.ts';
@@ -240,12 +240,13 @@ export class TraceView {
       this.refresh();
     };
     const changed = [...new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)))];
+    const colours = actorHues(trace);
     return [
       { title: '', items: [
         { label: 'Only steps that change something', checked: this.filter.changing, choose: () => { this.filter.changing = !this.filter.changing; this.refresh(); } },
         { label: 'All steps', choose: () => this.showAll() }] },
       { title: 'Only steps by', items: actorsOf(trace).map((actor) => ({
-        label: actor.name, hint: actor.kind, mark: `hue-${hue(actor.name, 10)}`, checked: this.filter.actors.has(actor.name), choose: flip(this.filter.actors, actor.name) })) },
+        label: actor.name, hint: actor.kind, mark: `hue-${colours.get(actor.name)}`, checked: this.filter.actors.has(actor.name), choose: flip(this.filter.actors, actor.name) })) },
       { title: 'Only steps that change', items: changed.map((name) => ({ label: name, checked: this.filter.variables.has(name), choose: flip(this.filter.variables, name) })) },
     ];
   }

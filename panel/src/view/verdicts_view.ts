@@ -74,9 +74,9 @@ export class VerdictsView {
     const count = (mark: Mark): number => program.verdicts.filter((verdict) => markOf(verdict) === mark).length;
     const part = (mark: Mark, words: string): HTMLElement | null => {
       const number = count(mark);
-      return number === 0 ? null : h('span', { class: `tally ${mark}`, title: plural(number, words) }, icon(icons[mark]), String(number));
+      return number === 0 ? null : h('span', { class: `tally ${mark}`, title: `${number.toLocaleString('en')} ${words}` }, icon(icons[mark]), String(number));
     };
-    const parts = [part('error', 'violated'), part('warning', 'warning'), part('open', 'inconclusive'), part('good', 'good')];
+    const parts = [part('error', 'bad'), part('warning', 'to look at'), part('open', 'inconclusive'), part('good', 'good')];
     this.summary.replaceChildren(...parts.filter((it): it is HTMLElement => it !== null));
     this.summary.classList.toggle('stale', program.stale);
   }

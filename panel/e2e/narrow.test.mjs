@@ -1,0 +1,74 @@
+// Small panels and paper: everything is there, and can be used.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { choosePicture, closeBrowser, eventually, openTrace, page, shot, view, workspace } from './browser.mjs';
+
+after(closeBrowser);
+
+async function rover(size, body) {
+  const files = workspace();
+  const served = await view(join(files.path, 'rover/bug.proskill'));
+  const it = await page({ viewport: size });
+  await openTrace(it, served.url);
+  await body(it);
+  assert.deepEqual(it.complaints, []);
+  assert.equal(await served.end(), 0);
+  files.remove();
+}
+
+/** The parts that a person needs, each with room, within the width, and reached by scrolling. */
+async function usable(it, places) {
+  const { width } = it.viewportSize();
+  for (const [place, least] of Object.entries(places)) {
+    const part = it.locator(place).first();
+    await part.scrollIntoViewIfNeeded();
+    const box = await part.boundingBox();
+    assert.ok(box, place);
+    assert.ok(box.height >= least, `${place} is ${box.height} high`);
+    assert.ok(box.x >= -1 && box.x + box.width <= width + 1, `${place} from ${box.x} to ${box.x + box.width}`);
+    assert.ok(box.width > 100, `${place} is ${box.width} wide`);
+  }
+}
+
+for (const [width, height] of [[380, 760], [520, 420], [720, 500]])
+  test(`all parts at ${width} by ${height}`, () => rover({ width, height }, async (it) => {
+    await usable(it, { '.verdicts': 90, '.trace-view .steps': 150, '.values .scroll': 60, '.lanes .scroll': 90, '.source-text': 90 });
+    await it.locator('.steps').focus();
+    await it.keyboard.press('Home');
+    await eventually(async () => assert.equal(await it.locator('.step.current .number').textContent(), '1'));
+    await shot(it, `narrow_${width}`);
+    assert.ok(await it.locator('.step.current .words').evaluate((words) => words.scrollWidth <= words.clientWidth + 1), 'the words of the step are whole');
+    const lane = await it.locator('.lanes-rows .base').first().boundingBox();
+    assert.ok(lane.width > width * 0.4, `a lane is ${lane.width} wide`);
+    await it.locator('#tab-automaton').click();
+    await choosePicture(it, { index: 1 });
+    await usable(it, { '.stage': 150 });
+    await shot(it, `narrow_${width}_automaton`);
+  }));
+
+test('the layout goes by the width of the panel, not by that of the window', () => rover({ width: 1200, height: 800 }, async (it) => {
+  await it.locator('#panel').evaluate((panel) => { panel.style.width = '400px'; });
+  await eventually(async () => {
+    const [steps, values] = await Promise.all(['.steps', '.values'].map((place) => it.locator(place).boundingBox()));
+    assert.ok(values.y >= steps.y + steps.height, 'values stand below the steps');
+    assert.ok(steps.width > 340, `steps are ${steps.width} wide`);
+  });
+}));
+
+test('on paper all steps are there, one below the other', () => rover({ width: 1000, height: 500 }, async (it) => {
+  const count = Number((await it.locator('.count').textContent()).match(/of (\d+)/)[1]);
+  assert.ok((await it.locator('.step').count()) < count, 'on the screen only what is in view');
+  await it.emulateMedia({ media: 'print' });
+  await it.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const tops = await it.locator('.step').evaluateAll((all) => all.map((row) => row.getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]));
+  assert.equal(tops.length, count);
+  tops.slice(1).forEach(([top], at) => assert.ok(top >= tops[at][1] - 1, `step ${at + 2} is below step ${at + 1}`));
+  const { end, height } = await it.evaluate(() => ({ end: document.querySelector('.lanes').getBoundingClientRect().bottom, height: document.documentElement.scrollHeight }));
+  assert.ok(end <= height + 1 && end > tops.at(-1)[1], 'the lanes come after them, on the page');
+  assert.equal(await it.locator('.toolbar:visible, .button:visible').count(), 0);
+  await it.screenshot({ path: join(process.env.SCREENSHOTS, 'print.png'), fullPage: true });
+  await it.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await it.emulateMedia({ media: 'screen' });
+  await eventually(async () => assert.ok((await it.locator('.step').count()) < count));
+}));
