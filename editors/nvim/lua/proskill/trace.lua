@@ -212,6 +212,7 @@ local function open(verdict, trace)
   values.open(shown)
   watch()
   M.go(0)
+  message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; q there ends'):format(#trace.steps))
   if trace.stale then
     message.warn('the program has changed since: places may have moved')
   end
