@@ -58,6 +58,7 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
       options(std::move(serverOptions)),
       outbox(connection),
       peer(outbox),
+      log(options.log, peer),
       announcer(peer),
       workspace(std::move(disk)),
       verification({options.worker, [this](std::string_view body) { outbox.send(body); },
@@ -66,7 +67,7 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
           peer, scheduler, statistics, client, [this] { return verification.verdicts(); },
           [this](const ide::Snapshot& snapshot) { findingsTold(snapshot); },
           [this](std::string_view method, const Json& params, std::string_view error) {
-            failed(method, params, error);
+            log.writeFailure(method, params, error);
           }),
       scheduler(options.threads) {
   verification.addMethods(registry);
@@ -95,7 +96,7 @@ int Server::run() {
   while (true) {
     auto event = inbox.take(nextDeadline());
     if (!event) {
-      if (parentIsGone()) break;
+      if (parent.isGone()) break;
       onDeadline();
     } else if (!handle(*event)) {
       break;
@@ -108,7 +109,7 @@ int Server::run() {
 
 std::optional<Server::Time> Server::nextDeadline() const {
   std::optional<Time> first;
-  for (const auto& due : {publisher.due(), refresher.due(), parentDue})
+  for (const auto& due : {publisher.due(), refresher.due(), parent.due()})
     if (due && (!first || *due < *first)) first = due;
   return first;
 }
@@ -117,7 +118,7 @@ void Server::onDeadline() {
   const auto now = std::chrono::steady_clock::now();
   if (publisher.due() && *publisher.due() <= now) {
     publisher.publish(workspace.snapshot(), settings->diagnostics);
-    showMistakes();
+    mistakes.publish(workspace.mistakes());
   }
   if (refresher.due() && *refresher.due() <= now) refresher.refresh(*workspace.snapshot());
 }
@@ -165,7 +166,7 @@ bool Server::handle(InboxEvent& event) {
     return true;
   }
   const auto& malformed = std::get<MalformedMessage>(event);
-  log("malformed message: " + malformed.error.message);
+  log.write("malformed message: " + malformed.error.message);
   outbox.send(replyError(malformed.id, malformed.error));
   return true;
 }
@@ -178,11 +179,11 @@ bool Server::handleMessage(Received& received) {
     case MessageKind::Request: handleRequest(received); return true;
     case MessageKind::Notification: return handleNotification(received);
     case MessageKind::Response:
-      if (!peer.answered(message)) log("an answer to no question");
+      if (!peer.answered(message)) log.write("an answer to no question");
       return true;
     }
   } catch (const std::exception& error) {
-    failed(message.method, message.params, error.what());
+    log.writeFailure(message.method, message.params, error.what());
     if (pending.finish(message.id))
       outbox.send(replyError(message.id, {ErrorCode::InternalError, error.what()}));
   }
@@ -236,8 +237,8 @@ void Server::notified(Received& received) {
     if (auto path = documentPath(params)) verification.setView(*path);
     return;
   }
-  if (method == "$/setTrace") return setTrace(memberAt(params, {"value"}));
-  if (!method.starts_with("$/")) log("a notification that is not served: " + method);
+  if (method == "$/setTrace") return log.setTrace(memberAt(params, {"value"}));
+  if (!method.starts_with("$/")) log.write("a notification that is not served: " + method);
 }
 
 /// The edits that wait behind one of the same text become one with it: what lies between them
@@ -270,7 +271,7 @@ void Server::handleText(Received& received) {
   else if (message.method == "textDocument/didSave")
     outcome = workspace.saved(message.params);
   else
-    return log("a notification that is not served: " + message.method);
+    return log.write("a notification that is not served: " + message.method);
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
   if (message.method == "textDocument/didChange")
     refuseStale(uriOf(message.params), received.order);
@@ -291,9 +292,9 @@ void Server::handleNotebook(const Received& received) {
   else if (method == "notebookDocument/didClose")
     outcome = notebooks.close(params);
   else if (method != "notebookDocument/didSave")
-    log("a notification that is not served: " + method);
+    log.write("a notification that is not served: " + method);
   for (const auto& problem : outcome.problems) {
-    log(method + ": " + problem);
+    log.write(method + ": " + problem);
     announcer.show(Announcer::Kind::Error, problem);
   }
   for (const auto& path : outcome.changed)
@@ -349,7 +350,7 @@ void Server::answer(const Message& message, const Method& method, const Request&
   Answer result;
   auto bug = [&](std::string_view what) {
     ++errors;
-    failed(message.method, message.params, what);
+    log.writeFailure(message.method, message.params, what);
     result = std::unexpected(RpcError{ErrorCode::InternalError, std::string(what)});
   };
   const analysis::StopWhen stop([&] { return request.cancellation.isCancelled(); });
@@ -365,11 +366,11 @@ void Server::answer(const Message& message, const Method& method, const Request&
   auto latency = std::chrono::steady_clock::now() - start;
   statistics.add(message.method, latency);
   const bool cancelled = request.cancellation.isCancelled();
-  logAnswer(message,
-            cancelled ? "cancelled"
-            : result  ? "ok"
-                      : "error: " + result.error().message,
-            latency);
+  log.writeAnswer(message,
+                  cancelled ? "cancelled"
+                  : result  ? "ok"
+                            : "error: " + result.error().message,
+                  latency);
   reply(message, std::move(result), *request.progress);
 }
 

@@ -2,8 +2,12 @@
 
 #include "lsp/protocol/registry.h"
 #include "lsp/server/announcer.h"
+#include "lsp/server/client_folders.h"
+#include "lsp/server/parent_watch.h"
 #include "lsp/server/publisher.h"
 #include "lsp/server/refresher.h"
+#include "lsp/server/server_log.h"
+#include "lsp/server/settings_mistakes.h"
 #include "lsp/server/statistics.h"
 #include "lsp/verification/verification.h"
 #include "lsp/workspace/notebooks.h"
@@ -42,7 +46,6 @@ public:
 
 private:
   enum class Phase : std::uint8_t { Fresh, Running, ShutDown };
-  enum class Trace : std::uint8_t { Off, Messages, Verbose };
   using Time = std::chrono::steady_clock::time_point;
   using Path = std::filesystem::path;
 
@@ -75,29 +78,20 @@ private:
   // server_lifecycle.cpp
   Json initialize(const Json& params);
   void initialized();
-  void registerCapabilities();
   void askForSettings();
   void setSettings(const Json& settings);
   void changeFolders(const Json& params);
-  void readFolders(std::vector<Path> folders);
-  void catchUp();
+  void foldersRead();
   void handleWatchedFiles(const Json& params);
-  void showMistakes();
-  void setTrace(const Json& value);
-  bool parentIsGone();
 
-  // server_log.cpp
-  void failed(std::string_view method, const Json& params, std::string_view error) const;
-  void logAnswer(const Message& message, std::string_view outcome,
-                 std::chrono::nanoseconds latency);
   [[nodiscard]] Json status(const ide::Snapshot& snapshot) const;
-  void log(std::string_view line) const;
 
   Connection& connection;
   ServerOptions options;
   Registry registry = allFeatures();
   Outbox outbox;
   Peer peer;
+  ServerLog log;
   Announcer announcer;
   Inbox inbox;
   Pending pending;
@@ -107,21 +101,17 @@ private:
   ClientFeatures client;
   std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
   Phase phase = Phase::Fresh;
-  std::atomic<Trace> trace = Trace::Off;
-  std::vector<Path> folders;
-  unsigned readings = 0; ///< of folders, under way
-  std::vector<Path> changedMeanwhile;
-  std::vector<Path> removedMeanwhile;
-  std::map<Path, SettingsMistake> mistakes; ///< in files of settings, as the client was told
-  std::optional<int> parent;                ///< process whose end is ours
-  std::optional<Time> parentDue;            ///< when to look for it
+  SettingsMistakes mistakes{peer, client};
+  ParentWatch parent;
   Time started = std::chrono::steady_clock::now();
   std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
   std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
   Verification verification;
   Publisher publisher;
   Refresher refresher{peer, client};
-  Scheduler longWork{3}; ///< verifications; both are last: their threads use all of the above
+  ClientFolders folders{{workspace, peer, client, inbox, scheduler, [this] { foldersRead(); }}};
+  // Last, as their threads use all of the above.
+  Scheduler longWork{3}; ///< verifications
   Scheduler scheduler;
 };
 

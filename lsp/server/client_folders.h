@@ -1,0 +1,51 @@
+#pragma once
+
+#include "lsp/protocol/client.h"
+#include "lsp/workspace/workspace.h"
+#include "rpc/inbox.h"
+#include "rpc/peer.h"
+#include "rpc/scheduler.h"
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace proskill::lsp {
+
+/// The folders that the client has open. They are read in the background: edits and requests do not
+/// wait for a large folder. Of the main thread.
+class ClientFolders {
+public:
+  using Path = std::filesystem::path;
+
+  /// What folders need of the server; all of it outlives them.
+  struct Server {
+    Workspace& workspace;
+    Peer& peer;
+    const ClientFeatures& client;
+    Inbox& inbox;
+    Scheduler& scheduler;
+    std::function<void()> onRead; ///< on the main thread, when folders have been read
+  };
+
+  explicit ClientFolders(Server server) : server(std::move(server)) {}
+
+  /// The folders of `initialize`, which `readAll` then reads.
+  void set(std::vector<Path> all) { folders = std::move(all); }
+  void readAll() { read(folders); }
+  void change(const std::vector<Path>& removed, std::vector<Path> added);
+  /// Files that changed on disk. What is read at the moment may be older than they are.
+  void filesChanged(const std::vector<Path>& paths);
+
+private:
+  void read(std::vector<Path> some);
+  void catchUp();
+
+  Server server;
+  std::vector<Path> folders;
+  unsigned readings = 0; ///< under way
+  std::vector<Path> changedMeanwhile;
+  std::vector<Path> removedMeanwhile;
+};
+
+} // namespace proskill::lsp

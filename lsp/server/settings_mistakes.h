@@ -1,0 +1,29 @@
+#pragma once
+
+#include "lsp/protocol/client.h"
+#include "lsp/workspace/program_settings.h"
+#include "rpc/peer.h"
+
+#include <filesystem>
+#include <map>
+
+namespace proskill::lsp {
+
+/// Reports mistakes in files of settings as diagnostics of these files. Of the main thread.
+class SettingsMistakes {
+public:
+  using Mistakes = std::map<std::filesystem::path, SettingsMistake>;
+
+  /// Both outlive this.
+  SettingsMistakes(Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
+
+  /// Sends what differs from the mistakes that the client knows.
+  void publish(Mistakes now);
+
+private:
+  Peer& peer;
+  const ClientFeatures& client;
+  Mistakes published;
+};
+
+} // namespace proskill::lsp
