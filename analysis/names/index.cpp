@@ -45,7 +45,7 @@ void Index::makeGroups() const {
 }
 
 std::span<const std::uint32_t> Index::group(SymbolId symbol) const {
-  std::call_once(groups->made, [this] { makeGroups(); });
+  groups->made([this] { makeGroups(); });
   const auto begin = groups->starts[symbol], end = groups->starts[symbol + 1];
   return std::span(groups->bySymbol).subspan(begin, end - begin);
 }

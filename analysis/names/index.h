@@ -3,10 +3,10 @@
 #include "analysis/names/findings.h"
 #include "analysis/names/scope.h"
 #include "analysis/names/symbols.h"
+#include "analysis/program/once.h"
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -55,7 +55,7 @@ public:
 private:
   /// Made when somebody first asks: after most edits nobody does.
   struct Groups {
-    std::once_flag made;
+    Once made;
     std::vector<std::uint32_t> bySymbol; ///< indices into `places`, grouped by symbol
     std::vector<std::uint32_t> starts;   ///< of each symbol in `bySymbol`, and the end
   };

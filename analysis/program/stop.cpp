@@ -9,14 +9,6 @@ namespace {
 /// What this thread works on; null where nobody can stop it.
 thread_local const StopWhen* current = nullptr;
 
-/// The thread sanitizer's `pthread_once` never ends after an exception; with the others, the next
-/// who asks computes what was stopped.
-#ifdef __SANITIZE_THREAD__
-constexpr bool kStops = false;
-#else
-constexpr bool kStops = true;
-#endif
-
 } // namespace
 
 StopWhen::StopWhen(Question isUseless)
@@ -25,7 +17,7 @@ StopWhen::StopWhen(Question isUseless)
 StopWhen::~StopWhen() { current = outer; }
 
 void stopIfAsked() {
-  if (kStops && current && current->isUseless()) throw Stopped();
+  if (current && current->isUseless()) throw Stopped();
 }
 
 } // namespace proskill::analysis

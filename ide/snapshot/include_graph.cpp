@@ -119,7 +119,7 @@ const KnownFile* IncludeGraph::named(const Path& name) const {
 }
 
 const IncludeGraph::Edges& IncludeGraph::edges() const {
-  std::call_once(once, [this] {
+  once([this] {
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       known.byName.emplace(all[i]->name.native(), i);
       for (const auto& include : all[i]->includes) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "analysis/program/file_system.h"
+#include "analysis/program/once.h"
 #include "ide/snapshot/file_names.h"
 
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -86,7 +86,7 @@ private:
   [[nodiscard]] std::string_view canonicalOf(const Path& name) const;
 
   std::vector<File> all;
-  mutable std::once_flag once;
+  mutable analysis::Once once;
   mutable Edges known; ///< made when first asked for: most edits never ask
 };
 

@@ -111,7 +111,7 @@ void AnalysedProgram::takeFlow(const AnalysedProgram& earlier) {
     knownFlow = remembered->flow->after(edit->file, *edit->change.layout);
     if (!knownFlow) return;
   }
-  std::call_once(flowFindingsOnce, [&] { noteFlowFindings(std::move(*moved)); });
+  flowFindingsOnce([&] { noteFlowFindings(std::move(*moved)); });
 }
 
 /// Of this program where it is known, else of the last one before it.
@@ -133,7 +133,7 @@ void AnalysedProgram::noteFlowFindings(Diagnostics found) const {
 }
 
 std::shared_ptr<const AnalysedProgram::Diagnostics> AnalysedProgram::flowFindings() const {
-  std::call_once(flowFindingsOnce, [this] {
+  flowFindingsOnce([this] {
     const auto now = flow();
     noteFlowFindings(now ? analysis::flow::checkFlow(now->flow(), analysis.index,
                                                      analysis::flow::wantsStyle(settings))
@@ -168,7 +168,7 @@ void AnalysedProgram::forgetFlow() const {
 }
 
 const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
-  std::call_once(findingsOnce, [this] {
+  findingsOnce([this] {
     const auto& root = program.files.front();
     knownFindings = isFiacre(root.path)
                         ? readFiacre(root.path, root.document.text()).diagnostics
@@ -290,7 +290,7 @@ std::vector<View> Snapshot::views(const fs::path& file) const {
 }
 
 bool Snapshot::isLookedAt(const AnalysedProgram& analysed) const {
-  std::call_once(lookedAtOnce, [this] {
+  lookedAtOnce([this] {
     for (const auto& [path, text] : texts) lookedAt.insert(graph->rootsOf(path).front().native());
   });
   return lookedAt.contains(analysed.program.files.front().path.native());
@@ -305,7 +305,7 @@ View Snapshot::view(const fs::path& file) const {
 
 std::shared_ptr<const AnalysedProgram> Snapshot::program(const fs::path& root) const {
   const auto entry = entryOf(root.native());
-  std::call_once(entry->once, [&] { analyse(entry, root); });
+  entry->once([&] { analyse(entry, root); });
   return entry->program;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/flow/inspect.h"
+#include "analysis/program/once.h"
 #include "ide/snapshot/include_graph.h"
 #include "ide/snapshot/known_flow.h"
 #include "ide/snapshot/lru_cache.h"
@@ -86,12 +87,12 @@ private:
   const bool flows;             ///< it has a flow, known or not
   mutable std::mutex computing; ///< the flow
   mutable std::atomic<bool> missedFlow = false;
-  mutable std::once_flag flowFindingsOnce;
+  mutable analysis::Once flowFindingsOnce;
   mutable std::mutex mutex; ///< of what follows
   mutable std::shared_ptr<const KnownFlow> knownFlow;
   mutable Memory known;      ///< of this program
   mutable Memory remembered; ///< of one before it, until this one's own is known; may be null
-  mutable std::once_flag findingsOnce;
+  mutable analysis::Once findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;
 };
 
@@ -178,7 +179,7 @@ public:
 private:
   /// Analysed at most once, whoever comes first.
   struct Entry {
-    std::once_flag once;
+    analysis::Once once;
     std::shared_ptr<const AnalysedProgram> program;
     std::shared_ptr<const AnalysedProgram> earlier; ///< until it is analysed; may be null
   };
@@ -212,7 +213,7 @@ private:
   /// Of all snapshots with the same files, open or not.
   std::shared_ptr<ClosedPrograms> closed = std::make_shared<ClosedPrograms>();
   mutable std::vector<std::shared_ptr<const AnalysedProgram>> replaced;
-  mutable std::once_flag lookedAtOnce;
+  mutable analysis::Once lookedAtOnce;
   mutable std::unordered_set<std::string> lookedAt; ///< the roots of programs
 };
 
