@@ -83,11 +83,11 @@ export class Editor {
     await this.quickInput().waitFor({ state: 'hidden' });
   }
 
-  /** What was typed; keys arrive before the tab says that there is something to save. */
+  /** What was typed in the group with the keyboard; keys arrive before the tab says that there is something to save. */
   async save() {
-    await this.page.locator('.tab.active.dirty').first().waitFor();
+    await this.page.locator('.editor-group-container.active .tab.active.dirty').first().waitFor();
     await this.press('Control+s');
-    await this.page.locator('.tab.active:not(.dirty)').first().waitFor();
+    await this.page.locator('.editor-group-container.active .tab.active:not(.dirty)').first().waitFor();
   }
 
   squiggles(kind = 'error') {

@@ -62,6 +62,9 @@ export const scenarios = {
     await editor.type('(if (=');
     await frame.locator('.automaton-view .notice:not([hidden])').first().waitFor();
     equal('the picture is still there', (await node(frame, 'landing').count()) > 0, true);
+    // The picture is of the text before: the caret's frame stands around what the caret stands in all the same.
+    await editor.goTo(lineOf(root, 'drone/drone.proskill', '           (landing)') + 1, 14);
+    await expect('the ring around landing, though lines have moved', async () => (await underCaret(frame))?.includes('landing'));
     await editor.picture('live-broken');
     await expect('the text as it was', async () => {
       await editor.press('Control+z');

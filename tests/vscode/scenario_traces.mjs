@@ -55,6 +55,9 @@ export const scenarios = {
     await editor.answer(failing);
     const frame = await editor.panel('.trace-view');
     await steps(frame).first().waitFor();
+    await expect('the keyboard in the list of steps', () => frame.evaluate(() => document.hasFocus() && document.activeElement.matches('.steps')));
+    await editor.press('ArrowDown');
+    await frame.locator('#step-1.current').waitFor();
     await choose(frame, 'Filter', 'start_drone', 'Only steps by');
     await expect('the steps of start_drone alone', async () => /\(2 shown\)/.test(await count(frame)));
     await choose(frame, 'Filter', 'All steps');
@@ -80,7 +83,8 @@ export const scenarios = {
     for (const [theme, name] of [['Light Modern', 'light'], ['Dark High Contrast', 'contrast']]) {
       await editor.theme(theme);
       await frame.locator(`body.vscode-${name === 'light' ? 'light' : 'high-contrast'}`).waitFor();
-      await expect('buttons that are on in the colour of the current step', () => frame.evaluate(() => {
+      await expect('buttons that are on in the colour of the current step, where the list has not the keyboard', () => frame.evaluate(() => {
+        document.activeElement.blur();
         const [on, step] = ['.button[aria-pressed="true"]', '.step.current'].map((it) => getComputedStyle(document.querySelector(it)).backgroundColor);
         return on === step;
       }));

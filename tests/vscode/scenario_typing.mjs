@@ -14,6 +14,7 @@ const lineOf = (root, text) => readFileSync(join(root, kFile), 'utf8').split('\n
 export const scenarios = {
   /** Each word is verified before the next one is typed, with a trace open whose steps are in another file. */
   async typing({ editor, page, root }) {
+    await editor.command('View: Close All Editors'); // a panel of another scenario would be taken for the one that opens
     await editor.openFile(kFile);
     await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
     await editor.command('ProSkill: Open Trace');

@@ -1,5 +1,6 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
+import { Edits } from './edits';
 import { PanelHost } from './panel_host';
 import { currentText } from './places';
 import type { Programs } from './programs';
@@ -16,6 +17,8 @@ export class AutomatonPreview implements vscode.Disposable {
   private readonly subscriptions: vscode.Disposable[];
   private editing: NodeJS.Timeout | undefined;
   private moving: NodeJS.Timeout | undefined;
+  /** since the picture that is shown, which is an older one while the text has errors */
+  private readonly edits = new Edits();
 
   constructor(
     private readonly client: Client,
@@ -24,8 +27,10 @@ export class AutomatonPreview implements vscode.Disposable {
     private readonly extension: vscode.Uri,
   ) {
     this.subscriptions = [
-      vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
-        if (document.languageId === 'proskill' && contentChanges.length) this.edited();
+      vscode.workspace.onDidChangeTextDocument((change) => {
+        if (change.document.languageId !== 'proskill' || !change.contentChanges.length) return;
+        this.edits.note(change);
+        this.edited();
       }),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor }) => this.moved(textEditor)),
     ];
@@ -53,6 +58,11 @@ export class AutomatonPreview implements vscode.Disposable {
     }
     this.host?.dispose();
     const host = new PanelHost(this.client, this.programs, this.typing, this.extension, 'automaton', document.uri, show);
+    host.onPicture((picture) => {
+      if (picture.errors) return;
+      this.edits.forget(picture.texts);
+      if (vscode.window.activeTextEditor) this.moved(vscode.window.activeTextEditor);
+    });
     host.onEnd(() => {
       if (this.host === host) this.host = undefined;
     });
@@ -86,7 +96,7 @@ export class AutomatonPreview implements vscode.Disposable {
     if (editor.document.languageId !== 'proskill') return;
     clearTimeout(this.moving);
     const here = locationAt(editor.document, editor.selection.active);
-    this.moving = setTimeout(() => this.host?.tell('caret', here), kMoving);
+    this.moving = setTimeout(() => this.host?.tell('caret', this.edits.former(here)), kMoving);
   }
 }
 

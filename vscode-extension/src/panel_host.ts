@@ -20,6 +20,8 @@ export class PanelHost implements vscode.Disposable {
   readonly onStep = this.steps.event;
   private readonly ends = new vscode.EventEmitter<void>();
   readonly onEnd = this.ends.event;
+  private readonly drawn = new vscode.EventEmitter<protocol.Automaton>();
+  readonly onPicture = this.drawn.event;
   private listening = false;
   private remembered: panel.Remembered | undefined;
   private pictures: panel.PictureName[] = [];
@@ -70,6 +72,7 @@ export class PanelHost implements vscode.Disposable {
     this.ends.fire();
     vscode.Disposable.from(...this.subscriptions).dispose();
     this.steps.dispose();
+    this.drawn.dispose();
     this.ends.dispose();
   }
 
@@ -130,6 +133,7 @@ export class PanelHost implements vscode.Disposable {
     const picture = await this.client.running.sendRequest(
       protocol.automaton, { textDocument: { uri: this.uri.toString() }, ...params });
     this.pictures = picture.pictures;
+    if (params.format === 'svg') this.drawn.fire(picture);
     return picture;
   }
 

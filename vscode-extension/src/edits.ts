@@ -1,0 +1,53 @@
+import type * as vscode from 'vscode';
+import type { panel } from './protocol';
+import type { TextVersion } from './protocol';
+
+interface Edit {
+  version: number;
+  range: panel.Range;
+  /** where what was put in its place ends */
+  end: panel.Position;
+}
+
+const isBefore = (a: panel.Position, b: panel.Position): boolean => a.line < b.line || (a.line === b.line && a.character < b.character);
+
+const endOf = ({ line, character }: panel.Position, text: string): panel.Position => {
+  const lines = text.split(/\r\n|\r|\n/);
+  const last = lines.at(-1)!.length;
+  return lines.length === 1 ? { line, character: character + last } : { line: line + lines.length - 1, character: last };
+};
+
+/** Where a place was before an edit; of what the edit has put in, where it begins. */
+function before(place: panel.Position, { range: { start, end }, end: now }: Edit): panel.Position {
+  if (isBefore(place, start)) return place;
+  if (isBefore(place, now)) return start;
+  return { line: place.line - now.line + end.line, character: place.line === now.line ? place.character - now.character + end.character : place.character };
+}
+
+/** Edits since a picture was drawn: where a place of the text as it is now was in the text that the picture is of. */
+export class Edits {
+  private readonly known = new Map<string, Edit[]>();
+
+  /** Several changes of one event are all in the text before it; from its end backwards, one does not move another. */
+  note({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
+    const uri = document.uri.toString();
+    const changes = [...contentChanges].sort((a, b) => b.rangeOffset - a.rangeOffset);
+    const list = this.known.get(uri) ?? [];
+    for (const { range, text } of changes) list.push({ version: document.version, range, end: endOf(range.start, text) });
+    this.known.set(uri, list);
+  }
+
+  /** A picture of these texts is shown now. */
+  forget(texts: TextVersion[]): void {
+    for (const [uri, list] of this.known) {
+      const version = texts.find((text) => text.uri === uri)?.version;
+      this.known.set(uri, list.filter((edit) => version === undefined || version === null || edit.version > version));
+    }
+  }
+
+  former(location: panel.Location): panel.Location {
+    const list = this.known.get(location.uri) ?? [];
+    const place = list.reduceRight(before, location.range.start);
+    return { uri: location.uri, range: { start: place, end: place } };
+  }
+}
