@@ -98,7 +98,7 @@ export class Editor {
     return this.page.locator('[id="proskill.proskill.proskill.status"], [id$="proskill.status"]').first();
   }
 
-  async statusSays(words, timeout = 20_000) {
+  async statusSays(words, timeout = 40_000) {
     await this.status().filter({ hasText: words }).waitFor({ timeout });
   }
 
