@@ -92,7 +92,7 @@ std::expected<std::string, std::string> render(const Graph& graph, Format format
   static std::mutex oneAtATime;
   const std::lock_guard lock(oneAtATime);
   const Complaints complaints;
-  const auto text = writeDot(toCGraph(graph, scheme).get());
+  auto text = writeDot(toCGraph(graph, scheme).get());
   if (format == Format::Dot) return text;
   // Places depend on the order in which a graph was made. Read back, it is in that of its text, and
   // the picture is the one that `dot` makes of it.

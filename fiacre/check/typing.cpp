@@ -305,7 +305,7 @@ std::optional<Type> Typing::inferRecord(const Expr& expr) const {
     const bool fits = type.kind == TypeKind::Record &&
                       std::ranges::is_permutation(type.members, expr.fields, {}, &Member::name);
     if (!fits) continue;
-    const Type found{.kind = TypeKind::Named, .name = std::string(name)};
+    Type found{.kind = TypeKind::Named, .name = std::string(name)};
     expectRecord(expr, found);
     return found;
   }

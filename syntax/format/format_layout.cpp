@@ -234,7 +234,7 @@ void Layout::control(Index at, Separator before, std::uint32_t after) {
   std::uint32_t base = columnOf(before);
   std::uint32_t clauses = base + kClauseIndent;
   std::uint32_t statements = base + kBodyIndent - (isForm ? 0 : kClauseIndent);
-  std::size_t inline_ = hasCondition(whole.kind) ? 2 : 1;
+  std::size_t onFirstLine = hasCondition(whole.kind) ? 2 : 1;
   std::size_t count = 0;
   if (isForm) token({whole.range.begin, whole.range.begin + 1}, before);
   for (Index child = at + 1; child < endOf(at); child = nextOf(child)) {
@@ -245,7 +245,7 @@ void Layout::control(Index at, Separator before, std::uint32_t after) {
     }
     auto between = isClause(part.kind) ? line(clauses) : line(statements);
     if (!isClause(part.kind) && count == 0) between = isForm ? none(statements) : before;
-    if (!isClause(part.kind) && count > 0 && count < inline_) between = space(statements);
+    if (!isClause(part.kind) && count > 0 && count < onFirstLine) between = space(statements);
     ++count;
     box(child, between, afterChild(at, child, after));
   }

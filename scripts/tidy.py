@@ -1,0 +1,110 @@
+"""clang-tidy over the sources and headers of the program; what it says is an error.
+
+usage: tidy.py PROGRAM changed|all      changed: what differs from where the branch left main; on main, the last commit
+
+It reads the files eight at a time, as the unity builds compile them, for to read headers is most of its time. What is
+clean stays so until a file of it changes: build/tidy/clean/ remembers.
+"""
+
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build/tidy"
+CLEAN = BUILD / "clean"
+OTHERS = ("tests/", "bench/", "fuzz/", "tree-sitter-proskill/", "build/")
+INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
+WARNING = re.compile(r"^\S+:\d+:\d+: (?:warning|error): .*$", re.M)
+
+
+def git(*arguments):
+    return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True)
+
+
+def changed():
+    """The files that differ from where the branch left main; on main itself, those of the last commit."""
+    head = git("rev-parse", "HEAD").stdout
+    found = [git("merge-base", "HEAD", main).stdout for main in ("origin/main", "main")]
+    base = next((commit for commit in found if commit and commit != head), "HEAD~1\n").strip()
+    return set(git("diff", "--name-only", base).stdout.splitlines())
+
+
+class Unit:
+    """What clang-tidy reads at once: some sources, and the tree's headers that they include."""
+
+    def __init__(self, command):
+        self.file, self.command = command["file"], command["command"]
+        text = pathlib.Path(self.file).read_text(encoding="utf-8")
+        inside = self.file.startswith(str(BUILD))
+        found = INCLUDE.findall(text) if inside else [self.file]
+        self.sources = {os.path.relpath(path, ROOT) for path in found}
+        self.files = set()
+        todo = list(self.sources)
+        while todo:
+            name = todo.pop()
+            if name in self.files or not (ROOT / name).is_file():
+                continue
+            self.files.add(name)
+            todo += INCLUDE.findall((ROOT / name).read_text(encoding="utf-8"))
+
+    def stamp(self, program):
+        """Of all that clang-tidy's answer depends on, but the system's headers."""
+        digest = hashlib.sha256(program.encode() + self.command.encode())
+        for name in [".clang-tidy", *sorted(self.files)]:
+            digest.update(name.encode() + (ROOT / name).read_bytes())
+        return CLEAN / digest.hexdigest()
+
+
+def units():
+    subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
+    found = [Unit(command) for command in commands if not command["file"].endswith((".c", ".cxx_pch"))]
+    return [unit for unit in found if unit.sources and not any(name.startswith(OTHERS) for name in unit.sources)]
+
+
+def covering(found, names):
+    """Units that have each of these files: a source's own, and of those with a header the one of its own name or folder."""
+    chosen = {unit.file: unit for unit in found if unit.sources & names}
+    for name in sorted(names):
+        if name.endswith(".h") and not any(name in unit.files for unit in chosen.values()):
+            having = [unit for unit in found if name in unit.files]
+            having.sort(key=lambda unit: not any(os.path.dirname(it) == os.path.dirname(name) for it in unit.sources))
+            chosen.update((unit.file, unit) for unit in having[:1])
+    return list(chosen.values())
+
+
+def tidy(program, unit):
+    """The warnings of a unit, each as one line."""
+    done = subprocess.run([program, "-p", BUILD, "--quiet", unit.file], cwd=ROOT, capture_output=True, text=True)
+    found = set(WARNING.findall(done.stdout))
+    if done.returncode and not found:
+        found.add(done.stdout + done.stderr)
+    return {line.replace(f"{ROOT}/", "") for line in found}
+
+
+def main():
+    program, which = sys.argv[1:]
+    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    found = units()
+    chosen = found if which == "all" else covering(found, changed())
+    CLEAN.mkdir(exist_ok=True)
+    todo = [unit for unit in chosen if not unit.stamp(version).exists()]
+    warnings = set()
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() + 1) as pool:
+        for unit, said in zip(todo, pool.map(lambda unit: tidy(program, unit), todo)):
+            print("".join(f"{line}\n" for line in sorted(said - warnings)), end="", flush=True)
+            warnings |= said
+            if not said:
+                unit.stamp(version).touch()
+    print(f"clang-tidy: {len(warnings)} warnings; {len(chosen)} of {len(found)} units, {len(todo)} of them read anew")
+    return 1 if warnings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
