@@ -67,7 +67,7 @@ tar -xf "$cache/base.tar" -C "$root"
 connect
 commit=$(git rev-parse HEAD)
 git bundle create --quiet "$root/tmp/tree.bundle" HEAD
-inside git clone --quiet /tmp/tree.bundle /root/proskill
+inside git -c advice.detachedHead=false clone --quiet /tmp/tree.bundle /root/proskill
 
 failed=0
 for command in "${commands[@]}"; do
