@@ -198,9 +198,8 @@ bool Explorer::advance(Current& current, TransitionId transition) {
 
 /// As long as there is a step that is safe to take alone, takes it. Stops where it comes by a state
 /// again: that state is then stored and expanded fully, so that nothing is put off for ever.
-template <class Advance>
 void Explorer::followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                                  Advance advance) const {
+                               const std::function<bool(TransitionId)>& advance) const {
   if (!reductions.stubbornSets) return;
   std::vector<Word> mark; // Brent: the state at the last power of two
   for (std::size_t length = 1;; ++length) {
@@ -214,58 +213,6 @@ void Explorer::followStubbornSets(const std::vector<Word>& state, const Transiti
 void Explorer::runStubbornSets(Current& current) {
   followStubbornSets(current.state, current.enabled,
                      [&](TransitionId next) { return advance(current, next); });
-}
-
-/// The way to a node, as it was taken: with the setters that lead to each choice of values and
-/// back, and to one with which time may pass.
-Steps Explorer::pathTo(NodeIndex index) const {
-  std::vector<NodeIndex> line;
-  for (; index != kNone; index = graph.nodes[index].parent) line.push_back(index);
-  const FreeInputs* open = reductions.freeInputs;
-  Steps path;
-  std::vector<Word> state = initialState(system);
-  TransitionSet enabled;
-  StepLog ignored;
-  const auto append = [&](const Steps& steps) {
-    path.insert(path.end(), steps.begin(), steps.end());
-  };
-  const auto normalise = [&] {
-    if (open) append(open->normalise(state.data(), enabled, graph.enabling));
-  };
-  const auto fireOne = [&](TransitionId transition) {
-    path.push_back(transition);
-    bool fired = fire(system, transition, state.data(), ignored) == Outcome::Done;
-    graph.enabling.update(transition, state.data(), enabled);
-    normalise();
-    return fired;
-  };
-  graph.enabling.compute(state.data(), enabled);
-  normalise();
-  followStubbornSets(state, enabled, fireOne);
-  for (std::size_t i = line.size(); i-- > 0;) {
-    const ZoneNode& node = graph.nodes[line[i]];
-    const Word* stored = graph.states.at(node.state);
-    state.assign(system.words, 0);
-    std::copy(stored, stored + system.storedWords, state.begin());
-    graph.enabling.compute(state.data(), enabled);
-    const std::vector<Word> here = state;
-    if (open && graph.enabling.isUrgent(enabled) && open->calm(state.data(), enabled)) {
-      append(open->between(here.data(), state.data()));
-      append(open->between(state.data(), here.data()));
-      state = here;
-    }
-    if (i == 0) return path;
-    const ZoneNode& next = graph.nodes[line[i - 1]];
-    if (open) {
-      std::uint32_t choice = 0;
-      open->eachFiring(next.transition, state.data(), [&] { return choice++ == next.choice; });
-      append(open->between(here.data(), state.data()));
-      graph.enabling.compute(state.data(), enabled);
-    }
-    fireOne(next.transition);
-    followStubbornSets(state, enabled, fireOne);
-  }
-  return path;
 }
 
 void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,

@@ -6,6 +6,9 @@
 #include "verify/state/enabled.h"
 #include "verify/verify.h"
 
+#include <functional>
+#include <unordered_map>
+
 namespace proskill::verify {
 
 /// Transitions from the initial state on.
@@ -94,9 +97,20 @@ private:
   [[nodiscard]] Progress progress(NodeIndex next) const;
   /// Takes safe steps from a state on by `advance`, which gets each transition and says whether to
   /// go on.
-  template <class Advance>
   void followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                          Advance advance) const;
+                       const std::function<bool(TransitionId)>& advance) const;
+  /// A state on the way to a node, and the steps that were taken.
+  struct Walk {
+    std::vector<Word> state;
+    TransitionSet enabled;
+    Steps taken;
+  };
+  [[nodiscard]] Walk walkFrom(std::vector<Word> state) const;
+  [[nodiscard]] Walk walkFrom(StateId state) const;
+  bool walkOn(Walk& walk, TransitionId transition) const;
+  void walkStubbornSets(Walk& walk) const;
+  void walkCalm(Walk& walk) const;
+  [[nodiscard]] const Steps& legTo(NodeIndex index) const;
 
   const System& system;
   const std::vector<Goal>& goals;
@@ -119,6 +133,7 @@ private:
   std::vector<Word> trial;  ///< a state with other values of open variables
   Steps passed;             ///< from the node that is expanded to `work`
   StepLog log;
+  mutable std::unordered_map<NodeIndex, Steps> legs; ///< the last steps to nodes, from the parent
 };
 
 } // namespace proskill::verify

@@ -1,11 +1,20 @@
 #include "verify/trace/simulator.h"
 
+#include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
 #include <set>
 
 namespace proskill::verify {
+
+Simulator::Simulator(const System& of, std::int64_t units) : system(of), scale(units) {
+  for (const auto& instance : system.instances) startingAt.emplace_back(instance.locations.size());
+  for (TransitionId id = 0; id < system.transitions.size(); ++id) {
+    const Path& first = system.paths[system.transitions[id].parts.front()];
+    startingAt[first.instance][first.location].push_back(id);
+  }
+}
 
 Concrete Simulator::start() const {
   Concrete made{initialState(system), {}};
@@ -106,8 +115,11 @@ bool Simulator::canGoOn(const Concrete& now, std::int64_t date) const {
 
 std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) const {
   std::vector<TransitionId> all;
-  for (TransitionId id = 0; id < system.transitions.size(); ++id)
-    if (isEnabled(system, id, state.data())) all.push_back(id);
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    const auto at = readCell(system, system.instances[i].location, state.data());
+    for (auto id : startingAt[i][static_cast<std::size_t>(at)])
+      if (isEnabled(system, id, state.data())) all.push_back(id);
+  }
   return all;
 }
 

@@ -28,7 +28,7 @@ struct Opportunity {
 class Simulator {
 public:
   /// \param units of time in one unit of the model
-  Simulator(const System& of, std::int64_t units) : system(of), scale(units) {}
+  Simulator(const System& of, std::int64_t units);
 
   [[nodiscard]] Concrete start() const;
   /// Whether nothing has to happen before `date`.
@@ -57,6 +57,8 @@ private:
 
   const System& system;
   std::int64_t scale;
+  /// By instance and location: transitions whose first part is there.
+  std::vector<std::vector<std::vector<TransitionId>>> startingAt;
 };
 
 } // namespace proskill::verify
