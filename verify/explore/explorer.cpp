@@ -199,7 +199,7 @@ bool Explorer::advance(Current& current, TransitionId transition) {
 /// As long as there is a step that is safe to take alone, takes it. Stops where it comes by a state
 /// again: that state is then stored and expanded fully, so that nothing is put off for ever.
 void Explorer::followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                               const std::function<bool(TransitionId)>& advance) const {
+                                  const std::function<bool(TransitionId)>& advance) const {
   if (!reductions.stubbornSets) return;
   std::vector<Word> mark; // Brent: the state at the last power of two
   for (std::size_t length = 1;; ++length) {

@@ -98,7 +98,7 @@ private:
   /// Takes safe steps from a state on by `advance`, which gets each transition and says whether to
   /// go on.
   void followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                       const std::function<bool(TransitionId)>& advance) const;
+                          const std::function<bool(TransitionId)>& advance) const;
   /// A state on the way to a node, and the steps that were taken.
   struct Walk {
     std::vector<Word> state;

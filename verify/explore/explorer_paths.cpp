@@ -37,7 +37,8 @@ bool Explorer::walkOn(Walk& walk, TransitionId transition) const {
 }
 
 void Explorer::walkStubbornSets(Walk& walk) const {
-  followStubbornSets(walk.state, walk.enabled, [&](TransitionId next) { return walkOn(walk, next); });
+  followStubbornSets(walk.state, walk.enabled,
+                     [&](TransitionId next) { return walkOn(walk, next); });
 }
 
 /// To values of open variables with which time may pass, and back.

@@ -15,26 +15,6 @@ namespace {
 /// The values that the code of one transition reads are chosen in at most this many ways.
 constexpr std::size_t kMostChoices = 1024;
 
-/// Cells that may not be open: a goal's condition sees them, a clock starts and stops with them, or
-/// a run ends with them.
-Bits closedCells(const System& system, const std::vector<Goal>& goals) {
-  Bits closed;
-  for (const auto& goal : goals)
-    if (goal.kind == GoalKind::Condition) addReads(system, goal.condition, closed);
-  for (const auto& transition : system.transitions)
-    if (transition.clock != kNone || transition.fails) closed |= transition.guardReads;
-  return closed;
-}
-
-/// Instances whose clocks a step of theirs would start anew.
-Bits clockedInstances(const System& system) {
-  Bits all;
-  for (const auto& transition : system.transitions)
-    if (transition.clock != kNone)
-      for (auto part : transition.parts) all.insert(system.paths[part].instance);
-  return all;
-}
-
 bool isWatched(const System& system, const std::vector<Goal>& goals, const Transition& transition) {
   Bits observed;
   for (const auto& goal : goals) {
@@ -52,8 +32,12 @@ bool isWatched(const System& system, const std::vector<Goal>& goals, const Trans
 } // namespace
 
 FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
-    : system(&of), setters((of.transitions.size() + 63) / 64), silent(setters), evaluation(of) {
-  findSetters(goals, dropped);
+    : system(&of),
+      variables(findFreeInputs(of, goals, dropped)),
+      setters((of.transitions.size() + 63) / 64),
+      silent(setters),
+      evaluation(of) {
+  for (auto& variable : variables) variable.readers.assign(setters.size(), 0);
   forgetMany(dropped);
   variableOf.assign(system->transitions.size(), kNone);
   for (std::uint32_t v = 0; v < variables.size(); ++v)
@@ -100,60 +84,6 @@ void FreeInputs::findPlaces(const Bits& dropped) {
   guardedAt.assign(places.begin(), places.end());
 }
 
-bool FreeInputs::isAlwaysPossible(const Transition& transition) const {
-  return !transition.urgent && transition.clock == kNone && !transition.tentative &&
-         std::ranges::all_of(transition.parts, [&](PathId part) {
-           const Path& path = system->paths[part];
-           const Node& guard = system->nodes[path.guard];
-           return system->instances[path.instance].locations.size() == 1 && !path.mayFail &&
-                  guard.op == NodeOp::Number && guard.number != 0;
-         });
-}
-
-/// The constant that the transition always writes, where it changes only one cell that is told
-/// apart.
-std::optional<Assignment> FreeInputs::constantOf(const Transition& transition) const {
-  std::optional<Assignment> found;
-  for (auto part : transition.parts) {
-    const Path& path = system->paths[part];
-    const auto sure = surelyWritten(path, path.writes);
-    for (const auto& assignment : path.assignments) {
-      const Cell& cell = system->cells[assignment.target];
-      if (cell.mask == 0 || cell.word >= system->storedWords) continue;
-      bool constant = system->nodes[assignment.value].op == NodeOp::Number && !assignment.checked;
-      bool always = std::ranges::all_of(
-          sure, [&](const auto& end) { return end.second.contains(assignment.target); });
-      bool same =
-          !found || (found->target == assignment.target && found->value == assignment.value);
-      if (!constant || !always || !same) return std::nullopt;
-      found = assignment;
-    }
-  }
-  return found;
-}
-
-void FreeInputs::findSetters(const std::vector<Goal>& goals, const Bits& dropped) {
-  const Bits closed = closedCells(*system, goals);
-  const Bits clocked = clockedInstances(*system);
-  std::map<CellId, Variable> byCell;
-  for (TransitionId i = 0; i < system->transitions.size(); ++i) {
-    const auto& transition = system->transitions[i];
-    if (dropped.contains(i) || !isAlwaysPossible(transition) || transition.consumed.meets(clocked))
-      continue;
-    auto constant = constantOf(transition);
-    if (!constant || closed.contains(constant->target)) continue;
-    Variable& variable = byCell[constant->target];
-    const std::int64_t value = system->nodes[constant->value].number;
-    if (std::ranges::find(variable.values, value) != variable.values.end()) continue;
-    variable.cell = constant->target;
-    variable.values.push_back(value);
-    variable.setters.push_back(i);
-    variable.readers.assign(setters.size(), 0);
-  }
-  for (auto& [_, variable] : byCell)
-    if (variable.values.size() > 1) variables.push_back(std::move(variable));
-}
-
 /// Those with the most values are kept, as long as no transition's code has too many choices.
 void FreeInputs::forgetMany(const Bits& dropped) {
   std::ranges::stable_sort(variables, std::greater{},
@@ -194,11 +124,23 @@ std::vector<TransitionId> FreeInputs::normalise(Word* state, TransitionSet& enab
   std::vector<TransitionId> steps;
   for (std::uint32_t v = 0; v < variables.size(); ++v) {
     if (valueOf(v, state).value_or(0) == 0) continue;
+    appendMoves(v, readCell(*system, variables[v].cell, state), 0, steps);
     set(v, 0, state);
-    steps.push_back(variables[v].setters[0]);
     enabling.refresh(variables[v].readers, state, enabled);
   }
   return steps;
+}
+
+void FreeInputs::appendMoves(std::uint32_t index, std::int64_t from, std::uint32_t to,
+                             std::vector<TransitionId>& steps) const {
+  const Variable& variable = variables[index];
+  const std::int64_t low = system->cells[variable.cell].low;
+  while (from != variable.values[to]) {
+    const InputMove& move = variable.moves[static_cast<std::size_t>(from - low)][to];
+    if (move.setter == kNone) return; // no setter is possible there
+    steps.push_back(move.setter);
+    from = move.next;
+  }
 }
 
 std::vector<TransitionId> FreeInputs::between(const Word* from, const Word* to) const {
@@ -211,8 +153,8 @@ std::vector<TransitionId> FreeInputs::between(const Word* from, const Word* to,
                                               std::span<const std::uint32_t> which) const {
   std::vector<TransitionId> steps;
   for (auto v : which) {
-    auto wanted = valueOf(v, to);
-    if (wanted && wanted != valueOf(v, from)) steps.push_back(variables[v].setters[*wanted]);
+    if (const auto wanted = valueOf(v, to))
+      appendMoves(v, readCell(*system, variables[v].cell, from), *wanted, steps);
   }
   return steps;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/model/goals.h"
+#include "verify/reduce/input_setters.h"
 #include "verify/state/enabled.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/partial_evaluation.h"
@@ -16,12 +17,7 @@ namespace proskill::verify {
 /// Compare Colby, Godefroid, Jagadeesan, "Automatically closing open reactive programs", PLDI 1998.
 class FreeInputs {
 public:
-  struct Variable {
-    CellId cell = 0;
-    std::vector<std::int64_t> values;  ///< that can be set; the first stands for all
-    std::vector<TransitionId> setters; ///< one for each value
-    TransitionSet readers;             ///< transitions that are enabled or not by it
-  };
+  using Variable = FreeInput;
 
   /// \pre the system has a state layout \param dropped transitions that are left out
   FreeInputs(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
@@ -122,7 +118,7 @@ private:
   [[nodiscard]] std::uint32_t variableAt(const BitField& bits) const;
   void findReads(const Bits& dropped);
   void findPlaces(const Bits& dropped);
-  /// Calls `visit` with each transition that an open variable guards and whose first instance is
+  /// Calls `visit` with each transition that a free input guards and whose first instance is
   /// where it needs it.
   template <class Visit> void eachGuardedHere(const Word* state, Visit visit) const {
     for (const auto& [instance, byLocation] : guardedAt) {
@@ -131,9 +127,8 @@ private:
         visit(id);
     }
   }
-  void findSetters(const std::vector<Goal>& goals, const Bits& dropped);
-  [[nodiscard]] std::optional<Assignment> constantOf(const Transition& transition) const;
-  [[nodiscard]] bool isAlwaysPossible(const Transition& transition) const;
+  void appendMoves(std::uint32_t variable, std::int64_t from, std::uint32_t to,
+                   std::vector<TransitionId>& steps) const;
   void forgetMany(const Bits& dropped);
 
   const System* system;
@@ -142,7 +137,7 @@ private:
   std::vector<std::uint32_t> variableOf; ///< by transition, of setters
   TransitionSet silent;
   PartialEvaluation evaluation;
-  TransitionSet guarded; ///< enabled or not by an open variable
+  TransitionSet guarded; ///< enabled or not by a free input
   TransitionSet urgent;
   /// Those of `guarded` by an instance that takes part, and its location.
   std::vector<std::pair<InstanceId, std::vector<std::vector<TransitionId>>>> guardedAt;
