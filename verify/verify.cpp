@@ -17,7 +17,8 @@ namespace proskill::verify {
 namespace {
 
 Answer answerOf(const Goal& goal, const std::optional<Evidence>& evidence,
-                const Exploration& exploration, const Witness& witness) {
+                const SearchResult& found, const Witness& witness) {
+  const Exploration& exploration = found.statistics;
   if (goal.kind == GoalKind::Unsupported) return {Truth::Unknown, std::nullopt, goal.reason};
   if (evidence) {
     auto trace = witness.trace(goal, *evidence);
@@ -25,6 +26,8 @@ Answer answerOf(const Goal& goal, const std::optional<Evidence>& evidence,
     return {Truth::Unknown, std::nullopt, "internal error, please report it: " + trace.error()};
   }
   if (!exploration.complete) return {Truth::Unknown, std::nullopt, exploration.stopped};
+  if (goal.kind == GoalKind::Stuck && !found.progressStopped.empty())
+    return {Truth::Unknown, std::nullopt, found.progressStopped};
   return {Truth::True, std::nullopt, {}};
 }
 
@@ -68,7 +71,9 @@ Watching watch(const System& compiled, const System& whole, const Goal& goal,
   if (found.evidence) found.statistics.complete = true;
   const Reductions used{.dropped = relevance.dropped};
   const Witness witness(whole, used, provenance);
-  return {answerOf(goal, found.evidence, found.statistics, witness), found.statistics, {}};
+  return {answerOf(goal, found.evidence, {.statistics = found.statistics}, witness),
+          found.statistics,
+          {}};
 }
 
 } // namespace
@@ -118,7 +123,7 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const Goal& goal = compiled->goals[i];
     if (goal.kind != GoalKind::Run) {
-      result.answers.push_back(answerOf(goal, found.goals[i], found.statistics, witness));
+      result.answers.push_back(answerOf(goal, found.goals[i], found, witness));
       continue;
     }
     auto watched =

@@ -1,3 +1,4 @@
+#include "verify/explore/zone_cover.h"
 #include "verify/model/dbm.h"
 
 #include <catch2/catch.hpp>
@@ -174,4 +175,48 @@ TEST_CASE("A firing domain that starts at its first delay") {
   const Dbm rest = domain.over(std::vector<std::uint32_t>{2});
   CHECK(rest.at(0, 1) == kZero);
   CHECK(rest.at(1, 0) == bound(4, true));
+}
+
+TEST_CASE("Two zones are joined only where that adds no point") {
+  Zones zones(6);
+  int joined = 0;
+  for (int n = 0; n < 4 * kZones; ++n) {
+    const Dbm a = zones.any();
+    Dbm b = a;
+    if (!b.constrain(1, 0, zones.anyBound(0, 4)) || n % 3 == 0) b = zones.any();
+    const auto whole = convexUnion(a, b);
+    if (!whole) continue;
+    ++joined;
+    eachPoint(6, 2, [&](const Point& point) {
+      REQUIRE(contains(*whole, point) == (contains(a, point) || contains(b, point)));
+    });
+  }
+  CHECK(joined > 20);
+  Dbm first(1);
+  first.up();
+  Dbm second = first;
+  REQUIRE(first.constrain(1, 0, bound(3, false)));
+  REQUIRE(second.constrain(0, 1, bound(-3, true)));
+  CHECK(convexUnion(first, second)); // up to 3, and above 3
+  REQUIRE(first.constrain(1, 0, bound(3, true)));
+  CHECK_FALSE(convexUnion(first, second)); // 3 itself is missing
+}
+
+TEST_CASE("A cover includes what one of its zones, or a union of them, includes") {
+  ZoneCover cover;
+  const auto between = [](std::int64_t low, std::int64_t high) {
+    Dbm zone(1);
+    zone.up();
+    REQUIRE(zone.constrain(0, 1, bound(-low, false)));
+    REQUIRE(zone.constrain(1, 0, bound(high, false)));
+    return zone;
+  };
+  cover.add(between(0, 2));
+  cover.add(between(6, 8));
+  CHECK(cover.size() == 2);
+  CHECK_FALSE(cover.includesZone(between(1, 5).matrix()));
+  cover.add(between(2, 6)); // fills the gap
+  CHECK(cover.size() == 1);
+  CHECK(cover.includesZone(between(1, 7).matrix()));
+  CHECK_FALSE(cover.includesZone(between(1, 9).matrix()));
 }

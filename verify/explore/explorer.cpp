@@ -29,7 +29,8 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
 
 std::uint64_t ZoneGraph::bytes() const {
   return timing.bytes() + states.bytes() + signatureOf.capacity() * sizeof(SignatureId) +
-         headOf.capacity() * sizeof(NodeIndex) + nodes.capacity() * sizeof(ZoneNode);
+         (headOf.capacity() + coverOf.capacity()) * sizeof(NodeIndex) + coverBytes +
+         nodes.capacity() * sizeof(ZoneNode);
 }
 
 Progress Explorer::progress(NodeIndex next) const {
@@ -40,7 +41,7 @@ Progress Explorer::progress(NodeIndex next) const {
 
 Explored Explorer::run() {
   start();
-  constexpr NodeIndex kBetweenChecks = 256;
+  constexpr NodeIndex kBetweenChecks = 8;
   NodeIndex next = 0;
   for (; next < graph.nodes.size() && result.failure.empty() && !allDecided(); ++next) {
     if (next % kBetweenChecks == 0) {
@@ -222,6 +223,7 @@ void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,
   if (isNew) {
     graph.signatureOf.push_back(current.signature);
     graph.headOf.push_back(kNone);
+    graph.coverOf.push_back(kNone);
   } else if (isCovered(state, current.zone)) {
     return;
   }
@@ -230,16 +232,33 @@ void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,
   graph.headOf[state] = index;
 }
 
-/// Whether a stored zone of the state includes the new one; those that the new one includes are
+/// Whether stored zones of the state include the new one; those that the new one includes are
 /// struck off.
 bool Explorer::isCovered(StateId state, ZoneId zone) {
   const auto& zones = graph.timing.zones();
+  if (graph.coverOf[state] != kNone) {
+    ZoneCover& cover = graph.covers[graph.coverOf[state]];
+    if (cover.includesZone(zones.matrix(zone))) return true;
+    graph.coverBytes -= cover.bytes();
+    cover.add(zones.zone(zone));
+    graph.coverBytes += cover.bytes();
+    return false;
+  }
   for (NodeIndex i = graph.headOf[state]; i != kNone; i = graph.nodes[i].next) {
     if (graph.nodes[i].zone == zone) return true;
     if (reductions.inclusion && includes(zones.matrix(graph.nodes[i].zone), zones.matrix(zone)))
       return true;
   }
-  if (!reductions.inclusion) return false;
+  if (reductions.inclusion) strike(state, zone);
+  return false;
+}
+
+/// Strikes off the zones of the state that the new one includes. Where many are left, what they
+/// cover is kept in their place.
+void Explorer::strike(StateId state, ZoneId zone) {
+  constexpr std::size_t kMany = 16;
+  const auto& zones = graph.timing.zones();
+  std::size_t left = 0;
   NodeIndex* link = &graph.headOf[state];
   while (*link != kNone) {
     ZoneNode& node = graph.nodes[*link];
@@ -248,9 +267,17 @@ bool Explorer::isCovered(StateId state, ZoneId zone) {
       *link = node.next;
     } else {
       link = &node.next;
+      ++left;
     }
   }
-  return false;
+  if (left < kMany) return;
+  ZoneCover cover;
+  for (NodeIndex i = graph.headOf[state]; i != kNone; i = graph.nodes[i].next)
+    cover.add(zones.zone(graph.nodes[i].zone));
+  cover.add(zones.zone(zone));
+  graph.coverOf[state] = static_cast<std::uint32_t>(graph.covers.size());
+  graph.coverBytes += cover.bytes();
+  graph.covers.push_back(std::move(cover));
 }
 
 void Explorer::noticeStep(const Current& after) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/explore/limits.h"
+#include "verify/explore/zone_cover.h"
 #include "verify/model/goals.h"
 #include "verify/reduce/reductions.h"
 #include "verify/state/enabled.h"
@@ -42,6 +43,9 @@ struct ZoneGraph {
   StateStore states;
   std::vector<SignatureId> signatureOf; ///< by state
   std::vector<NodeIndex> headOf;        ///< by state: the first of its nodes
+  std::vector<std::uint32_t> coverOf;   ///< by state: in `covers`, where it has many nodes
+  std::vector<ZoneCover> covers;
+  std::uint64_t coverBytes = 0;
   std::vector<ZoneNode> nodes;
 
   ZoneGraph(const System& system, const Reductions& reductions, Extrapolation extrapolation)
@@ -87,6 +91,7 @@ private:
   void runStubbornSets(Current& current);
   void add(Current& current, NodeIndex parent, TransitionId transition, std::uint32_t choice);
   bool isCovered(StateId state, ZoneId zone);
+  void strike(StateId state, ZoneId zone);
   void noticeStep(const Current& after);
   void noticeState(const Current& current);
   void noticeDeadlock();

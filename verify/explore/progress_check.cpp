@@ -12,10 +12,12 @@ constexpr std::size_t kLevelsPerWord = 8;
 
 } // namespace
 
-ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ZoneGraph& explored)
+ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ZoneGraph& explored,
+                             LimitWatch& watch)
     : system(of),
       reductions(with),
       graph(explored),
+      limits(watch),
       moments(static_cast<std::uint32_t>(of.storedWords + (of.clocks.size() + kLevelsPerWord - 1) /
                                                               kLevelsPerWord)) {}
 
@@ -53,7 +55,7 @@ std::optional<StuckMoment> ProgressCheck::find() {
 std::optional<StuckMoment> ProgressCheck::findAmong(bool urgent) {
   Moment moment;
   StateId loaded = kNone;
-  for (NodeIndex i = 0; i < graph.nodes.size(); ++i) {
+  for (NodeIndex i = 0; i < graph.nodes.size() && !isStopped(); ++i) {
     const ZoneNode& node = graph.nodes[i];
     if (node.covered || graph.timing.at(graph.signatureOf[node.state]).urgent != urgent) continue;
     if (node.state != loaded) {
@@ -85,6 +87,20 @@ bool ProgressCheck::split(const Dbm& zone, std::size_t clock, Moment& moment) {
     if (split(part, clock + 1, moment)) return true;
   }
   return false;
+}
+
+/// Looks at the limits now and then.
+bool ProgressCheck::isStopped() {
+  constexpr std::uint64_t kBetweenChecks = 64;
+  if (!stoppedBy.empty() || ++steps % kBetweenChecks != 0) return !stoppedBy.empty();
+  const std::uint64_t bytes = graph.bytes() + moments.bytes() +
+                              verdicts.capacity() * sizeof(Verdict) +
+                              metIn.capacity() * sizeof(std::uint32_t);
+  stoppedBy = limits.met({.classes = graph.nodes.size(),
+                          .markings = graph.states.size(),
+                          .bytes = bytes,
+                          .seconds = limits.seconds()});
+  return !stoppedBy.empty();
 }
 
 bool ProgressCheck::letsTimePass(const Moment& moment) {
@@ -181,6 +197,7 @@ bool ProgressCheck::isGood(const Moment& first) {
   metIn[start] = ++searches;
   Moment next;
   while (!todo.empty()) {
+    if (isStopped()) return true; // not known; the search ends
     const auto [place, urgentSteps] = todo.back();
     todo.pop_back();
     load(seen[place].moment, moment);

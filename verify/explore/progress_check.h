@@ -23,9 +23,14 @@ struct StuckMoment {
 /// is searched.
 class ProgressCheck {
 public:
-  ProgressCheck(const System& system, const Reductions& reductions, ZoneGraph& graph);
+  /// \pre the arguments outlive this
+  ProgressCheck(const System& system, const Reductions& reductions, ZoneGraph& graph,
+                LimitWatch& limits);
 
+  /// Nothing where there is none, or where a limit stopped the search.
   [[nodiscard]] std::optional<StuckMoment> find();
+  /// Which limit was met, empty where none was.
+  [[nodiscard]] const std::string& stopped() const { return stoppedBy; }
 
 private:
   /// How many of its thresholds a clock has reached; by clock, in the order of the signature.
@@ -59,9 +64,14 @@ private:
   [[nodiscard]] const std::vector<Thresholds>& thresholds(SignatureId signature);
   [[nodiscard]] std::vector<ClockRange> ranges(const Moment& moment);
 
+  bool isStopped();
+
   const System& system;
   const Reductions& reductions;
   ZoneGraph& graph;
+  LimitWatch& limits;
+  std::string stoppedBy;
+  std::uint64_t steps = 0;          ///< since the start, to look at the limits now and then
   StateStore moments;               ///< states with levels behind them
   std::vector<Verdict> verdicts;    ///< by moment
   std::vector<std::uint32_t> metIn; ///< by moment: the last search that met it

@@ -40,8 +40,10 @@ bool isReal(const System& system, const Evidence& evidence) {
 }
 
 std::optional<Evidence> findStuck(const System& system, const Reductions& reductions,
-                                  Explorer& explorer) {
-  auto stuck = ProgressCheck(system, reductions, explorer.explored()).find();
+                                  Explorer& explorer, LimitWatch& limits, std::string& stopped) {
+  ProgressCheck check(system, reductions, explorer.explored(), limits);
+  auto stuck = check.find();
+  stopped = check.stopped();
   if (!stuck) return std::nullopt;
   return Evidence{explorer.pathTo(stuck->node), stuck->clocks};
 }
@@ -73,16 +75,23 @@ SearchResult search(const System& system, const std::vector<Goal>& goals,
     if (explored.goals[i]) result.goals[i] = Evidence{*explored.goals[i], {}};
   if (std::ranges::none_of(goals, isStuckGoal)) return result;
 
-  auto stuck = findStuck(system, reductions, explorer);
+  auto stuck = findStuck(system, reductions, explorer, limits, result.progressStopped);
   // Extra+LU may put clocks nearer to their upper bounds than they get; the maximum does not.
   if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck)) {
     std::vector<Goal> stuckGoals;
     std::ranges::copy_if(goals, std::back_inserter(stuckGoals), isStuckGoal);
     Explorer finer(system, stuckGoals, reductions, Extrapolation::Maximum, limits);
     Explored again = finer.run();
+    const bool complete = result.statistics.complete;
     add(result.statistics, again.statistics);
-    stuck = findStuck(system, reductions, finer);
+    if (complete && !again.statistics.complete) { // the other questions are decided
+      result.statistics.complete = true;
+      result.statistics.stopped.clear();
+    }
+    stuck = findStuck(system, reductions, finer, limits, result.progressStopped);
+    if (!again.statistics.complete) result.progressStopped = again.statistics.stopped;
   }
+  result.statistics.seconds = limits.seconds();
   for (std::size_t i = 0; i < goals.size(); ++i)
     if (isStuckGoal(goals[i])) result.goals[i] = stuck;
   return result;

@@ -25,6 +25,7 @@ struct Evidence {
 struct SearchResult {
   std::vector<std::optional<Evidence>> goals; ///< by goal: nothing where nothing was found
   Exploration statistics;
+  std::string progressStopped; ///< the limit that left open whether time can stop
   std::optional<Unsupported> failure;
 };
 

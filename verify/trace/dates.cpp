@@ -119,25 +119,36 @@ private:
   StepLog log;
 };
 
-/// Bellman and Ford: the tightest limit of each date against date 0, or of date 0 against each
-/// date.
+/// Bellman and Ford: applies `relax` to all constraints until it changes nothing. Constraints stand
+/// in the order of the steps, and most chains of them go along it or against it, so the order
+/// alternates: a few rounds do. False where there is no end.
+template <class Relax>
+bool relaxAll(const std::vector<Constraint>& constraints, std::size_t dates, Relax relax) {
+  for (std::size_t round = 0; round <= dates; ++round) {
+    bool changed = false;
+    if (round % 2 == 0)
+      for (const auto& constraint : constraints) changed = relax(constraint) || changed;
+    else
+      for (std::size_t i = constraints.size(); i-- > 0;) changed = relax(constraints[i]) || changed;
+    if (!changed) return true;
+  }
+  return false;
+}
+
+/// The tightest limit of each date against date 0, or of date 0 against each date.
 std::optional<std::vector<std::int64_t>> tightest(const std::vector<Constraint>& constraints,
                                                   std::size_t dates, bool forward) {
   std::vector<std::int64_t> limits(dates, kNoLimit);
   limits[0] = 1;
-  for (std::size_t round = 0; round <= dates; ++round) {
-    bool changed = false;
-    for (const auto& constraint : constraints) {
-      const std::size_t from = forward ? constraint.earlier : constraint.later;
-      const std::size_t to = forward ? constraint.later : constraint.earlier;
-      const std::int64_t limit = add(limits[from], constraint.limit);
-      if (limit >= limits[to]) continue;
-      limits[to] = limit;
-      changed = true;
-    }
-    if (!changed) return limits;
-  }
-  return std::nullopt;
+  const bool ends = relaxAll(constraints, dates, [&](const Constraint& constraint) {
+    const std::size_t from = forward ? constraint.earlier : constraint.later;
+    const std::size_t to = forward ? constraint.later : constraint.earlier;
+    const std::int64_t limit = add(limits[from], constraint.limit);
+    if (limit >= limits[to]) return false;
+    limits[to] = limit;
+    return true;
+  });
+  return ends ? std::optional(std::move(limits)) : std::nullopt;
 }
 
 /// The least dates that meet all constraints, in units so fine that each strict bound can be missed
@@ -145,18 +156,14 @@ std::optional<std::vector<std::int64_t>> tightest(const std::vector<Constraint>&
 std::optional<std::vector<std::int64_t>> earliestRun(const std::vector<Constraint>& constraints,
                                                      std::size_t dates, std::int64_t scale) {
   std::vector<std::int64_t> made(dates);
-  for (std::size_t round = 0; round <= dates; ++round) {
-    bool changed = false;
-    for (const auto& [later, earlier, limit] : constraints) {
-      const std::int64_t least = made[later] - ((limit >> 1) * scale - (limit % 2 == 0 ? 1 : 0));
-      if (least <= made[earlier]) continue;
-      made[earlier] = least;
-      changed = true;
-    }
-    if (made[0] != 0) return std::nullopt;
-    if (!changed) return made;
-  }
-  return std::nullopt;
+  const bool ends = relaxAll(constraints, dates, [&](const Constraint& constraint) {
+    const auto& [later, earlier, limit] = constraint;
+    const std::int64_t least = made[later] - ((limit >> 1) * scale - (limit % 2 == 0 ? 1 : 0));
+    if (least <= made[earlier]) return false;
+    made[earlier] = least;
+    return true;
+  });
+  return ends && made[0] == 0 ? std::optional(std::move(made)) : std::nullopt;
 }
 
 } // namespace
