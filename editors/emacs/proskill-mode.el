@@ -258,7 +258,7 @@ PARTS are those of the form around it."
     "priority" "process" "property" "prove" "read" "states" "task" "type" "var" "write"))
 (defconst fiacre--types '("array" "bool" "int" "nat" "none" "queue" "record" "sync" "union"))
 (defconst fiacre--builtins
-  '("and" "append" "dequeue" "empty" "enqueue" "first" "full" "not" "or" "until"
+  '("and" "append" "dequeue" "empty" "enqueue" "first" "full" "not" "or" "release" "until"
     "absent" "after" "always" "before" "between" "deadlockfree" "duration" "enter" "event"
     "for" "infinitelyoften" "interval" "lasting" "leadsto" "leave" "ltl" "mortal"
     "precedes" "present" "state" "tag" "value" "within"))

@@ -24,7 +24,8 @@ void checkStates(const Process& process, const Report& report) {
     if (!states.contains(from.state))
       report(fmt::format("the state `{}` is not declared", from.state));
     if (!described.insert(from.state).second)
-      report(fmt::format("the state `{}` has two `from`", from.state));
+      report.from(from.origin)(fmt::format(
+          "the state `{}` has two `from`: make one of them, with `select`", from.state));
   }
 }
 

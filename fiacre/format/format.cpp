@@ -11,7 +11,8 @@ namespace proskill::fiacre {
 std::optional<std::string> format(std::string_view text) {
   const auto tokens = tokenizeWithComments(text);
   if (!parse(text).problems.empty()) return std::nullopt;
-  return writeLines(text, splitLines(text, tokens));
+  const std::string mark(text.starts_with(kByteOrderMark) ? kByteOrderMark : "");
+  return mark + writeLines(text, splitLines(text, tokens));
 }
 
 std::optional<std::vector<Change>> formatChanges(std::string_view text) {

@@ -46,7 +46,8 @@ Spacing::Role Spacing::roleOf(const Token& token, const Token& next) {
   if (token.kind == TokenKind::Comment) return Role::Other;
   if (token.kind == TokenKind::Name) {
     if (!afterOperand && !inValue && is(next, "/")) inPath = kind == LineKind::Property || inProbe;
-    const bool operand = !isReserved(token.text) || isOneOf(token, kOperands);
+    const bool operand =
+        !isReserved(token.text) || isSoftName(token.text) || isOneOf(token, kOperands);
     return operand ? Role::Operand : Role::Other;
   }
   if (is(token, "/") && inPath) {

@@ -66,25 +66,30 @@ private:
     if (head) return takeHead();
     if (isAtSection()) return section();
     if (compositions > 0) return composition();
+    if (inFunction && frames.empty() && isAt("return")) { // a body without `begin`
+      ended = true;
+      frames.push_back({Block::Body, 0});
+    }
     if (!frames.empty()) return statement();
     take();
   }
 
   // Declarations and their parts.
   [[nodiscard]] bool isAtDeclaration() const {
-    return isOneOf(peek().text, kDeclarations) && peek().kind == TokenKind::Name &&
+    return peek().kind == TokenKind::Name && beginsDeclaration(peek(), peek(1), peek(2)) &&
            !(previous() && previous()->text == "/");
   }
 
   [[nodiscard]] bool isAtEntry() const {
     if (peek().kind != TokenKind::Name || isReserved(peek().text) || !previous()) return false;
-    const bool last = peek(1).kind == TokenKind::End || isOneOf(peek(1).text, kDeclarations) ||
-                      isAt(">", 1) || isAt(">", 2);
+    const bool last = peek(1).kind == TokenKind::End ||
+                      beginsDeclaration(peek(1), peek(2), peek(3)) || isAt(">", 1) || isAt(">", 2);
     const Token& before = *previous();
     const bool behindAll = before.kind == TokenKind::Number || before.kind == TokenKind::String ||
                            !isReserved(before.text);
     const bool named = before.kind != TokenKind::Symbol || before.text == ")" || before.text == "]";
-    return last && ((behindAll && named) || before.text == "end");
+    const bool behindBlock = before.text == "end" || before.text == "par";
+    return last && ((behindAll && named) || behindBlock);
   }
 
   void declaration() {
@@ -184,6 +189,7 @@ private:
     if (!isAt("end")) return take();
     start(indent);
     take();
+    if (isAt("par")) take();
     --compositions;
     ended = compositions == 0;
   }
@@ -221,6 +227,13 @@ private:
     return previous() && !isOneOf(previous()->text, kBeforeExpression);
   }
 
+  /// Behind an `end`, the word may stand again that the block begins with.
+  [[nodiscard]] bool isAtBlock(std::size_t ahead = 0) const {
+    constexpr auto kBlocks =
+        std::to_array<std::string_view>({"if", "case", "select", "while", "foreach"});
+    return isOneOf(peek(ahead).text, kBlocks);
+  }
+
   void open(Block block, std::size_t indent) {
     frames.push_back({block, indent});
     take();
@@ -251,7 +264,7 @@ private:
   void close(const Frame& frame) {
     start(frame.indent);
     take();
-    if (isAt("if") || isAt("case") || isAt("select")) take();
+    if (isAtBlock()) take();
     frames.pop_back();
   }
 
@@ -274,7 +287,10 @@ private:
     for (std::size_t ahead = 0; peek(ahead).kind != TokenKind::End; ++ahead) {
       const auto word = peek(ahead).text;
       if (word == "if" || word == "while" || word == "foreach") ++open;
-      if (word == "end" && --open == 0) return ahead + (isAt("if", ahead + 1) ? 2 : 1);
+      if (word != "end") continue;
+      const bool again = isAtBlock(ahead + 1);
+      if (--open == 0) return ahead + (again ? 2 : 1);
+      if (again) ++ahead;
     }
     return 0;
   }

@@ -25,6 +25,7 @@ public:
       : text(read), problems(found), keepComments(keep) {}
 
   std::vector<Token> run() {
+    if (text.starts_with(kByteOrderMark)) at = kByteOrderMark.size();
     while (skipBlank()) next();
     tokens.push_back({TokenKind::End, text.substr(text.size()), offset(text.size())});
     return std::move(tokens);
@@ -111,6 +112,13 @@ private:
 };
 
 } // namespace
+
+bool beginsDeclaration(const Token& token, const Token& next, const Token& second) {
+  if (token.kind != TokenKind::Name) return false;
+  if (std::ranges::find(kDeclarations, token.text) == kDeclarations.end()) return false;
+  return isKeyword(token.text) ||
+         (next.kind == TokenKind::Name && (second.text == ":" || second.text == "("));
+}
 
 std::vector<Token> tokenize(std::string_view text, std::vector<SyntaxProblem>& problems) {
   return Lexer(text, problems, false).run();

@@ -29,6 +29,12 @@ struct Token {
 
 [[nodiscard]] inline bool isComment(const Token& token) { return token.kind == TokenKind::Comment; }
 
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Whether a declaration begins here. `event`, `task` and `extern` are names in older texts: as
+/// declarations they have a name and its type or parameters behind them.
+[[nodiscard]] bool beginsDeclaration(const Token& token, const Token& next, const Token& second);
+
 /// The words and signs of a text, without its comments; an End token is last. Bytes that are none
 /// of Fiacre are problems, one for each run of them, and left out.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text,

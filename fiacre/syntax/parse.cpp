@@ -46,7 +46,7 @@ template <class Visit> void eachAtom(Program& program, const Visit& visit) {
 
 bool Parser::isAtDeclaration(std::size_t ahead) const {
   if (peek(ahead).kind == TokenKind::End) return true;
-  return std::ranges::any_of(kDeclarations, [&](auto word) { return isAt(word, ahead); });
+  return beginsDeclaration(peek(ahead), peek(ahead + 1), peek(ahead + 2));
 }
 
 /// What the declaration at hand declares; nothing of one that only asks for something.

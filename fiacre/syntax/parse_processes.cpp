@@ -12,10 +12,17 @@ void Parser::function() {
   result.result = type();
   expect("is");
   if (accept("var")) result.variables = variables();
-  expect("begin");
-  result.body = statements();
-  expect("end");
+  result.body = functionBody();
   parsed.program.functions.push_back(std::move(result));
+}
+
+/// `begin … end`, or a lone `return`.
+Statement Parser::functionBody() {
+  if (isAt("return")) return statement();
+  expect("begin");
+  auto body = statements();
+  expect("end");
+  return body;
 }
 
 void Parser::process() {
@@ -43,9 +50,11 @@ void Parser::process() {
 
 /// A transition that cannot be read is left out, and the next one read.
 void Parser::from(Process& process) try {
+  const auto begin = peek().begin;
   expect("from");
   From result{.state = name("the name of a state", NameKind::State)};
   result.statement = statements();
+  result.origin = origin(begin);
   process.transitions.push_back(std::move(result));
   // The entry point's name is alone.
   if (!isAt("from") && !isAtDeclaration() && !(isAtName() && endsEntry(1)))
@@ -126,6 +135,7 @@ std::vector<Instance> Parser::composition() {
     all.back().synchronised = own;
   } while (accept("||"));
   expect("end");
+  accept("par");
   return all;
 }
 

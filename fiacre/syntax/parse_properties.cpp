@@ -11,7 +11,7 @@ namespace {
 struct Connective {
   std::string_view word;
   LtlKind ltl;
-  std::optional<ObservableKind> observable; ///< nothing: of time
+  ObservableKind observable;
 };
 
 /// From the loosest to the tightest.
@@ -19,16 +19,15 @@ constexpr auto kConnectives = std::to_array<Connective>({
     {"=>", LtlKind::Implies, ObservableKind::Implies},
     {"or", LtlKind::Or, ObservableKind::Or},
     {"and", LtlKind::And, ObservableKind::And},
-    {"until", LtlKind::Until, {}},
 });
 
 bool isAtom(const Ltl& ltl) { return ltl.kind == LtlKind::Atom; }
 
 /// What joins formulas of one moment is itself one of a moment.
 Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
-  if (!connective.observable || !std::ranges::all_of(operands, isAtom))
+  if (!std::ranges::all_of(operands, isAtom))
     return {.kind = connective.ltl, .operands = std::move(operands)};
-  Ltl result{.kind = LtlKind::Atom, .atom = {.kind = *connective.observable}};
+  Ltl result{.kind = LtlKind::Atom, .atom = {.kind = connective.observable}};
   for (auto& operand : operands) result.atom.operands.push_back(std::move(operand.atom));
   return result;
 }
@@ -77,19 +76,25 @@ Ltl Parser::formula() {
 
 /// `a => b => c` is `a => (b => c)`; the others are joined as many as there are.
 Ltl Parser::formulaChain(std::size_t level) {
-  if (level == kConnectives.size()) return formulaPrefix();
+  if (level == kConnectives.size()) return formulaUntil();
   const auto& connective = kConnectives[level];
   std::vector<Ltl> operands{formulaChain(level + 1)};
-  const bool toTheRight = connective.ltl == LtlKind::Implies || connective.ltl == LtlKind::Until;
-  const auto joins = [&] {
-    if (connective.word == separator) return false;
-    return accept(connective.word) || (connective.ltl == LtlKind::Until && accept("U"));
-  };
-  while (joins()) {
+  const bool toTheRight = connective.ltl == LtlKind::Implies;
+  while (connective.word != separator && accept(connective.word)) {
     operands.push_back(formulaChain(toTheRight ? level : level + 1));
     if (toTheRight) break;
   }
   return operands.size() == 1 ? std::move(operands[0]) : joined(connective, std::move(operands));
+}
+
+/// `a until b until c` is `a until (b until c)`; `a release b` is `not (not a until not b)`.
+Ltl Parser::formulaUntil() {
+  Ltl left = formulaPrefix();
+  if (separator != "until" && (accept("until") || accept("U")))
+    return of(LtlKind::Until, {std::move(left), formulaUntil()});
+  if (accept("release"))
+    return negated(of(LtlKind::Until, {negated(std::move(left)), negated(formulaUntil())}));
+  return left;
 }
 
 Ltl Parser::formulaPrefix() {

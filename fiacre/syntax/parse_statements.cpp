@@ -1,5 +1,7 @@
 #include "fiacre/syntax/parser.h"
 
+#include "fiacre/syntax/words.h"
+
 #include <fmt/format.h>
 
 namespace proskill::fiacre {
@@ -42,13 +44,7 @@ Statement Parser::plain() {
   if (accept("case")) return cases();
   if (accept("select")) return selection();
   if (isAt("while") || isAt("foreach")) return loop();
-  if (accept("start")) {
-    Statement result{.kind = StatementKind::Start,
-                     .name = name("the name of a task", NameKind::Task)};
-    expect("(");
-    result.values = exprs(")");
-    return result;
-  }
+  if (isAtStart()) return startTask();
   if (accept("sync")) {
     Statement result{.kind = StatementKind::Sync,
                      .name = name("the name of a task", NameKind::Task)};
@@ -154,6 +150,21 @@ Statement Parser::loop() {
   expect("do");
   result.children.push_back(statements());
   expect("end");
+  accept(result.kind == StatementKind::While ? "while" : "foreach");
+  return result;
+}
+
+/// `start` is a name, too: of a port that is passed, or of a variable.
+bool Parser::isAtStart() const {
+  return isAt("start") && peek(1).kind == TokenKind::Name && !isKeyword(peek(1).text);
+}
+
+Statement Parser::startTask() {
+  expect("start");
+  Statement result{.kind = StatementKind::Start,
+                   .name = name("the name of a task", NameKind::Task)};
+  expect("(");
+  result.values = exprs(")");
   return result;
 }
 

@@ -125,9 +125,11 @@ Interval Parser::interval() {
   return result;
 }
 
+bool Parser::acceptNoValue() { return accept("sync") || accept("none"); }
+
 /// `sync`, or the values that cross; `in` and `out` before them.
 void Parser::portType(Port& port) {
-  if (accept("sync") || accept("none")) return;
+  if (acceptNoValue()) return;
   if (const auto channel = channels.find(peek().text); channel != channels.end()) {
     mention(NameKind::Channel);
     ++at;
@@ -139,6 +141,10 @@ void Parser::portType(Port& port) {
   // `in [0,1]` belongs to a component's port of no type.
   port.in = accept("in");
   port.out = accept("out");
+  if (acceptNoValue()) {
+    port.in = port.out = false; // nothing crosses it either way
+    return;
+  }
   port.values = list("#", [&] { return type(); });
 }
 
@@ -168,6 +174,7 @@ std::vector<Port> Parser::ports(bool probed) {
 std::vector<Parameter> Parser::parameters() {
   std::vector<Parameter> all;
   expect("(");
+  if (accept(")")) return all;
   do {
     const auto first = all.size();
     do {

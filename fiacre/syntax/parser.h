@@ -75,6 +75,7 @@ private:
   Interval interval();
   std::int64_t time();
   std::vector<Port> ports(bool probed = false);
+  bool acceptNoValue();
   void portType(Port& port);
   std::vector<Parameter> parameters();
   std::vector<Variable> variables();
@@ -103,9 +104,12 @@ private:
   Statement cases();
   Statement selection();
   Statement loop();
+  Statement startTask();
+  [[nodiscard]] bool isAtStart() const;
 
   // Processes, functions, components: parse_processes.cpp
   void function();
+  Statement functionBody();
   void process();
   void from(Process& process);
   void component();
@@ -129,6 +133,7 @@ private:
   Ltl formulaOrPatterns();
   Ltl joinedPattern(const Token& first, std::optional<Ltl> begun);
   Ltl formulaChain(std::size_t level);
+  Ltl formulaUntil();
   Ltl formulaPrefix();
   Ltl formulaPrimary();
   Observable observable();

@@ -196,6 +196,7 @@ struct From {
   std::string state;
   Statement statement;
   std::string comment; ///< the lines above, naming the program's line
+  OriginId origin = 0; ///< of a model by hand: all of it
   friend bool operator==(const From&, const From&) = default;
 };
 

@@ -6,8 +6,8 @@
 namespace proskill::fiacre {
 namespace {
 
-/// From it on, words mean something only where properties do.
-constexpr std::string_view kFirstSoft = "absent";
+/// From it on, words mean something only where H-Fiacre or properties do, and are names elsewhere.
+constexpr std::string_view kFirstSoft = "event";
 
 constexpr auto kReserved = std::to_array<std::string_view>({
     // Fiacre
@@ -72,13 +72,13 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "wait",
     "where",
     "while",
-    // H-Fiacre
-    "event",
+    // H-Fiacre: older texts have them as names
+    kFirstSoft,
     "extern",
     "start",
     "task",
     // patterns of properties, and words of older texts
-    kFirstSoft,
+    "absent",
     "after",
     "always",
     "before",
@@ -97,6 +97,7 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "precedes",
     "present",
     "read",
+    "release",
     "state",
     "tag",
     "value",
@@ -118,6 +119,10 @@ bool isKeyword(std::string_view name) {
 }
 
 std::span<const std::string_view> reservedWords() { return kReserved; }
+
+bool isSoftName(std::string_view name) {
+  return name == "event" || name == "task" || name == "extern" || name == "start";
+}
 
 bool isIdentifier(std::string_view name) {
   return !name.empty() && isLetter(name.front()) &&

@@ -19,6 +19,9 @@ inline constexpr auto kDeclarations = std::to_array<std::string_view>(
 /// The same, or to their patterns of properties: nothing should be called so that others read.
 [[nodiscard]] bool isReserved(std::string_view name);
 
+/// `event`, `task`, `extern`, `start`: words of H-Fiacre that older texts have as names.
+[[nodiscard]] bool isSoftName(std::string_view name);
+
 /// All of them, sorted within their groups.
 [[nodiscard]] std::span<const std::string_view> reservedWords();
 

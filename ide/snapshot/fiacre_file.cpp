@@ -4,6 +4,7 @@
 #include "fiacre/format/format.h"
 #include "fiacre/syntax/parse.h"
 #include "fiacre/syntax/print.h"
+#include "ide/snapshot/fiacre_join.h"
 #include "syntax/diagnostics/codes.h"
 
 #include <algorithm>
@@ -116,6 +117,8 @@ FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
     result.diagnostics.push_back(syntax::makeDiagnostic(
         Code::FiacreModel, {0, rangeOf(problem, result.model.provenance, source)}, problem.place,
         problem.message));
+    if (auto fix = joinedFrom(result.model, problem.origin, source))
+      result.diagnostics.back().fixes.push_back(std::move(*fix));
   }
   addChecks(result.model);
   return result;

@@ -155,35 +155,91 @@ bool isInFiacre(const Request& request) {
   return path && ide::isFiacre(*path);
 }
 
-/// What a method does for a document in Fiacre; null where it does the same as for programs.
-Handler forFiacre(const std::string& method) {
-  static const std::map<std::string, Handler> kHandlers{
+/// The fixes of what `check` says here.
+Answer codeAction(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  const auto selection = rangeIn(*view, request.params, request.client.encoding);
+  if (!selection) return std::unexpected(selection.error());
+  const Converter convert(*view, request);
+  const auto& path = view->program().files[view->file].path;
+  Json result = Json::array();
+  for (const auto& diagnostic : ide::readFiacre(path, std::string(view->text())).diagnostics) {
+    const auto& at = diagnostic.location.range;
+    if (at.end < selection->begin || selection->end < at.begin) continue;
+    for (const auto& fix : diagnostic.fixes) {
+      const syntax::TextEdit edit{fix.location.range, fix.text};
+      Json changes = Json::object();
+      changes[convert.uri(view->file)] = textEdits(convert, view->file, std::span(&edit, 1));
+      result.push_back(Json{
+          {"title", fix.title}, {"kind", "quickfix"}, {"edit", {{"changes", std::move(changes)}}}});
+    }
+  }
+  return result;
+}
+
+Answer notDecided(const Request& /*request*/) {
+  return std::unexpected(
+      RpcError{ErrorCode::MethodNotFound, "this is not answered for models in Fiacre"});
+}
+
+/// What each method does for a document in Fiacre; null: the same as for programs.
+const std::map<std::string, Handler, std::less<>>& handlers() {
+  static const std::map<std::string, Handler, std::less<>> kHandlers{
+      {"proskill/automaton", noProgram},
+      {"proskill/explain", noProgram},
+      {"proskill/model", noProgram},
+      {"proskill/tests", noProgram},
       {"proskill/trace", nullptr},
       {"proskill/verify", nullptr},
+      {"textDocument/codeAction", codeAction},
       {"textDocument/codeLens", nullptr},
       {"textDocument/completion", nullptr},
       {"textDocument/declaration", definition},
       {"textDocument/definition", definition},
       {"textDocument/diagnostic", nullptr},
       {"textDocument/documentHighlight", documentHighlight},
+      {"textDocument/documentLink", nothing},
       {"textDocument/documentSymbol", documentSymbol},
       {"textDocument/foldingRange", foldingRange},
       {"textDocument/formatting", formatting},
       {"textDocument/hover", hover},
+      {"textDocument/implementation", nothing},
+      {"textDocument/inlayHint", nothing},
+      {"textDocument/inlineValue", nothing},
+      {"textDocument/linkedEditingRange", nothing},
+      {"textDocument/onTypeFormatting", nothing},
+      {"textDocument/prepareCallHierarchy", nothing},
       {"textDocument/prepareRename", prepareRename},
+      {"textDocument/prepareTypeHierarchy", nothing},
       {"textDocument/rangeFormatting", rangeFormatting},
+      {"textDocument/rangesFormatting", nothing},
       {"textDocument/references", references},
       {"textDocument/rename", rename},
+      {"textDocument/selectionRange", nothing},
       {"textDocument/semanticTokens/full", nullptr},
       {"textDocument/semanticTokens/full/delta", nullptr},
       {"textDocument/semanticTokens/range", nullptr},
+      {"textDocument/signatureHelp", nothing},
+      {"textDocument/typeDefinition", nothing},
   };
-  if (const auto found = kHandlers.find(method); found != kHandlers.end()) return found->second;
-  if (method.starts_with("textDocument/")) return nothing;
-  return method.starts_with("proskill/") ? Handler(noProgram) : nullptr;
+  return kHandlers;
+}
+
+bool isOfDocument(std::string_view method) {
+  return method.starts_with("textDocument/") || method.starts_with("proskill/");
+}
+
+Handler forFiacre(std::string_view method) {
+  if (const auto found = handlers().find(method); found != handlers().end()) return found->second;
+  return isOfDocument(method) ? Handler(notDecided) : nullptr;
 }
 
 } // namespace
+
+bool isDecidedForFiacre(std::string_view method) {
+  return !isOfDocument(method) || handlers().contains(method);
+}
 
 void addFiacre(Registry& registry) {
   for (auto& [name, method] : registry.methods) {

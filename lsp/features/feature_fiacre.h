@@ -8,4 +8,7 @@ namespace proskill::lsp {
 /// where the document is in Fiacre. \pre all others are added
 void addFiacre(Registry& registry);
 
+/// Whether it is said what a method of documents does for those in Fiacre: a test asks for each.
+[[nodiscard]] bool isDecidedForFiacre(std::string_view method);
+
 } // namespace proskill::lsp

@@ -102,8 +102,9 @@ TEST_CASE("nothing is wrong with a clean model") {
 TEST_CASE("words of Fiacre, of H-Fiacre and of patterns are reserved, others are not") {
   for (const auto* word : {"from", "select", "start", "task", "event", "leadsto", "value", "union"})
     CHECK(isReserved(word));
-  for (const auto* word : {"from", "start", "union"}) CHECK(isKeyword(word));
-  for (const auto* word : {"leadsto", "value", "write", "obs"}) CHECK_FALSE(isKeyword(word));
+  for (const auto* word : {"from", "sync", "union"}) CHECK(isKeyword(word));
+  for (const auto* word : {"leadsto", "start", "event", "write", "obs"})
+    CHECK_FALSE(isKeyword(word));
   for (const auto* word : {"start_", "battery", "From", ""}) CHECK_FALSE(isReserved(word));
   CHECK(isIdentifier("sv_battery2"));
   for (const auto* word : {"", "2nd", "a-b", "a'", "é"}) CHECK_FALSE(isIdentifier(word));
@@ -275,7 +276,8 @@ TEST_CASE("states are declared, and each has one from") {
         Found{"process stopper: the state `nowhere` is not declared"});
   CHECK(changed([](Program& p) {
           p.processes[1].transitions.push_back(p.processes[1].transitions[0]);
-        }) == Found{"process stopper: the state `run` has two `from`"});
+        }) ==
+        Found{"process stopper: the state `run` has two `from`: make one of them, with `select`"});
   CHECK(changed([](Program& p) { p.processes.push_back(process("nothing", {}, {})); }) ==
         Found{"process nothing: there is no state"});
 }

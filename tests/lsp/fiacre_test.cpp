@@ -1,3 +1,4 @@
+#include "lsp/features/feature_fiacre.h"
 #include "tests/lsp/byte_places.h"
 #include "tests/lsp/desk.h"
 #include "tests/lsp/examples.h"
@@ -52,6 +53,14 @@ TEST_CASE("every feature is asked at every place of the examples of Fiacre") {
   for (const auto& [file, text] : models()) CHECK(askAll(desk, file, 3) > 100);
 }
 
+TEST_CASE("it is decided for each method what it does for models in Fiacre") {
+  for (const auto& [method, entry] : lsp::allFeatures().methods) {
+    INFO(method);
+    CHECK(lsp::isDecidedForFiacre(method));
+  }
+  CHECK_FALSE(lsp::isDecidedForFiacre("textDocument/somethingNew"));
+}
+
 TEST_CASE("every feature is asked while a model is typed") {
   for (const auto& [file, text] : models())
     for (std::size_t length = 0; length < text.size(); length += 211)
@@ -72,6 +81,23 @@ TEST_CASE("what is wrong with a model is told, and nothing of programs") {
   CHECK(lenses[0]["command"]["title"] == "verify");
   CHECK(session.ask("proskill/model", document)["error"]["message"].get<std::string>().find(
             "no program") != std::string::npos);
+}
+
+TEST_CASE("of several `from` of one state the second is told, with the edit that joins them") {
+  Session session;
+  session.initialize();
+  session.open(kUri,
+               "process P is\nstates a\nfrom a\n    to a\nfrom a\n    wait [1,1];\n    to a\nP\n");
+  const auto told = session.notified("textDocument/publishDiagnostics")["diagnostics"];
+  REQUIRE(told.size() == 1);
+  CHECK(told[0]["range"] == test::rangeOf(4, 5, 6));
+  const auto actions =
+      session.result("textDocument/codeAction", {{"textDocument", {{"uri", kUri}}},
+                                                 {"range", test::rangeOf(4, 5, 6)},
+                                                 {"context", {{"diagnostics", Json::array()}}}});
+  REQUIRE(actions.size() == 1);
+  const auto edit = actions[0]["edit"]["changes"][kUri][0];
+  CHECK(edit["newText"] == "select\n        to a\n    []  wait [1,1];\n    to a\n    end\n");
 }
 
 TEST_CASE("a model has definitions, references, an outline and a layout in editors") {

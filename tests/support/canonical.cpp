@@ -105,6 +105,7 @@ void mend(Process& process) {
   if (process.init) mend(*process.init);
   for (auto& from : process.transitions) {
     from.comment.clear();
+    from.origin = 0;
     mend(from.statement);
   }
 }

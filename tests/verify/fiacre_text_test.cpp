@@ -240,6 +240,28 @@ TEST_CASE("several assignments at once exchange the cells of an array, whatever 
   CHECK(first.isTrue("always main/1/value (x[0] = 2 and x[1] = 1)"));
 }
 
+TEST_CASE("`init` computes with loops and tests, in processes and in components") {
+  const Text model("type three is 0..2\n"
+                   "process P (&a: array 3 of 0..9) is states start, other var x: 0..9, i: three "
+                   "init foreach i do a[i] := i + 1 end foreach; "
+                   "while x < 5 do x := x + 2 end while; "
+                   "case a[2] of 3 -> to other | any -> to start end "
+                   "from start to start from other wait [1,1]; to other\n"
+                   "component main is var a: array 3 of 0..9 := [7, 7, 7], i: three, b: 0..9 "
+                   "init foreach i do a[i] := 4 end foreach; "
+                   "if a[0] = 4 then b := 8 else b := 1 end if "
+                   "par * in P (&a) end par");
+  CHECK(model.isTrue("always main/1/state other"));
+  CHECK(model.isTrue("always main/1/value (a[0] = 1 and a[1] = 2 and a[2] = 3 and x = 6)"));
+  CHECK(model.isTrue("always main/value (b = 8)"));
+}
+
+TEST_CASE("a loop in `init` that does not end is refused") {
+  const auto model =
+      process("states a var x: 0..3 init while true do x := 1 end; to a from a to a");
+  CHECK(model.refusal().find("does not end") != std::string::npos);
+}
+
 TEST_CASE("what two senders agree on is known, though nothing else looks at it") {
   const Text model("process S [p: out 0..3] is states a, b var x: 0..3 := 0 from a p ! x; to b\n"
                    "process T [p: out 0..3] is states a, b var x: 0..3 := 2 "

@@ -1,7 +1,7 @@
 #include "verify/compile/elaborate.h"
 
+#include "verify/compile/init.h"
 #include "verify/compile/unsupported.h"
-#include "verify/state/evaluate.h"
 
 #include <algorithm>
 #include <set>
@@ -99,7 +99,7 @@ private:
   void addConstant(const fiacre::Constant& constant) {
     const Type& type = types.resolve(constant.type);
     Value value = expressions.value(constant.value, {}, &type);
-    if (value.parts.size() == 1) made.constants[constant.name] = initially(value.parts[0]);
+    if (value.parts.size() == 1) made.constants[constant.name] = firstValue(system, value.parts[0]);
   }
 
   /// The names of ports within a component or a process, and which ports they are.
@@ -132,7 +132,7 @@ private:
         path.empty() ? "" : component.name + "_" + std::to_string(++counts[component.name]) + ".";
     for (const auto& variable : component.variables)
       declare(variable, prefix + variable.name, scope);
-    if (component.init) start(*component.init, scope, nullptr, kNone);
+    if (component.init) InitRunner(expressions, scope, system).run(*component.init, nullptr, kNone);
     for (const auto& port : component.ports) ports[port.name] = addPort(port);
     for (const auto& [name, port] : ports) made.portAt[{path, name}] = port;
     addPriorities(component, ports);
@@ -221,20 +221,12 @@ private:
     if (value.parts.size() != scalars.size())
       unsupported("`" + name + "` starts with a value of another type");
     for (std::size_t i = 0; i < scalars.size(); ++i) {
-      auto initial = initially(value.parts[i]);
+      auto initial = firstValue(system, value.parts[i]);
       value.parts[i] =
           expressions.nodes().cell(addCell(names[i], types.bounds(*scalars[i]), initial));
       made.cellTypes.back() = scalars[i];
     }
     value.type = &type;
-  }
-
-  std::int64_t initially(NodeId node) {
-    std::vector<std::int64_t> first;
-    for (const auto& cell : system.cells) first.push_back(cell.initial);
-    auto value = evaluateUnpacked(system, node, first);
-    if (!value) unsupported("a first value divides by zero");
-    return *value;
   }
 
   Branch addProcess(const fiacre::Process& process, const fiacre::Instance& instance,
@@ -263,7 +255,7 @@ private:
     Scope& scope = made.scopes.back();
     for (const auto& variable : process.variables)
       declare(variable, name + "." + variable.name, scope);
-    if (process.init) start(*process.init, scope, &process, id);
+    if (process.init) InitRunner(expressions, scope, system).run(*process.init, &process, id);
     return branch;
   }
 
@@ -282,70 +274,13 @@ private:
         if (assigned.contains(parameter.name))
           allocate(type, name + "." + parameter.name, argument);
         else
-          for (auto& part : argument.parts) part = expressions.nodes().number(initially(part));
+          for (auto& part : argument.parts)
+            part = expressions.nodes().number(firstValue(system, part));
       }
       argument.type = &type;
       scope[parameter.name] = std::move(argument);
     }
     return scope;
-  }
-
-  /// Runs an `init` on the cells' first values.
-  void start(const Statement& statement, const Scope& scope, const fiacre::Process* process,
-             InstanceId id) {
-    switch (statement.kind) {
-    case StatementKind::Null:
-    case StatementKind::Comment:
-    case StatementKind::Tag: return;
-    case StatementKind::Sequence:
-      for (const auto& child : statement.children) start(child, scope, process, id);
-      return;
-    case StatementKind::Assign: return startAssign(statement, scope);
-    case StatementKind::If: {
-      bool holds = initially(expressions.scalar(statement.values.at(0), scope)) != 0;
-      if (holds || statement.children.size() > 1)
-        start(statement.children[holds ? 0 : 1], scope, process, id);
-      return;
-    }
-    case StatementKind::To: {
-      auto state = std::ranges::find(process->states, statement.name, &fiacre::State::name);
-      if (state == process->states.end())
-        unsupported("`" + statement.name + "` is no state of this process", statement.origin);
-      system.cells[system.instances[id].location].initial = state - process->states.begin();
-      return;
-    }
-    case StatementKind::Any:
-    case StatementKind::On:
-    case StatementKind::Wait:
-    case StatementKind::Loop:
-    case StatementKind::Case:
-    case StatementKind::Select:
-    case StatementKind::Send:
-    case StatementKind::Receive:
-    case StatementKind::Start:
-    case StatementKind::Sync:
-    case StatementKind::While:
-    case StatementKind::Foreach:
-    case StatementKind::Return:
-      unsupported("a statement in `init` that is not verified yet", statement.origin);
-    }
-  }
-
-  void startAssign(const Statement& statement, const Scope& scope) {
-    std::vector<Assignment> assignments;
-    for (std::size_t i = 0; i < statement.targets.size(); ++i) {
-      const Type& type = expressions.typeOf(statement.targets[i], scope);
-      Value source = expressions.value(statement.values.at(i), scope, &type);
-      expressions.assign(statement.targets[i], source, scope, assignments, 0);
-    }
-    std::vector<std::int64_t> values;
-    for (const auto& assignment : assignments) values.push_back(initially(assignment.value));
-    for (std::size_t i = 0; i < assignments.size(); ++i) {
-      Cell& cell = system.cells[assignments[i].target];
-      if (values[i] < cell.low || values[i] > cell.high)
-        unsupported("`" + cell.name + "` starts outside of its range");
-      cell.initial = values[i];
-    }
   }
 
   const fiacre::Program& program;

@@ -6,7 +6,7 @@ endif
 syntax keyword fiacreStatement begin case do else elsif end foreach from if loop of on par return select start then to unless wait where while
 syntax keyword fiacreType array bool int nat none queue record sync union
 syntax keyword fiacreConstant any false null true
-syntax keyword fiacreOperator and append dequeue empty enqueue first full not or until
+syntax keyword fiacreOperator and append dequeue empty enqueue first full not or release until
 syntax keyword fiacrePreProc absent after always before between deadlockfree duration enter event for infinitelyoften interval lasting leadsto leave ltl mortal precedes present state tag value within
 syntax keyword fiacreKeyword assert channel component const extern function in init is out port priority process property prove read states task type var write
 syntax match fiacreNumber "\<\d\+\>"
