@@ -2,6 +2,7 @@
 #include "codegen/process/component.h"
 #include "codegen/property/checks.h"
 #include "codegen/term/annotate.h"
+#include "codegen/term/tina_edition.h"
 #include "codegen/term/watched.h"
 
 namespace proskill::codegen {
@@ -22,13 +23,17 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
                   .results = {},
                   .alarmed = {},
                   .invariantActive = {},
-                  .argumentIndex = {}};
+                  .arguments = {}};
+  if (context.isRuntime()) context.arguments = CallTable(program, context.plan);
   Model model;
   model.fiacre = buildProgram(context);
   annotate(model.fiacre, context.origins.provenance);
   model.unit = times->unit();
+  if (context.isRuntime()) model.actionCalls = context.arguments.actions();
   if (context.plan.mission) model.mainSkill = context.plan.mission->name();
   if (!context.isRuntime()) addChecks(context, model);
+  if (options.edition == Edition::Tina) removeIdleProcesses(model.fiacre);
+  if (options.edition == Edition::Tina || context.isRuntime()) coerceNumbers(model.fiacre);
   context.origins.provenance.watched = watchedVariables(context);
   model.provenance = std::move(context.origins.provenance);
   return model;

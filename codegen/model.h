@@ -10,7 +10,8 @@
 
 namespace proskill::codegen {
 
-enum class Edition : std::uint8_t { Compact, Expanded, Runtime };
+/// Tina: the expanded edition in the types of frac, without what frac may refuse.
+enum class Edition : std::uint8_t { Compact, Expanded, Tina, Runtime };
 
 /// Exact: a forbidden move is seen in the transition that makes it. Paper: the automaton polls the
 /// variable.
@@ -41,11 +42,21 @@ struct Check {
   fiacre::OriginId origin = 0;
 };
 
+/// Runtime: what a basic skill asks of the platform when its `ArgIndex` is `number`.
+struct ActionCall {
+  std::string skill;
+  std::int64_t number = 0;
+  std::string command;                ///< of `:action`
+  std::vector<std::string> arguments; ///< literals as written; empty where nothing was given
+  friend bool operator==(const ActionCall&, const ActionCall&) = default;
+};
+
 /// A program's meaning. `unit` of time: one step of the model is numerator/denominator seconds.
 struct Model {
   fiacre::Program fiacre;
   fiacre::Provenance provenance;
   std::vector<Check> checks;
+  std::vector<ActionCall> actionCalls; ///< runtime
   syntax::Rational unit{1, 1};
   std::string mainSkill; ///< empty where there is none: a library of skills
 };

@@ -57,7 +57,7 @@ _proskill() {
   else
     words=$(_proskill_values "$command" "$previous")
     if [ -z "$words" ] && [[ "$current" == -* ]]; then words=$(_proskill_options "$command"); fi
-    if [ -z "$words" ] && [ "$command" = emit ] && [ "$COMP_CWORD" -eq 2 ]; then words='fiacre hfiacre'; fi
+    if [ -z "$words" ] && [ "$command" = emit ] && [ "$COMP_CWORD" -eq 2 ]; then words='fiacre tina hfiacre'; fi
   fi
   if [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")

@@ -28,7 +28,7 @@ complete -c proskill -n __fish_use_subcommand -a lsp -d 'serve an editor'
 complete -c proskill -n __fish_use_subcommand -a dap -d 'step through traces in a debugger'
 complete -c proskill -n '__fish_seen_subcommand_from check fmt emit verify graph view' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from view' -ka '(__fish_complete_suffix .json)'
-complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre hfiacre'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre tina hfiacre'
 
 __proskill_option check format 'how to print' -x -a 'text short json sarif'
 __proskill_option check fragment 'the files are parts of programs'

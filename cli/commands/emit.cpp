@@ -19,7 +19,7 @@ namespace {
 
 enum ExitCode { kWritten = 0, kFailed = 2 };
 
-enum class Target : std::uint8_t { Fiacre, HFiacre };
+enum class Target : std::uint8_t { Fiacre, Tina, HFiacre };
 
 struct Arguments {
   Target target = Target::Fiacre;
@@ -33,6 +33,7 @@ struct Arguments {
 
 codegen::Edition edition(const Arguments& arguments) {
   if (arguments.target == Target::HFiacre) return codegen::Edition::Runtime;
+  if (arguments.target == Target::Tina) return codegen::Edition::Tina;
   return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
@@ -59,9 +60,10 @@ int run(const Arguments& arguments) {
 void addEmit(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("emit", "Print the model of a program as Fiacre");
-  addChoice<Target>(*command, "target", arguments->target,
-                    {{"fiacre", Target::Fiacre}, {"hfiacre", Target::HFiacre}},
-                    "For verification, or for execution")
+  addChoice<Target>(
+      *command, "target", arguments->target,
+      {{"fiacre", Target::Fiacre}, {"tina", Target::Tina}, {"hfiacre", Target::HFiacre}},
+      "For verification, for frac and Tina, or for execution")
       ->required();
   command->add_option("file", arguments->file, "The program's root file")->required();
   command->add_option("-o,--output", arguments->output, "Write here, not to standard output");

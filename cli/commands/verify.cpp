@@ -266,13 +266,19 @@ int runFiacre(const Arguments& arguments, bool list) {
   return runModel(arguments, list, read.program, read.model);
 }
 
+/// What goes to frac has to mean the same to it: see docs/semantics.md.
+codegen::Edition editionFor(const Arguments& arguments) {
+  if (arguments.backend.backend != Backend::Engine) return codegen::Edition::Tina;
+  return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
+}
+
 int run(const Arguments& arguments, bool list) {
   if (ide::isFiacre(arguments.file)) return runFiacre(arguments, list);
   auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kUsage;
   codegen::Options options;
   options.mainSkill = arguments.mainSkill;
-  options.edition = arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
+  options.edition = editionFor(arguments);
   options.automata = arguments.automata;
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());

@@ -174,10 +174,23 @@ Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) 
   std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee))};
   if (context.isRuntime())
     all.push_back(saying("synthesized action arg index",
-                         assign(context.cellField(callee, "ArgIndex"),
-                                number(context.argumentIndex.at(&statement)))));
+                         assign(context.cellField(callee, "ArgIndex"), argumentsOf(statement))));
   all.push_back(to(sync));
   return sequence(std::move(all));
+}
+
+/// The number of the call's arguments; where they are the caller's parameters, by the number of
+/// its own.
+fiacre::Expr BodyProcess::argumentsOf(const syntax::Statement& call) {
+  const auto& numbers = context.arguments.numbersOf(call);
+  if (numbers.empty()) return number(0); // nothing makes this call
+  auto chosen = number(numbers.rbegin()->second);
+  for (const auto& [own, reached] : numbers) {
+    if (number(reached) == chosen) continue;
+    const auto ofCaller = context.cellField(context.arguments.callerOf(call), "ArgIndex");
+    chosen = conditional(equal(ofCaller, number(own)), number(reached), std::move(chosen));
+  }
+  return chosen;
 }
 
 Statement BodyProcess::returnFrom(const BodyState& state) {

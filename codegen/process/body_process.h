@@ -44,6 +44,7 @@ private:
   [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
   [[nodiscard]] fiacre::Statement step(const BodyState& state);
   [[nodiscard]] fiacre::Statement callNow(const BodyState& state, const std::string& sync);
+  [[nodiscard]] fiacre::Expr argumentsOf(const syntax::Statement& call);
   [[nodiscard]] fiacre::Statement returnFrom(const BodyState& state);
   [[nodiscard]] fiacre::Statement join(const BodyState& state);
   [[nodiscard]] fiacre::Statement testArms(const BodyState& state);

@@ -26,7 +26,6 @@ public:
   explicit Assembly(Context& context) : context(context) {}
 
   Program make() {
-    numberArguments();
     registerResults();
     context.invariantActive = invariantActive(context);
     if (context.invariantActive) program.functions.push_back(*context.invariantActive);
@@ -43,21 +42,6 @@ public:
   }
 
 private:
-  /// As the paper counts them: calls without arguments have the index 0.
-  void numberArguments() {
-    if (!context.isRuntime()) return;
-    std::int64_t last = 0;
-    for (const auto& skill : context.plan.skills) {
-      if (!skill.body) continue;
-      forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
-        for (const auto& state : thread.states)
-          if (state.statement && state.statement->kind == syntax::StatementKind::Call)
-            context.argumentIndex[state.statement] =
-                state.statement->arguments.empty() ? 0 : ++last;
-      });
-    }
-  }
-
   /// Of a skill whose result is read all results are in the type, whether it has them or not.
   void registerResults() {
     for (const auto& skill : context.plan.skills) {
@@ -189,13 +173,27 @@ private:
     for (const auto& renaming : context.names.renamings())
       text += fmt::format("\n`{}` is `{}` here: its own name is taken or reserved.",
                           renaming.preferred, renaming.name);
+    if (context.isRuntime()) text += argumentsText();
     return text;
+  }
+
+  /// `move 2: (move 1.5)`: what the skill's action is when its `ArgIndex` is 2.
+  [[nodiscard]] std::string argumentsText() const {
+    std::string text;
+    for (const auto& call : context.arguments.actions()) {
+      text += fmt::format("\n{} {}: ({}", call.skill, call.number, call.command);
+      for (const auto& argument : call.arguments)
+        text += " " + (argument.empty() ? std::string("?") : argument);
+      text += ")";
+    }
+    return text.empty() ? text : "\nThe action of a skill, by its ArgIndex:" + text;
   }
 
   [[nodiscard]] std::string edition() const {
     switch (context.options.edition) {
     case Edition::Compact: return "a model for verification, compact";
     case Edition::Expanded: return "a model for verification, every state named";
+    case Edition::Tina: return "a model for Tina";
     case Edition::Runtime: return "a program for the executor, in H-Fiacre";
     }
     std::unreachable();

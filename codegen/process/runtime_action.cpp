@@ -28,8 +28,7 @@ RuntimeAction::RuntimeAction(Context& context, const SkillPlan& skill, SkillFram
 
 void RuntimeAction::addTo(fiacre::Process& process) {
   process.variables = {{"ret_val", namedType("skill_result"), name("no_result"), ""},
-                       {"ignoreb", boolType(), boolean(false), ""},
-                       {"running", boolType(), boolean(false), "the task has not yet returned"}};
+                       {"ignoreb", boolType(), boolean(false), ""}};
   if (least) process.variables.push_back({"undershoot", boolType(), boolean(false), ""});
   if (late) process.variables.push_back({"overshoot", boolType(), boolean(false), ""});
   frame.addStart(process, "action");
@@ -38,10 +37,9 @@ void RuntimeAction::addTo(fiacre::Process& process) {
   start.kind = fiacre::StatementKind::Start;
   start.name = task;
   start.values.push_back(element(name("skill"), name(context.names.cell(skill.name()))));
-  std::vector<Statement> action{atOnce()};
+  std::vector<Statement> action; // no wait: a task starts when it is idle
   if (late) action.push_back(assign(name("overshoot"), boolean(false)));
   if (least) action.push_back(assign(name("undershoot"), boolean(true)));
-  action.push_back(assign(name("running"), boolean(true)));
   action.push_back(at(frame.origin(skill.skill().name.range, "starts its action"), start));
   action.push_back(to("action_sync"));
   addState(process, "action", frame.place(), sequence(std::move(action)));
@@ -54,11 +52,8 @@ void RuntimeAction::addTo(fiacre::Process& process) {
     addState(process, "action_sync_not_undershoot", frame.place(),
              sequence({atOnce(), assign(name("undershoot"), boolean(false)), to("action_sync")}));
   addDispatch(process);
-  frame.addRest(process, "action_end");
-  addState(process, "action_end", frame.place(),
-           select({sequence({atOnce(), on(negation(name("running"))), to("start_")}),
-                   sequence({on(name("running")), awaitTask("start_")})}),
-           "An action that was broken off may take a while to return.");
+  addStopping(process);
+  frame.addRest(process);
 }
 
 std::vector<Statement> RuntimeAction::alternatives() {
@@ -94,7 +89,7 @@ Statement RuntimeAction::awaitTask(std::string_view next) {
   sync.name = task;
   sync.targets.push_back(name("ret_val"));
   sync.origin = frame.origin(skill.skill().name.range, "its action returns");
-  return sequence({std::move(sync), assign(name("running"), boolean(false)), to(next)});
+  return sequence({std::move(sync), to(next)});
 }
 
 /// The lower bound, then the upper one, as the paper counts them: leaving `action_sync` starts its
@@ -114,9 +109,24 @@ void RuntimeAction::addTiming(std::vector<Statement>& all) {
        to("action_sync_overshoot")}));
 }
 
+/// The platform is asked to stop; until its task has returned the skill keeps what it holds.
 Statement RuntimeAction::breakOff(const Ending& ending) {
-  auto interrupt = assign(name("ignoreb"), call(interruptionCall(context, skill.name()), {}));
-  return sequence({std::move(interrupt), frame.end(ending)});
+  const auto state =
+      "stopping_" + ending.status + (ending.tag ? "_" + std::string(ending.tag.text) : "");
+  stopping.emplace(state, ending);
+  return sequence(
+      {assign(name("ignoreb"), call(interruptionCall(context, skill.name()), {})),
+       at(frame.origin(skill.skill().name.range, "asks its action to stop"), to(state))});
+}
+
+/// What the task returns does not matter any more.
+void RuntimeAction::addStopping(fiacre::Process& process) {
+  for (const auto& [state, ending] : stopping) {
+    auto returned = awaitTask("");
+    returned.children.pop_back();
+    addState(process, state, frame.place(), sequence({std::move(returned), frame.end(ending)}),
+             "The action was asked to stop.");
+  }
 }
 
 /// From the task's result to the outcome; a result that is none of the skill's is an error.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "codegen/model.h"
+#include "codegen/plan/call_table.h"
 #include "codegen/plan/names.h"
 #include "codegen/plan/origins.h"
 #include "codegen/plan/plan.h"
@@ -28,8 +29,7 @@ struct Context {
   std::vector<std::string> results;   ///< constructors of `skill_result` in use, `no_result` aside
   std::set<std::string_view> alarmed; ///< state variables of which some move may be forbidden
   std::optional<fiacre::Function> invariantActive; ///< where any skill has an invariant
-  /// Runtime: of each call, the index of its arguments; 0 where it has none.
-  std::map<const syntax::Statement*, std::int64_t> argumentIndex;
+  CallTable arguments;                             ///< runtime
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
   /// Every state is named, not only those where time passes.

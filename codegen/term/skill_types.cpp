@@ -50,8 +50,7 @@ void SkillTypes::findFields() {
   if (any([](const SkillPlan& skill) { return skill.isWatchedAgain(); }))
     fields.push_back({"watched", boolType(), boolean(false), "its watchdog is watching it"});
   if (context.isRuntime()) {
-    std::int64_t last = 0;
-    for (const auto& [call, index] : context.argumentIndex) last = std::max(last, index);
+    const auto last = context.arguments.last();
     fields.push_back({"ArgIndex", rangeType(0, last), number(0), "which call's arguments"});
   }
 }

@@ -33,7 +33,9 @@ struct Scene {
 
   [[nodiscard]] std::string graph() const {
     const auto path = files.path("graph.txt");
-    REQUIRE(run({PROSKILL_PROGRAM, "verify", program, "--graph", path}).exitCode == 0);
+    REQUIRE(
+        run({PROSKILL_PROGRAM, "verify", program, "--backend", "tina", "--graph", path}).exitCode ==
+        0);
     return contents(path);
   }
   Finished verify(std::vector<std::string> arguments, RunOptions options = {}) const {

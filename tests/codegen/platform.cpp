@@ -49,7 +49,7 @@ private:
   void replace(Statement& statement) {
     for (auto& child : statement.children) replace(child);
     if (statement.kind == StatementKind::Start) {
-      statement = sequence({on(equal(name(phaseOf(statement.name)), number(0))),
+      statement = sequence({atOnce(), on(equal(name(phaseOf(statement.name)), number(0))),
                             assign(name(abortOf(statement.name)), boolean(false)),
                             assign(name(phaseOf(statement.name)), number(1))});
     } else if (statement.kind == StatementKind::Sync) {

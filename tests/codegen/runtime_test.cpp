@@ -72,7 +72,7 @@ TEST_CASE("an action without an interval is not watched, one that nothing stops 
   const auto wave = test::printedProcess(runtime(), "skill_wave");
   CHECK_THAT(wave, !Contains("shoot"));
   CHECK_THAT(wave, !Contains("Fiacre_wave_interrupt_action"));
-  CHECK_THAT(wave, Contains("var ret_val: skill_result := no_result,\n"));
+  CHECK_THAT(wave, Contains("var ret_val: skill_result := no_result, ignoreb: bool := false\n"));
 }
 
 TEST_CASE("events and interrupts from outside are event ports, and there is no environment") {
@@ -91,6 +91,50 @@ TEST_CASE("calls with arguments are numbered, others have the arguments 0") {
   CHECK_THAT(test::printedState(runtime(), "skill_mission", "NS3"),
              Contains("skill[move].ArgIndex := 2;"));
   CHECK_THAT(test::printed(expanded()), !Contains("ArgIndex"));
+}
+
+TEST_CASE("an action that is told to stop keeps what its skill holds until it has returned") {
+  const auto sync = test::printedState(runtime(), "skill_move", "action_sync");
+  CHECK_THAT(sync, Contains("ignoreb := Fiacre_move_interrupt_action();\n"
+                            "        to stopping_interrupted"));
+  CHECK_THAT(sync, Contains("to stopping_failed_inv_held"));
+  CHECK(test::printedState(runtime(), "skill_move", "stopping_interrupted") ==
+        R"(from stopping_interrupted
+    sync Fiacre_move_action_task ret_val;
+    #move_interrupted;
+    motion := Free;
+    skill[move].status := interrupted;
+    skill[move].inv_active := false;
+    skill[move].caller := None;
+    to interrupted
+)");
+}
+
+TEST_CASE("no task is started under a wait") {
+  CHECK_THAT(test::printedState(runtime(), "skill_move", "action"), !Contains("wait"));
+}
+
+TEST_CASE(
+    "arguments are numbered for each skill, those that are a caller's parameters by its own") {
+  const auto model = test::modelOf(R"(
+    (defskill move :input ($x float $how string) :action (drive $how 7 $x) :success there)
+    (defskill trip :input ($far float)
+      :body ((move x $far how "slow") (move x 3 how "fast")))
+    (defskill mission :body ((trip far 1) (trip far 2) (trip far 1))))",
+                                   {.edition = Edition::Runtime});
+  CHECK_THAT(test::printedState(model, "skill_mission", "NS2"),
+             Contains("skill[trip].ArgIndex := 2;"));
+  CHECK_THAT(test::printedState(model, "skill_mission", "NS3"),
+             Contains("skill[trip].ArgIndex := 1;"));
+  CHECK_THAT(test::printedState(model, "skill_trip", "NS1"),
+             Contains("skill[trip].ArgIndex = 1) ? 1 : 3"));
+  CHECK_THAT(test::printedState(model, "skill_trip", "NS2"),
+             Contains("skill[move].ArgIndex := 2;"));
+  using Calls = std::vector<codegen::ActionCall>;
+  CHECK(model.actionCalls == Calls{{"move", 1, "drive", {"\"slow\"", "7", "1"}},
+                                   {"move", 2, "drive", {"\"fast\"", "7", "3"}},
+                                   {"move", 3, "drive", {"\"slow\"", "7", "2"}}});
+  CHECK_THAT(model.fiacre.comment, Contains("move 3: (drive \"slow\" 7 2)"));
 }
 
 TEST_CASE("every wait of a runtime model is punctual") {

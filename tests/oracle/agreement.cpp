@@ -62,8 +62,8 @@ const std::vector<std::pair<std::string, Options>>& settings() {
   return all;
 }
 
-Judged judge(const fiacre::Program& program, std::size_t limit) {
-  Interpreter model(program);
+Judged judge(const fiacre::Program& program, std::size_t limit, Reading reading) {
+  Interpreter model(program, reading);
   RegionGraph graph(model, limit);
   Judged judged{{}, graph.nodes().size(), graph.complete()};
   if (judged.complete)

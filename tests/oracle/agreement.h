@@ -19,7 +19,8 @@ struct Judged {
   std::size_t nodes = 0;
   bool complete = false;
 };
-[[nodiscard]] Judged judge(const fiacre::Program& program, std::size_t limit);
+[[nodiscard]] Judged judge(const fiacre::Program& program, std::size_t limit,
+                           Reading reading = Reading::Engine);
 
 /// Asks the engine for every property under one setting, and says where it is not of the oracle's
 /// mind, or where a trace of its cannot be replayed.

@@ -54,7 +54,7 @@ std::uint64_t code(const Interval& interval) {
 
 const Type& resolveType(const Interpreter& model, const Type& type) { return model.resolve(type); }
 
-Interpreter::Interpreter(const fiacre::Program& of) : program(of) {
+Interpreter::Interpreter(const fiacre::Program& of, Reading how) : program(of), reading(how) {
   for (const auto& type : program.types) types[type.name] = &type;
   for (const auto& constant : program.constants) constants[constant.name] = &constant;
   for (const auto& function : program.functions) functions[function.name] = &function;

@@ -70,12 +70,16 @@ struct Firing {
   Store after;
 };
 
+/// Engine: the branches of an `if` that meet again are one transition. Frac: each path is a
+/// transition, with a clock of its own, that is enabled while all its tests say so.
+enum class Reading : std::uint8_t { Engine, Frac };
+
 struct Path;
 
 class Interpreter {
 public:
   /// \pre `program` outlives this.
-  explicit Interpreter(const fiacre::Program& program);
+  explicit Interpreter(const fiacre::Program& program, Reading reading = Reading::Engine);
 
   [[nodiscard]] const Store& initial() const { return first; }
   /// Every step that the discrete state allows when time is left aside. \throw ModelError
@@ -131,6 +135,7 @@ private:
   [[nodiscard]] ClockId clockOf(std::span<const Path* const> parts) const;
 
   const fiacre::Program& program;
+  Reading reading;
   std::map<std::string, const fiacre::TypeDeclaration*, std::less<>> types;
   std::map<std::string, const fiacre::Constant*, std::less<>> constants;
   std::map<std::string, const fiacre::Function*, std::less<>> functions;

@@ -122,6 +122,7 @@ void PathWalk::branch(const Statement& statement, const Path& path, const Tasks&
       if (evaluation.matches(statement.values[i + 1], tested, type)) child = &statement.children[i];
     if (!child) return; // no pattern: a closed path
   }
+  if (model.reading == Reading::Frac) taken.branches.push_back(child ? child : &statement);
   Tasks rest = tasks;
   if (child) rest.push_back({child, std::nullopt});
   walk(std::move(taken), std::move(rest));
