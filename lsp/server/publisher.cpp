@@ -36,6 +36,10 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
   {
     const std::lock_guard lock(mutex);
     latest = snapshot;
+    const auto isFile = [](const auto& entry) {
+      return entry.second.kind != ide::TextKind::Notebook;
+    };
+    pace.begin(revision, static_cast<std::size_t>(std::ranges::count_if(snapshot->open(), isFile)));
   }
   for (const auto& [path, text] : snapshot->open()) {
     if (text.kind == ide::TextKind::Notebook) continue;
@@ -46,6 +50,11 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
                      publishLatest(path, asked);
                    });
   }
+}
+
+bool Publisher::isQuick() {
+  const std::lock_guard lock(mutex);
+  return pace.isQuick();
 }
 
 /// What waits holds no texts: of those that a fast typist leaves behind there would be many.
@@ -77,15 +86,24 @@ bool Publisher::isTold(const Path& path, const Told& now) {
          std::ranges::equal(last.owners, now.owners, isSame<Owners::value_type>);
 }
 
+/// \param took without what others had to be waited for
+void Publisher::finish(std::uint64_t asked, Pace::Duration took) {
+  const std::lock_guard lock(mutex);
+  pace.finish(asked, took);
+}
+
 void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked) {
   const auto& text = snapshot.open().at(path);
   try {
     auto start = std::chrono::steady_clock::now();
     Told now{text.uri, text.version, {}, verdicts(), true};
     for (const auto& view : snapshot.views(path)) now.owners.emplace_back(view.owner);
-    if (isTold(path, now)) return;
+    const auto viewed = std::chrono::steady_clock::now();
+    if (isTold(path, now)) return finish(asked, viewed - start);
     scheduler.giveWay();
+    const auto free = std::chrono::steady_clock::now();
     auto list = diagnosticsOf(snapshot, path, client, *now.verdicts);
+    finish(asked, (viewed - start) + (std::chrono::steady_clock::now() - free));
     std::unique_lock lock(mutex);
     if (asked != revision) return;
     peer.notify(kMethod,

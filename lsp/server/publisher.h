@@ -2,6 +2,7 @@
 
 #include "ide/verdicts/verdicts.h"
 #include "lsp/protocol/client.h"
+#include "lsp/server/pace.h"
 #include "lsp/server/statistics.h"
 #include "lsp/workspace/workspace.h"
 #include "rpc/peer.h"
@@ -42,6 +43,8 @@ public:
 
   /// The main thread's: texts or settings have changed; `debounce` from now on is soon enough.
   void changed(std::chrono::milliseconds debounce);
+  /// Whether the last diagnostics of all texts took next to no time: the next need not wait.
+  [[nodiscard]] bool isQuick();
   /// When `publish` is to be called next.
   [[nodiscard]] std::optional<Time> due() const { return dueAt; }
   /// The main thread's. \param enabled false: what was told is taken back
@@ -63,6 +66,7 @@ private:
   void retract(const ide::Snapshot& snapshot, bool enabled);
   void publishLatest(const Path& path, std::uint64_t asked);
   void publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked);
+  void finish(std::uint64_t asked, Pace::Duration took);
   [[nodiscard]] bool isTold(const Path& path, const Told& now);
 
   Peer& peer;
@@ -77,6 +81,7 @@ private:
   Cancellation running;                   ///< of what was posted for the last revision
   std::mutex mutex; ///< of what follows, and of looking at the revision and sending
   std::map<Path, Told> told;
+  Pace pace;
   std::shared_ptr<const ide::Snapshot> latest; ///< to be published; null once it is stale
 };
 

@@ -416,8 +416,11 @@ void Server::findingsTold(const ide::Snapshot& snapshot) {
   if (snapshot.takeMissedFlow()) refresher.hintsChanged();
 }
 
-std::chrono::milliseconds Server::debounce() const {
-  return settings->debounce.value_or(options.debounce);
+/// None where the last analysis took next to no time. Who wants to be left alone for longer than
+/// usual is.
+std::chrono::milliseconds Server::debounce() {
+  const auto chosen = settings->debounce.value_or(options.debounce);
+  return chosen <= kUsualDebounce && publisher.isQuick() ? std::chrono::milliseconds(0) : chosen;
 }
 
 } // namespace proskill::lsp

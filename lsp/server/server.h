@@ -23,11 +23,14 @@
 
 namespace proskill::lsp {
 
+/// From the last edit to the diagnostics that are pushed, where the last ones took a while.
+inline constexpr std::chrono::milliseconds kUsualDebounce{50};
+
 struct ServerOptions {
-  std::string version;                    ///< told to the client
-  unsigned threads = 3;                   ///< beside those that read and dispatch; at least 2
-  std::chrono::milliseconds debounce{50}; ///< from the last edit to the diagnostics that are pushed
-  std::function<void(std::string_view)> log{}; ///< a line each; from any thread
+  std::string version;  ///< told to the client
+  unsigned threads = 3; ///< beside those that read and dispatch; at least 2
+  std::chrono::milliseconds debounce = kUsualDebounce; ///< a longer one is kept, whatever they take
+  std::function<void(std::string_view)> log{};         ///< a line each; from any thread
   std::filesystem::path manual{}; ///< its page of diagnostics, for links; need not be there
   /// What runs `runVerifyWorker`: by default this program.
   std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
@@ -70,7 +73,7 @@ private:
   void reply(const Message& message, Answer result, Progress& progress);
   template <class Old> void forget(Old old);
   void changed();
-  [[nodiscard]] std::chrono::milliseconds debounce() const;
+  [[nodiscard]] std::chrono::milliseconds debounce();
   void textsChanged();
   void verdictsChanged();
   void findingsTold(const ide::Snapshot& snapshot);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+namespace proskill::lsp {
+
+/// How long the last round of diagnostics took: where that is next to nothing, the next one need
+/// not wait until the user pauses. A round that an edit has stopped is no quick one.
+class Pace {
+public:
+  using Duration = std::chrono::steady_clock::duration;
+
+  /// What a person does not notice.
+  static constexpr std::chrono::milliseconds kUnnoticed{5};
+
+  /// A round begins: `count` texts, of this revision.
+  void begin(std::uint64_t revision, std::size_t count) {
+    current = revision;
+    unfinished = count;
+    slowest = {};
+    known = true;
+  }
+
+  /// A text of the round of a revision is done; one of an earlier round counts no more.
+  void finish(std::uint64_t revision, Duration took) {
+    if (!known || revision != current || unfinished == 0) return;
+    --unfinished;
+    slowest = std::max(slowest, took);
+  }
+
+  [[nodiscard]] bool isQuick() const { return known && unfinished == 0 && slowest < kUnnoticed; }
+
+private:
+  bool known = false;
+  std::uint64_t current = 0;
+  std::size_t unfinished = 0;
+  Duration slowest{};
+};
+
+} // namespace proskill::lsp

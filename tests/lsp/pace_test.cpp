@@ -1,0 +1,24 @@
+#include "lsp/server/pace.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using namespace std::chrono_literals;
+
+TEST_CASE("diagnostics do not wait where those of all texts took next to no time") {
+  lsp::Pace pace;
+  CHECK_FALSE(pace.isQuick());
+  pace.begin(1, 2);
+  pace.finish(1, 1ms);
+  CHECK_FALSE(pace.isQuick());
+  pace.finish(1, 4ms);
+  CHECK(pace.isQuick());
+  pace.begin(2, 1);
+  CHECK_FALSE(pace.isQuick());
+  pace.finish(1, 1ms); // of the round before
+  CHECK_FALSE(pace.isQuick());
+  pace.finish(2, 7ms);
+  CHECK_FALSE(pace.isQuick());
+  pace.begin(3, 0);
+  CHECK(pace.isQuick());
+}
