@@ -44,14 +44,14 @@ def main():
                          "P\n\nproperty good is always P/state s or P/state t\nassert good\n")
         tools = scratch / "tools"
         tools.mkdir()
-        stand_ins(tools, ["TRUE", "TRUE"])  # the second is of `no_runtime_error`, where it is asked
+        stand_ins(tools, ["TRUE"])
         done, rows = results(proskill, tools, scratch / "out", [str(model), str(scratch / "missing.fcr")])
         print(done.stdout + done.stderr)
         assert done.returncode == 1, "a file that cannot be read is a failure"
         assert len(rows) == 2 and rows[1].startswith("FAILED"), rows
         assert (scratch / "out" / "report.md").exists()
         assert (scratch / "out" / "two_fcr" / "err.txt").exists()
-        print("first row:", rows[0])
+        assert rows[0] == "agree", rows
         (tools / "frac").write_text("#!/bin/sh\necho 'line 1: not this' >&2\nexit 1\n")
         done, rows = results(proskill, tools, scratch / "out2", [str(model)])
         assert done.returncode == 1 and rows[0] in ("DIFFER", "FAILED (2)"), (rows, done.stdout)
