@@ -1,6 +1,7 @@
 #include "report/snippet.h"
 
 #include "report/text_width.h"
+#include "syntax/text/utf8.h"
 
 #include <algorithm>
 #include <ostream>
@@ -17,9 +18,9 @@ namespace {
 constexpr Offset kBeforeMark = 60;
 constexpr Offset kWindow = 240;
 
-/// Moves forward to where a character begins.
+/// Forward to where a character begins.
 Offset toCharacter(std::string_view text, Offset at) {
-  while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
+  while (at < text.size() && syntax::continuesCharacter(text[at])) ++at;
   return at;
 }
 

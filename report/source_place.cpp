@@ -1,6 +1,7 @@
 #include "report/source_place.h"
 
 #include "report/text_width.h"
+#include "syntax/text/utf8.h"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ SourcePlace SourcePlaces::at(syntax::FileId file, syntax::Offset offset) {
   }
   lastFile = file;
   while (lastOffset < offset) {
-    const std::size_t length = characterLength(text.substr(lastOffset));
+    const std::size_t length = syntax::characterLength(text.substr(lastOffset));
     if (lastOffset + length > offset) break;
     lastOffset += static_cast<syntax::Offset>(length);
     ++last.column;

@@ -1,9 +1,10 @@
 #include "report/text_width.h"
 
+#include "syntax/text/utf8.h"
+
 #include <algorithm>
 #include <clocale>
 #include <cwchar>
-#include <optional>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -12,7 +13,6 @@ namespace proskill::cli {
 namespace {
 
 constexpr std::size_t kTabStop = 4;
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// The width of characters as the C library knows it, whatever the locale of the process.
 class Utf8Locale {
@@ -37,45 +37,15 @@ private:
   locale_t locale;
 };
 
-bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
-
-std::size_t expectedLength(unsigned char first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first < 0xE0) return 2;
-  if (first >= 0xE0 && first < 0xF0) return 3;
-  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
-}
-
-/// The character at the start of a text, where it is well-formed.
-std::optional<char32_t> decode(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text[0]);
-  const std::size_t length = expectedLength(first);
-  if (length == 0 || length > text.size()) return std::nullopt;
-  if (length == 1) return first;
-  char32_t value = first & (0x7Fu >> length);
-  for (char byte : text.substr(1, length - 1)) {
-    if (!isContinuation(byte)) return std::nullopt;
-    value = (value << 6) | (static_cast<unsigned char>(byte) & 0x3Fu);
-  }
-  const bool tooLong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
-  const bool surrogate = value >= 0xD800 && value < 0xE000;
-  if (tooLong || surrogate || value > 0x10FFFF) return std::nullopt;
-  return value;
-}
-
 } // namespace
-
-std::size_t characterLength(std::string_view text) {
-  return decode(text) ? expectedLength(static_cast<unsigned char>(text[0])) : 1;
-}
 
 DisplayedLine::DisplayedLine(std::string_view line) {
   static const Utf8Locale locale; // slow to make
   std::size_t column = 0;
   columns.reserve(line.size() + 1);
   while (!line.empty()) {
-    const std::size_t length = characterLength(line);
-    const auto character = decode(line);
+    const std::size_t length = syntax::characterLength(line);
+    const auto character = syntax::firstCharacter(line);
     columns.insert(columns.end(), length, column);
     if (line[0] == '\t') {
       const std::size_t spaces = kTabStop - column % kTabStop;
@@ -85,7 +55,7 @@ DisplayedLine::DisplayedLine(std::string_view line) {
       shown.append(line.substr(0, length));
       column += static_cast<std::size_t>(width);
     } else {
-      shown.append(kReplacement);
+      shown.append(syntax::kReplacement);
       ++column;
     }
     line.remove_prefix(length);

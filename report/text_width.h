@@ -7,10 +7,6 @@
 
 namespace proskill::cli {
 
-/// How many bytes of UTF-8 text its first character takes; 1 for a byte that begins none.
-/// \pre `text` is not empty.
-[[nodiscard]] std::size_t characterLength(std::string_view text);
-
 /// A line of a program as a terminal shows it: tabs become spaces, and what would move the cursor
 /// or is not UTF-8 becomes `�`.
 class DisplayedLine {

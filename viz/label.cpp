@@ -1,5 +1,7 @@
 #include "viz/label.h"
 
+#include "syntax/text/utf8.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,32 +14,8 @@ namespace proskill::viz {
 namespace {
 
 constexpr std::size_t kPerRow = 4; ///< entries of the legend
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// The length in bytes of the character that a text begins with; 0 where it is no UTF-8.
-std::size_t characterLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const auto lead = byte(0);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  // Neither too long, nor a surrogate, nor beyond Unicode.
-  const bool bad =
-      length > 2 && ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
-                     (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F));
-  return bad ? 0 : length;
-}
-
-std::size_t countCharacters(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<std::uint8_t>(c) & 0xC0) != 0x80; }));
-}
+using syntax::countCharacters;
 
 /// What should stay on one line: a word, or all that is between parentheses where it is short
 /// enough.
@@ -111,16 +89,9 @@ std::string filler(const Graph& graph, const std::vector<LegendEntry>& entries) 
 
 std::string clean(std::string_view text) {
   std::string out;
-  while (!text.empty()) {
-    const auto length = characterLength(text);
-    if (length == 0)
-      out += kReplacement;
-    else if (length == 1 && (static_cast<std::uint8_t>(text[0]) < 0x20 || text[0] == 0x7F))
-      out += ' ';
-    else
-      out += text.substr(0, length);
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
+  syntax::forEachCharacter(text, [&](char32_t character, std::string_view bytes) {
+    out += character < 0x20 || character == 0x7F ? " " : bytes;
+  });
   return out;
 }
 

@@ -1,5 +1,7 @@
 #include "viz/text_width.h"
 
+#include "syntax/text/utf8.h"
+
 #include <array>
 
 namespace proskill::viz {
@@ -31,22 +33,6 @@ constexpr char32_t kFirstWide = 0x1100;
 constexpr int kOther = 640;
 constexpr int kOtherBold = 700;
 
-/// The character that a text begins with, and its length; an odd byte is a character.
-struct Character {
-  char32_t value = 0;
-  std::size_t length = 1;
-};
-
-Character firstOf(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  if (length == 1 || length > text.size()) return {lead, 1};
-  char32_t value = lead & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i)
-    value = value << 6U | (static_cast<unsigned char>(text[i]) & 0x3FU);
-  return {value, length};
-}
-
 int widthOf(char32_t character, bool bold) {
   const auto& widths = bold ? kBold : kPlain;
   if (character >= U' ' && character - U' ' < widths.size()) return widths[character - U' '];
@@ -60,11 +46,9 @@ int widthOf(char32_t character, bool bold) {
 
 double textWidth(std::string_view text, bool bold) {
   int sum = 0;
-  while (!text.empty()) {
-    const auto [character, length] = firstOf(text);
+  syntax::forEachCharacter(text, [&](char32_t character, std::string_view /*bytes*/) {
     sum += widthOf(character, bold);
-    text.remove_prefix(length);
-  }
+  });
   return sum / 1000.0;
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/names/arguments.h"
 #include "analysis/names/expressions.h"
 #include "syntax/diagnostics/codes.h"
+#include "syntax/text/utf8.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,7 +52,7 @@ Type typeOf(Context& context, const Body& body, const Expr& argument) {
 /// `%` and the letter after it, which may be of several bytes.
 std::size_t letterLength(std::string_view format, std::size_t at) {
   std::size_t end = std::min(at + 2, format.size());
-  while (end < format.size() && (static_cast<unsigned char>(format[end]) & 0xC0) == 0x80) ++end;
+  while (end < format.size() && syntax::continuesCharacter(format[end])) ++end;
   return end - at;
 }
 

@@ -1,5 +1,7 @@
 #include "codegen/plan/origins.h"
 
+#include "syntax/text/utf8.h"
+
 #include <fmt/format.h>
 
 namespace proskill::codegen {
@@ -33,9 +35,7 @@ std::string Origins::excerpt(syntax::FileId file, syntax::Range range) const {
   }
   if (line.size() <= kLongest) return line;
   // Not into the middle of a UTF-8 sequence.
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
-  return line.substr(0, end) + "...";
+  return line.substr(0, syntax::characterStart(line, kLongest)) + "...";
 }
 
 syntax::Position Origins::position(syntax::FileId file, syntax::Range range) const {

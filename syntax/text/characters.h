@@ -1,6 +1,7 @@
 #pragma once
 
-#include <algorithm>
+#include "syntax/text/utf8.h"
+
 #include <cstdint>
 #include <string_view>
 
@@ -13,10 +14,9 @@ namespace proskill::syntax {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// How many characters a text has; the bytes of UTF-8 that go on with one are not counted.
+/// How many columns a text takes that has no wide characters.
 [[nodiscard]] inline std::uint32_t widthOf(std::string_view text) {
-  return static_cast<std::uint32_t>(
-      std::ranges::count_if(text, [](char byte) { return (byte & 0xc0) != 0x80; }));
+  return static_cast<std::uint32_t>(countCharacters(text));
 }
 
 } // namespace proskill::syntax

@@ -1,5 +1,7 @@
 #include "syntax/text/position.h"
 
+#include "syntax/text/utf8.h"
+
 #include <algorithm>
 
 namespace proskill::lsp {
@@ -12,21 +14,10 @@ struct Character {
   std::uint32_t units;
 };
 
-std::size_t lengthOfLead(unsigned char lead) {
-  if (lead >= 0xC2 && lead <= 0xDF) return 2;
-  if (lead >= 0xE0 && lead <= 0xEF) return 3;
-  if (lead >= 0xF0 && lead <= 0xF4) return 4;
-  return 1;
-}
-
 bool isAscii(char c) { return (static_cast<unsigned char>(c) & 0x80) == 0; }
-bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 Character characterAt(std::string_view text, Encoding encoding) {
-  auto length = lengthOfLead(static_cast<unsigned char>(text.front()));
-  bool valid =
-      length <= text.size() && std::ranges::all_of(text.substr(1, length - 1), isContinuation);
-  if (!valid) length = 1;
+  const auto length = syntax::characterLength(text);
   if (encoding == Encoding::Utf8) return {length, static_cast<std::uint32_t>(length)};
   return {length, encoding == Encoding::Utf16 && length == 4 ? 2U : 1U};
 }

@@ -1,5 +1,7 @@
 #include "syntax/text/quote.h"
 
+#include "syntax/text/utf8.h"
+
 #include <algorithm>
 
 namespace proskill::syntax {
@@ -9,15 +11,12 @@ namespace {
 /// Bytes: of what is longer so many are shown, and no half letter.
 constexpr std::size_t kLongest = 60;
 
-bool isWithinLetter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
 } // namespace
 
 std::string shortened(std::string_view text) {
-  auto end = std::min({text.size(), text.find_first_of("\r\n"), kLongest});
-  while (end > 0 && end < text.size() && isWithinLetter(text[end])) --end;
-  const std::string shown(text.substr(0, end));
-  return end == text.size() ? shown : shown + "...";
+  const auto end = std::min({text.size(), text.find_first_of("\r\n"), kLongest});
+  const std::string shown(text.substr(0, characterStart(text, end)));
+  return shown.size() == text.size() ? shown : shown + "...";
 }
 
 std::string withShortQuotes(std::string_view message) {

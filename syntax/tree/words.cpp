@@ -1,6 +1,7 @@
 #include "syntax/tree/words.h"
 
 #include "syntax/diagnostics/codes.h"
+#include "syntax/text/utf8.h"
 #include "syntax/tree/build.h"
 
 #include <algorithm>
@@ -8,29 +9,7 @@
 namespace proskill::syntax {
 namespace {
 
-unsigned byteAt(std::string_view text, std::size_t at) {
-  return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
-}
-
-/// The length of the well-formed UTF-8 sequence at `at`, 0 where there is none
-/// (The Unicode Standard, table 3-7).
-std::size_t sequenceLength(std::string_view text, std::size_t at) {
-  unsigned first = byteAt(text, at);
-  if (first < 0x80) return 1;
-  unsigned low = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
-  unsigned high = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
-  std::size_t length = first >= 0xc2 && first <= 0xdf   ? 2
-                       : first >= 0xe0 && first <= 0xef ? 3
-                       : first >= 0xf0 && first <= 0xf4 ? 4
-                                                        : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    unsigned next = byteAt(text, at + i);
-    if (next < low || next > high) return 0;
-    low = 0x80;
-    high = 0xbf;
-  }
-  return length;
-}
+std::string_view rest(std::string_view text, std::size_t at) { return text.substr(at); }
 
 bool isControl(char c) {
   auto code = static_cast<unsigned char>(c);
@@ -60,7 +39,7 @@ void checkName(Builder& builder, const Node& name) {
 void cleanBytes(std::string& text, std::vector<Diagnostic>& diagnostics) {
   Builder builder{text, diagnostics};
   for (std::size_t at = 0; at < text.size();) {
-    std::size_t length = sequenceLength(text, at);
+    std::size_t length = sequenceLength(rest(text, at));
     if (length > 0 && !isControl(text[at])) {
       at += length;
       continue;
@@ -68,9 +47,9 @@ void cleanBytes(std::string& text, std::vector<Diagnostic>& diagnostics) {
     std::size_t end = at + 1;
     if (length > 0) {
       builder.report(Code::ControlCharacter, {static_cast<Offset>(at), static_cast<Offset>(end)},
-                     fmt::format("U+{:04X}", byteAt(text, at)));
+                     fmt::format("U+{:04X}", static_cast<unsigned char>(text[at])));
     } else {
-      while (end < text.size() && sequenceLength(text, end) == 0) ++end;
+      while (end < text.size() && sequenceLength(rest(text, end)) == 0) ++end;
       builder.report(Code::InvalidUtf8, {static_cast<Offset>(at), static_cast<Offset>(end)});
     }
     while (at < end) text[at++] = kNoText;
