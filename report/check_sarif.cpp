@@ -1,10 +1,8 @@
 #include "ide/description/explanation.h"
 #include "report/check_report.h"
+#include "report/sarif.h"
 #include "report/source_place.h"
 
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
 #include <ostream>
 
 namespace proskill::cli {
@@ -22,44 +20,10 @@ std::string_view level(syntax::Severity severity) {
   return {};
 }
 
-/// A path as a URI reference: `/` between its parts, all that is special escaped.
-std::string uri(std::string_view path) {
-  constexpr std::string_view kPlain = "-._~/";
-  std::string text = path.starts_with('/') ? "file://" : "";
-  for (char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = (byte < 0x80 && std::isalnum(byte)) || kPlain.contains(c);
-    constexpr std::string_view kDigits = "0123456789ABCDEF";
-    if (plain)
-      text += c;
-    else
-      text.append({'%', kDigits[byte >> 4], kDigits[byte & 15]});
-  }
-  return text;
-}
-
-Json regionJson(SourcePlaces& places, analysis::Location location) {
-  const SourcePlace begin = places.begin(location), end = places.end(location);
-  return {{"startLine", begin.line},
-          {"startColumn", begin.column},
-          {"endLine", end.line},
-          {"endColumn", end.column}};
-}
-
-Json artifactJson(const SourcePlaces& places, syntax::FileId file) {
-  return {{"uri", uri(places.path(file))}};
-}
-
-Json sarifLocation(SourcePlaces& places, analysis::Location location) {
-  return {{"physicalLocation",
-           {{"artifactLocation", artifactJson(places, location.file)},
-            {"region", regionJson(places, location)}}}};
-}
-
 Json fixJson(SourcePlaces& places, const syntax::Fix& fix) {
-  const Json replacement{{"deletedRegion", regionJson(places, fix.location)},
+  const Json replacement{{"deletedRegion", sarifRegion(places, fix.location)},
                          {"insertedContent", {{"text", fix.text}}}};
-  const Json change{{"artifactLocation", artifactJson(places, fix.location.file)},
+  const Json change{{"artifactLocation", sarifFile(places, fix.location.file)},
                     {"replacements", Json::array({replacement})}};
   return {{"description", {{"text", fix.title}}}, {"artifactChanges", Json::array({change})}};
 }
@@ -103,13 +67,7 @@ void writeCheckSarif(std::ostream& out, std::span<const CheckedProgram> programs
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics)
       results.push_back(resultJson(places, diagnostic));
   }
-  const Json driver{{"name", "proskill"}, {"version", PROSKILL_VERSION}, {"rules", rulesJson()}};
-  const Json run{
-      {"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
-  const Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-                 {"version", "2.1.0"},
-                 {"runs", Json::array({run})}};
-  out << log.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  writeSarifLog(out, rulesJson(), std::move(results));
 }
 
 } // namespace proskill::cli

@@ -68,6 +68,10 @@ std::string toUri(const std::filesystem::path& path) {
   return std::string(kFile) + encode(path.generic_string());
 }
 
+std::string toUriReference(const std::filesystem::path& path) {
+  return std::string(path.is_absolute() ? kFile : "") + encode(path.generic_string());
+}
+
 std::optional<std::filesystem::path> toCellPath(std::string_view uri) {
   const auto colon = uri.find(':');
   if (uri.find('#') == std::string_view::npos || colon == std::string_view::npos) return {};

@@ -1,4 +1,5 @@
 #include "report/verify_report.h"
+#include "syntax/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -11,18 +12,24 @@ namespace proskill::cli {
 
 namespace {
 
-/// Text for XML 1.0, where most control characters cannot be written at all.
+/// Whether XML 1.0 can write a character at all, escaped or not.
+bool isXml(char32_t c) {
+  return (c >= 0x20 && c != 0xFFFE && c != 0xFFFF) || c == U'\n' || c == U'\t' || c == U'\r';
+}
+
+/// Text for an element or an attribute, where bare white space would become spaces.
 std::string escape(std::string_view text) {
   std::string out;
-  for (char c : text) {
-    switch (c) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+  syntax::forEachCharacter(text, [&](char32_t character, std::string_view bytes) {
+    switch (character) {
+    case U'&': out += "&amp;"; break;
+    case U'<': out += "&lt;"; break;
+    case U'>': out += "&gt;"; break;
+    case U'"': out += "&quot;"; break;
+    case U'\r': out += "&#13;"; break;
+    default: out += isXml(character) ? bytes : syntax::kReplacement;
     }
-  }
+  });
   return out;
 }
 

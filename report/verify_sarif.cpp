@@ -1,3 +1,4 @@
+#include "report/sarif.h"
 #include "report/source_place.h"
 #include "report/verify_report.h"
 
@@ -12,15 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json physical(const analysis::Program& program, analysis::Location location) {
   SourcePlaces places(program);
-  auto begin = places.begin(location);
-  auto end = places.end(location);
-  return {{"physicalLocation",
-           {{"artifactLocation", {{"uri", places.path(location.file)}}},
-            {"region",
-             {{"startLine", begin.line},
-              {"startColumn", begin.column},
-              {"endLine", end.line},
-              {"endColumn", end.column}}}}}};
+  return sarifLocation(places, location);
 }
 
 Json flowStep(const VerifyReport& report, const ide::TraceStep& step) {
@@ -64,14 +57,7 @@ void writeSarif(std::ostream& out, const VerifyReport& report) {
   }
   Json rules = Json::array();
   for (const auto& kind : kinds) rules.push_back({{"id", kind}, {"name", kind}});
-  Json run{{"tool",
-            {{"driver", {{"name", "proskill"}, {"version", PROSKILL_VERSION}, {"rules", rules}}}}},
-           {"columnKind", "unicodeCodePoints"},
-           {"results", results}};
-  Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-           {"version", "2.1.0"},
-           {"runs", Json::array({run})}};
-  out << log.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  writeSarifLog(out, std::move(rules), std::move(results));
 }
 
 } // namespace proskill::cli
