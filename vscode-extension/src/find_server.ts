@@ -2,6 +2,7 @@ import { execFile } from 'node:child_process';
 import { accessSync, constants } from 'node:fs';
 import { dirname, join } from 'node:path';
 import * as vscode from 'vscode';
+import { findOnPath } from './find_program';
 
 export interface Server extends Program {
   /** what it says of itself, such as `proskill 0.1.0` */
@@ -19,10 +20,18 @@ export function candidates(extensionPath: string): Program[] {
   const chosen = vscode.workspace.getConfiguration('proskill').get<string>('server.path', '').trim();
   if (chosen) return [plain(chosen)];
   const carried = join(extensionPath, 'server', `${process.platform}-${process.arch}`, 'proskill');
-  if (!isThere(carried)) return [plain('proskill')];
+  const installed = onPath().map(plain);
+  if (!isThere(carried)) return installed;
   // Some small computers lack libraries that all others have in the version that fits them best.
   const fallback = join(dirname(carried), 'fallback');
-  return [plain(carried), { command: carried, env: { LD_LIBRARY_PATH: fallback } }, plain('proskill')];
+  return [plain(carried), { command: carried, env: { LD_LIBRARY_PATH: fallback } }, ...installed];
+}
+
+/** The program that is installed on this computer, where there is one. */
+function onPath(): string[] {
+  const folders = (vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath);
+  const found = findOnPath('proskill', process.env['PATH'] ?? '', folders);
+  return found === undefined ? [] : [found];
 }
 
 function isThere(file: string): boolean {
@@ -61,5 +70,5 @@ export async function findServer(extensionPath: string): Promise<Server> {
       failures.push(`${program.command}: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
-  throw new Error([...new Set(failures)].join('\n'));
+  throw new Error([...new Set(failures)].join('\n') || 'there is no `proskill` on the path');
 }
