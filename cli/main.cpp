@@ -13,7 +13,9 @@
 #include "cli/commands/verify.h"
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
+#include "cli/terminal/error.h"
 #include "syntax/diagnostics/suggest.h"
+#include "syntax/text/utf8.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,13 +27,15 @@ namespace {
 
 /// What sysexits.h calls EX_SOFTWARE: our own mistake, not the user's.
 constexpr int kInternalError = 70;
+constexpr int kOutOfMemory = 71; ///< EX_OSERR
 constexpr int kUsage = 2;
 
 std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
   const auto* command = app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
   const std::string name = command == app ? "" : " " + command->get_name();
-  return std::string("error: ") + error.what() + "\nrun `proskill" + name + " --help` for more\n";
+  const auto what = proskill::syntax::printable(error.what(), "\n\t");
+  return "error: " + what + "\nrun `proskill" + name + " --help` for more\n";
 }
 
 std::vector<std::string> commandNames(const CLI::App& app) {
@@ -52,10 +56,9 @@ std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
 int failUnknown(const CLI::App& app, const std::string& word) {
   const auto names = commandNames(app);
   const auto meant = proskill::syntax::nearest(word, names);
-  std::cerr << "error: there is no command `" << word << "`";
-  if (!meant.empty()) std::cerr << "; did you mean `" << meant << "`?";
-  std::cerr << "\nrun `proskill --help` for a list\n";
-  return kUsage;
+  std::string message = "there is no command `" + word + "`";
+  if (!meant.empty()) message += "; did you mean `" + std::string(meant) + "`?";
+  return proskill::cli::fail(message + "\nrun `proskill --help` for a list");
 }
 
 } // namespace
@@ -77,6 +80,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kUsage;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "error: out of memory; `--memory-limit` of `proskill verify` ends an exploration "
+                 "before that, with what is decided by then\n";
+    return kOutOfMemory;
   } catch (const std::exception& error) {
     std::cerr << "proskill: internal error: " << error.what() << '\n';
     return kInternalError;

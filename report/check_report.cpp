@@ -3,6 +3,7 @@
 #include "report/render.h"
 #include "report/source_place.h"
 #include "report/text_width.h"
+#include "syntax/text/utf8.h"
 
 #include <ostream>
 #include <set>
@@ -32,9 +33,10 @@ void writeCheckShort(std::ostream& out, std::span<const CheckedProgram> programs
     SourcePlaces places(checked.program);
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics) {
       const SourcePlace at = places.begin(diagnostic.location);
-      out << places.path(diagnostic.location.file) << ':' << at.line << ':' << at.column << ": "
-          << words(diagnostic.severity) << '[' << syntax::info(diagnostic.code).id
-          << "]: " << DisplayedLine(diagnostic.message).text() << '\n';
+      out << syntax::printable(places.path(diagnostic.location.file)) << ':' << at.line << ':'
+          << at.column << ": " << words(diagnostic.severity) << '['
+          << syntax::info(diagnostic.code).id << "]: " << DisplayedLine(diagnostic.message).text()
+          << '\n';
     }
   }
 }

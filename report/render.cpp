@@ -3,6 +3,7 @@
 #include "report/snippet.h"
 #include "report/source_place.h"
 #include "report/text_width.h"
+#include "syntax/text/utf8.h"
 
 #include <algorithm>
 #include <iostream>
@@ -60,8 +61,8 @@ public:
     for (std::size_t i = 0; i < files.size(); ++i) {
       const auto& [file, marks] = files[i];
       const SourcePlace at = places.at(file, marks.front().range.begin);
-      out << margin << paint(Colour::Blue, i == 0 ? "--> " : "::: ") << places.path(file) << ':'
-          << at.line << ':' << at.column << '\n';
+      out << margin << paint(Colour::Blue, i == 0 ? "--> " : "::: ")
+          << syntax::printable(places.path(file)) << ':' << at.line << ':' << at.column << '\n';
       snippets[i].print(out, gutter, paint, colour);
     }
     if (!diagnostic.fixes.empty()) out << paint(Colour::Blue, margin + " |") << '\n';

@@ -1,6 +1,7 @@
 #include "report/paint.h"
 #include "report/source_place.h"
 #include "report/verify_report.h"
+#include "syntax/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -41,14 +42,10 @@ std::string windowText(const ide::TraceStep& step) {
   return earliest == latest ? earliest + " s" : fmt::format("{} … {} s", earliest, latest);
 }
 
-/// How many columns a terminal gives to UTF-8 text without wide characters.
-std::size_t columns(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
+using syntax::countCharacters;
 
 std::string padded(std::string text, std::size_t width) {
-  auto have = columns(text);
+  auto have = countCharacters(text);
   if (have < width) text.append(width - have, ' ');
   return text;
 }
@@ -81,9 +78,9 @@ struct Layout {
 Layout layoutOf(const ide::Trace& trace) {
   Layout layout{std::to_string(trace.steps.size()).size()};
   for (const auto& step : trace.steps) {
-    layout.window = std::max(layout.window, columns(windowText(step)));
-    layout.actor = std::max(layout.actor, columns(step.actor));
-    layout.words = std::max(layout.words, columns(step.words));
+    layout.window = std::max(layout.window, countCharacters(windowText(step)));
+    layout.actor = std::max(layout.actor, countCharacters(step.actor));
+    layout.words = std::max(layout.words, countCharacters(step.words));
   }
   layout.words = std::min<std::size_t>(layout.words, 60);
   return layout;
@@ -174,7 +171,7 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
 std::string place(const analysis::Program& program, analysis::Location location) {
   SourcePlaces places(program);
   auto [line, column] = places.begin(location);
-  return fmt::format("{}:{}:{}", places.path(location.file), line, column);
+  return fmt::format("{}:{}:{}", syntax::printable(places.path(location.file)), line, column);
 }
 
 void writeTrace(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row,

@@ -2,6 +2,7 @@
 
 #include "cli/commands/fix.h"
 #include "cli/terminal/choice.h"
+#include "cli/terminal/error.h"
 #include "cli/terminal/paint.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
@@ -55,7 +56,7 @@ public:
     if (ide::isFiacre(file)) return addFiacre(file, canonical);
     auto document = disk.document(file);
     if (!document) {
-      std::cerr << "error: cannot read `" << file << "`: " << document.error() << '\n';
+      fail("cannot read `" + file + "`: " + document.error());
       return false;
     }
     const auto extent = arguments.fragment ? analysis::Extent::Fragment : analysis::Extent::Whole;
@@ -69,7 +70,7 @@ public:
   bool addFiacre(const std::string& file, const fs::path& canonical) {
     auto text = disk.read(file);
     if (!text) {
-      std::cerr << "error: cannot read `" << file << "`: " << text.error() << '\n';
+      fail("cannot read `" + file + "`: " + text.error());
       return false;
     }
     auto read = ide::readFiacre(file, std::move(*text));
@@ -104,7 +105,7 @@ private:
 
   analysis::flow::Settings settings(const fs::path& root) {
     auto [result, file, mistake] = lsp::settingsFor(disk, root);
-    if (mistake) std::cerr << "error: " << placed(file, *mistake) << '\n';
+    if (mistake) fail(placed(file, *mistake));
     mistaken |= mistake.has_value();
     result.style |= arguments.style;
     return result;
@@ -175,7 +176,7 @@ bool load(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
 bool fix(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
   auto fixed = applyFixes(programs);
   if (!fixed) {
-    std::cerr << "error: " << fixed.error() << '\n';
+    fail(fixed.error());
     return false;
   }
   std::cerr << "fixed " << counted(fixed->findings, "finding") << " in "
@@ -189,10 +190,7 @@ int run(const Arguments& arguments) {
   if (readable && arguments.fix) readable = fix(arguments, programs);
   write(arguments, programs);
   std::cout.flush();
-  if (!std::cout) {
-    std::cerr << "error: the report could not be written to standard output\n";
-    return kUsage;
-  }
+  if (!std::cout) return fail("the report could not be written to standard output");
   const FindingCounts counts = countFindings(programs);
   const bool forPeople = arguments.format == Format::Text || arguments.format == Format::Short;
   if (forPeople && !programs.empty()) std::cerr << summary(counts) << '\n';

@@ -1,5 +1,6 @@
 #include "cli/commands/dap.h"
 
+#include "cli/terminal/error.h"
 #include "dap/adapter.h"
 #include "disk/disk.h"
 
@@ -14,8 +15,6 @@ namespace proskill::cli {
 
 namespace {
 
-constexpr int kUsage = 2;
-
 int serve(lsp::Connection& connection) {
   const DiskFileSystem disk;
   dap::Adapter adapter(connection, disk, {});
@@ -29,8 +28,7 @@ int run(std::optional<std::uint16_t> port) {
     std::cerr << "listening on port " << opened << std::endl;
   });
   if (connection) return serve(**connection);
-  std::cerr << "error: cannot listen on the port: " << connection.error() << '\n';
-  return kUsage;
+  return fail("cannot listen on the port: " + connection.error());
 }
 
 } // namespace

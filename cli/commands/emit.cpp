@@ -2,6 +2,7 @@
 
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
+#include "cli/terminal/error.h"
 #include "cli/terminal/paint.h"
 #include "codegen/model.h"
 #include "disk/disk.h"
@@ -48,11 +49,8 @@ int run(const Arguments& arguments) {
     return kFailed;
   }
   const auto text = fiacre::print(model->fiacre, {.prove = arguments.prove});
-  if (const auto failed = writeOutput(arguments.output, text)) {
-    std::cerr << "error: " << *failed << '\n';
-    return kFailed;
-  }
-  return kWritten;
+  const auto failed = writeOutput(arguments.output, text);
+  return failed ? fail(*failed) : kWritten;
 }
 
 } // namespace

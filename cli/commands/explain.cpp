@@ -1,5 +1,6 @@
 #include "cli/commands/explain.h"
 
+#include "cli/terminal/error.h"
 #include "cli/terminal/paint.h"
 #include "ide/description/explanation.h"
 #include "report/render.h"
@@ -104,19 +105,15 @@ void printMarkdown() {
 int failUnknown(const std::string& code) {
   const auto ids = syntax::allCodes() | std::views::transform(&syntax::CodeInfo::id);
   const auto meant = syntax::nearest(code, ids);
-  std::cerr << "error: there is no code `" << code << "`";
-  if (!meant.empty()) std::cerr << "; did you mean " << meant << "?";
-  std::cerr << " (`proskill explain --list` shows all)\n";
-  return 2;
+  std::string message = "there is no code `" + code + "`";
+  if (!meant.empty()) message += "; did you mean " + std::string(meant) + "?";
+  return fail(message + " (`proskill explain --list` shows all)");
 }
 
 int run(const Arguments& arguments) {
   if (arguments.markdown) return printMarkdown(), 0;
   if (arguments.list) return printList(), 0;
-  if (arguments.code.empty()) {
-    std::cerr << "error: which code? `proskill explain --list` shows all\n";
-    return 2;
-  }
+  if (arguments.code.empty()) return fail("which code? `proskill explain --list` shows all");
   const syntax::CodeInfo* code = syntax::findCode(arguments.code);
   if (!code) return failUnknown(arguments.code);
   printOne(*code, Paint{wantsColour(arguments.colour, STDOUT_FILENO)});

@@ -1,10 +1,12 @@
 #include "cli/commands/fmt.h"
 
 #include "cli/output/unified_diff.h"
+#include "cli/terminal/error.h"
 #include "disk/disk.h"
 #include "disk/output.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "syntax/format/format.h"
+#include "syntax/text/utf8.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,11 +28,6 @@ struct Arguments {
   bool diff = false;
 };
 
-int fail(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
-  return kUsage;
-}
-
 std::expected<std::string, std::string> readFile(const std::string& file) {
   if (file != "-") return DiskFileSystem().read(file);
   std::string text{std::istreambuf_iterator<char>(std::cin), {}};
@@ -42,7 +39,7 @@ std::expected<std::string, std::string> readFile(const std::string& file) {
 void tellUntouched(const std::string& file, const syntax::Document& document) {
   for (auto range : syntax::unformattable(document)) {
     auto line = document.lines().position(range.begin).line + 1;
-    std::cerr << (file == "-" ? "standard input" : file) << ':' << line
+    std::cerr << (file == "-" ? "standard input" : syntax::printable(file)) << ':' << line
               << ": left as it is: run `proskill check` to see what is wrong with it\n";
   }
 }
@@ -77,7 +74,8 @@ Layout layOut(const std::string& file, std::string text) {
 Layout layOutFiacre(const std::string& file, std::string text) {
   auto edits = ide::formatFiacre(text);
   if (!edits)
-    std::cerr << file << ": left as it is: run `proskill check` to see what is wrong with it\n";
+    std::cerr << syntax::printable(file)
+              << ": left as it is: run `proskill check` to see what is wrong with it\n";
   return {syntax::Document::parse(std::move(text)),
           edits.value_or(std::vector<syntax::TextEdit>{})};
 }
@@ -87,8 +85,8 @@ int formatFile(const Arguments& arguments, const std::string& file) {
   if (!text) return fail("cannot read `" + file + "`: " + text.error());
   const auto [document, edits] =
       ide::isFiacre(file) ? layOutFiacre(file, std::move(*text)) : layOut(file, std::move(*text));
-  if (arguments.diff) std::cout << unifiedDiff(file, document, edits);
-  if (arguments.check && !edits.empty() && !arguments.diff) std::cout << file << '\n';
+  if (arguments.diff) std::cout << forOutput(unifiedDiff(file, document, edits));
+  if (arguments.check && !edits.empty() && !arguments.diff) std::cout << forOutput(file) << '\n';
   if (arguments.check || arguments.diff)
     return arguments.check && !edits.empty() ? kNotLaidOut : kDone;
   if (edits.empty() && file != "-") return kDone;

@@ -2,6 +2,7 @@
 
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
+#include "cli/terminal/error.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/picture_kinds.h"
 #include "disk/disk.h"
@@ -36,11 +37,6 @@ struct Arguments {
   std::string directory;
   ColourChoice colour = ColourChoice::Auto;
 };
-
-int fail(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
-  return kFailed;
-}
 
 template <class Value> Choices<std::optional<Value>> optional(const Choices<Value>& choices) {
   return {choices.begin(), choices.end()};
@@ -100,7 +96,7 @@ int drawAll(const analysis::Program& program, const Arguments& arguments,
     if (!bytes) return fail(bytes.error());
     const auto path = directory / (nameOf(request) + "." + wordOf(kFormats, formatOf(arguments)));
     if (const auto failed = writeOutput(path, *bytes)) return fail(*failed);
-    std::cout << path.string() << '\n';
+    std::cout << forOutput(path.string()) << '\n';
   }
   return kDrawn;
 }

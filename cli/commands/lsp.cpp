@@ -1,5 +1,6 @@
 #include "cli/commands/lsp.h"
 
+#include "cli/terminal/error.h"
 #include "disk/disk.h"
 #include "lsp/server/server.h"
 
@@ -27,11 +28,6 @@ struct Arguments {
   std::string log;
   unsigned debounce = 50;
 };
-
-int fail(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
-  return kUsage;
-}
 
 /// A file that every thread may write lines to; each is there at once, for whoever reads along.
 class LogFile {

@@ -6,6 +6,8 @@
 #include "cli/output/report.h"
 #include "cli/output/save_traces.h"
 #include "cli/output/tina_backend.h"
+#include "cli/terminal/choice.h"
+#include "cli/terminal/error.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/progress.h"
 #include "disk/disk.h"
@@ -14,6 +16,7 @@
 #include "ide/verdicts/model_additions.h"
 #include "report/render.h"
 #include "report/verify_report.h"
+#include "syntax/text/utf8.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -99,11 +102,6 @@ verify::Options engineOptions(const Arguments& arguments, ProgressLine* progress
   return options;
 }
 
-int fail(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
-  return kUsage;
-}
-
 int failUnsupported(const verify::Unsupported& error) {
   return fail("this model cannot be explored: " + error.message);
 }
@@ -187,9 +185,9 @@ int verifyByBoth(const Arguments& arguments, const analysis::Program& program,
   const auto file = unusedName(arguments.backend.difference);
   if (auto problem = writeOutput(file, differenceReport(report, *run, differences)))
     return fail(*problem);
-  if (!run->said) std::cerr << "error: " << tina::explain(run->said.error()) << '\n';
+  if (!run->said) fail(tina::explain(run->said.error()));
   std::cerr << fmt::format("the engine and Tina differ: {}; a bug report is in {}\n",
-                           namesOf(differences), file.string());
+                           namesOf(differences), syntax::printable(file.string()));
   return kDiffer;
 }
 
@@ -315,7 +313,7 @@ void addVerify(CLI::App& app, int& exitCode) {
                    "Threads to explore with; this version explores with one")
       ->check(CLI::Range(1U, 256U));
   command->add_option("--time-limit", arguments->timeLimit, "Seconds; what is open is inconclusive")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveSeconds());
   command->add_option("--memory-limit", arguments->memoryLimit, "MiB, likewise")
       ->check(CLI::PositiveNumber);
   command->add_option("--class-limit", arguments->classLimit, "State classes, likewise")

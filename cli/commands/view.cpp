@@ -1,5 +1,7 @@
 #include "cli/commands/view.h"
 
+#include "cli/terminal/choice.h"
+#include "cli/terminal/error.h"
 #include "disk/disk.h"
 #include "view/http_server.h"
 #include "view/panel_routes.h"
@@ -27,11 +29,6 @@ struct Arguments {
   double timeLimit = 60;
   std::uint64_t memoryLimit = 2048; // MiB
 };
-
-int fail(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
-  return kUsage;
-}
 
 /// Where there is no browser, the address that is printed has to do.
 void openBrowser(const std::string& url) {
@@ -97,7 +94,7 @@ void addView(CLI::App& app, int& exitCode) {
   command
       ->add_option("--time-limit", arguments->timeLimit,
                    "Seconds for a verification; what is open is inconclusive")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveSeconds());
   command->add_option("--memory-limit", arguments->memoryLimit, "MiB, likewise")
       ->check(CLI::PositiveNumber);
   command->footer("Exit code: 0 ended by Ctrl-C; 2 the file or the port cannot be used.");

@@ -1,9 +1,11 @@
 #include "cli/output/checked_program.h"
 
+#include "cli/terminal/error.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "report/render.h"
 #include "report/source_place.h"
+#include "syntax/text/utf8.h"
 
 #include <algorithm>
 #include <iostream>
@@ -13,14 +15,13 @@ namespace proskill::cli {
 
 std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour) {
   if (ide::isFiacre(root)) {
-    std::cerr << "error: `" << root << "` is a model in Fiacre, which only `check`, `verify` and "
-              << "`fmt` read\n";
+    fail("`" + root + "` is a model in Fiacre, which only `check`, `verify` and `fmt` read");
     return std::nullopt;
   }
   const DiskFileSystem disk;
   auto document = disk.document(root);
   if (!document) {
-    std::cerr << "error: cannot read `" << root << "`: " << document.error() << '\n';
+    fail("cannot read `" + root + "`: " + document.error());
     return std::nullopt;
   }
   auto program = analysis::load(disk, root, std::move(*document));
@@ -37,8 +38,9 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
 
 int failGeneration(const analysis::Program& program, const codegen::GenerationError& error) {
   const SourcePlace at = SourcePlaces(program).begin(error.location);
-  std::cerr << program.files[error.location.file].path.generic_string() << ':' << at.line << ':'
-            << at.column << ": error: " << error.message << '\n';
+  const auto path = program.files[error.location.file].path.generic_string();
+  std::cerr << syntax::printable(path) << ':' << at.line << ':' << at.column
+            << ": error: " << syntax::printable(error.message) << '\n';
   return 2;
 }
 

@@ -1,5 +1,6 @@
 #include "cli/output/graph_file.h"
 
+#include "cli/terminal/error.h"
 #include "disk/output.h"
 #include "tina/graph_text.h"
 
@@ -13,11 +14,6 @@ namespace proskill::cli {
 namespace {
 
 enum ExitCode { kWritten = 0, kUsage = 2, kInconclusive = 3 };
-
-int fail(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
-  return kUsage;
-}
 
 int failUnsupported(const verify::Unsupported& error) {
   return fail("this model cannot be explored: " + error.message);

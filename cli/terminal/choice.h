@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,21 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen
   };
   return command.add_option_function<std::string>(name, choose, help)
       ->type_name(words(choices, "|"));
+}
+
+/// A length of time in seconds: more than nothing, and finite, which `nan` and `1e999` are not.
+inline CLI::Validator positiveSeconds() {
+  constexpr double kLongest = 1e9; // thirty years
+  return {[](std::string& word) {
+            double seconds = 0;
+            const char* end = word.data() + word.size();
+            const auto read = std::from_chars(word.data(), end, seconds);
+            const bool whole = read.ec == std::errc() && read.ptr == end;
+            return whole && seconds > 0 && seconds <= kLongest
+                       ? std::string()
+                       : "`" + word + "` is not a number of seconds between 0 and 1e9";
+          },
+          ""};
 }
 
 } // namespace proskill::cli

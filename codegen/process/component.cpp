@@ -8,6 +8,7 @@
 #include "codegen/process/runtime_action.h"
 #include "codegen/process/state_variables.h"
 #include "codegen/term/skill_types.h"
+#include "syntax/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -165,7 +166,7 @@ private:
   // --- The head of the file
 
   [[nodiscard]] std::string head() const {
-    const auto file = context.program.files[0].path.filename().string();
+    const auto file = syntax::printable(context.program.files[0].path.filename().string());
     std::string text = file + ": " + edition() + ".\n";
     text += fmt::format("One unit of time is {} s.", toString(context.times.unit()));
     if (context.plan.mission)

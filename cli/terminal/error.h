@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace proskill::cli {
+
+/// Prints `error: …` to standard error. \return 2, the exit code of all mistakes of a user's
+int fail(std::string_view message);
+
+/// A text for standard output: on a terminal without what would move its cursor, and as it is for
+/// other programs.
+[[nodiscard]] std::string forOutput(std::string_view text);
+
+} // namespace proskill::cli
