@@ -1,6 +1,6 @@
 #include "view/panel_data.h"
 
-#include <chrono>
+#include <utility>
 
 namespace proskill::cli {
 
@@ -10,6 +10,8 @@ namespace {
 constexpr std::size_t kMost = 64;
 /// Then the page asks again, so that no connection is silent for too long.
 constexpr std::chrono::seconds kLongestWait{20};
+/// Each has a connection, of which a process may have some thousand.
+constexpr std::size_t kMostWaiting = 128;
 
 } // namespace
 
@@ -23,14 +25,52 @@ void EventFeed::announce(std::string method, Json params) {
   changed.notify_all();
 }
 
-EventFeed::Json EventFeed::after(std::size_t after) {
-  std::unique_lock lock(mutex);
-  changed.wait_for(lock, kLongestWait, [&] { return closed || count > after; });
+void EventFeed::after(std::size_t after, Tell tell) {
+  {
+    const std::lock_guard lock(mutex);
+    const auto now = std::chrono::steady_clock::now();
+    if (waiting.size() >= kMostWaiting) waiting.front().until = now;
+    waiting.push_back({after, now + kLongestWait, std::move(tell)});
+  }
+  changed.notify_all();
+}
+
+/// Whom nothing is left to wait for.
+std::vector<EventFeed::Waiting> EventFeed::takeDue(Time now) {
+  std::vector<Waiting> due;
+  std::erase_if(waiting, [&](Waiting& it) {
+    const bool isDue = closed || count > it.after || it.until <= now;
+    if (isDue) due.push_back(std::move(it));
+    return isDue;
+  });
+  return due;
+}
+
+EventFeed::Json EventFeed::newsAfter(std::size_t after) const {
   Json news = Json::array();
   const auto first = count - kept.size();
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (first + i >= after) news.push_back(kept[i]);
   return {{"next", count}, {"news", std::move(news)}};
+}
+
+void EventFeed::tellAll() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    const auto due = takeDue(std::chrono::steady_clock::now());
+    for (const auto& it : due) {
+      auto news = newsAfter(it.after);
+      lock.unlock();
+      it.tell(std::move(news));
+      lock.lock();
+    }
+    if (!due.empty()) continue;
+    if (closed) return;
+    if (waiting.empty())
+      changed.wait(lock);
+    else
+      changed.wait_until(lock, waiting.front().until);
+  }
 }
 
 void EventFeed::close() {

@@ -96,7 +96,7 @@ std::optional<std::size_t> bodySize(const HttpRequest& request) {
   return size;
 }
 
-std::string toBytes(const HttpResponse& response) {
+std::string toBytes(const HttpResponse& response, std::string_view method) {
   auto out = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
                          "Connection: close\r\nCache-Control: no-store\r\n"
                          "X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n"
@@ -104,7 +104,7 @@ std::string toBytes(const HttpResponse& response) {
                          response.status, reasonPhrase(response.status), response.type,
                          response.body.size());
   for (const auto& [name, value] : response.headers) out += fmt::format("{}: {}\r\n", name, value);
-  return out + "\r\n" + response.body;
+  return out + "\r\n" + (method == "HEAD" ? "" : response.body);
 }
 
 } // namespace proskill::cli

@@ -36,6 +36,7 @@ constexpr std::size_t kLargestBody = std::size_t{1} << 20;
 [[nodiscard]] std::optional<std::size_t> bodySize(const HttpRequest& request);
 
 /// With its length, and with headers that keep it out of caches and of other pages.
-[[nodiscard]] std::string toBytes(const HttpResponse& response);
+/// To HEAD the length of the body is told, and the body is not sent.
+[[nodiscard]] std::string toBytes(const HttpResponse& response, std::string_view method);
 
 } // namespace proskill::cli

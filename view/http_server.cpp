@@ -13,8 +13,9 @@ namespace {
 using asio::ip::tcp;
 
 constexpr std::size_t kLargestHead = std::size_t{1} << 14;
-/// Each request for news keeps one until there is some.
-constexpr std::size_t kThreads = 16;
+constexpr std::size_t kThreads = 4;
+/// Until a connection is accepted again where there was no descriptor for one.
+constexpr std::chrono::milliseconds kPause{200};
 /// For a client to send or take what is due; browsers open connections that they do not use.
 constexpr std::chrono::seconds kPatience{10};
 
@@ -66,9 +67,10 @@ private:
     patience.cancel();
     request.body = bytes.substr(0, size);
     asio::post(workers, [self = shared_from_this()] {
-      auto response = self->handler(self->request);
-      asio::post(self->socket.get_executor(),
-                 [self, response = std::move(response)] { self->send(response); });
+      self->handler(self->request, [self](HttpResponse response) {
+        asio::post(self->socket.get_executor(),
+                   [self, response = std::move(response)] { self->send(response); });
+      });
     });
   }
 
@@ -76,7 +78,7 @@ private:
 
   void send(const HttpResponse& response) {
     wait();
-    bytes = toBytes(response);
+    bytes = toBytes(response, request.method);
     asio::async_write(socket, asio::buffer(bytes),
                       [self = shared_from_this()](asio::error_code error, std::size_t) {
                         self->patience.cancel();
@@ -94,7 +96,7 @@ private:
 
 class LoopbackServer : public HttpServer {
 public:
-  LoopbackServer() : signals(context, SIGINT, SIGTERM), acceptor(context) {}
+  LoopbackServer() : signals(context, SIGINT, SIGTERM), acceptor(context), pause(context) {}
 
   asio::error_code open(std::uint16_t wanted) {
     asio::error_code error;
@@ -122,14 +124,24 @@ public:
 private:
   void accept(asio::thread_pool& workers, const Handler& handler) {
     acceptor.async_accept([&](const asio::error_code& error, tcp::socket socket) {
-      if (!error) std::make_shared<Exchange>(std::move(socket), workers, handler)->start();
+      if (error) return acceptLater(workers, handler);
+      std::make_shared<Exchange>(std::move(socket), workers, handler)->start();
       accept(workers, handler);
+    });
+  }
+
+  /// Out of descriptors, the connection stays in the queue: to ask for it at once would spin.
+  void acceptLater(asio::thread_pool& workers, const Handler& handler) {
+    pause.expires_after(kPause);
+    pause.async_wait([&](const asio::error_code& error) {
+      if (!error) accept(workers, handler);
     });
   }
 
   asio::io_context context;
   asio::signal_set signals;
   tcp::acceptor acceptor;
+  asio::steady_timer pause;
 };
 
 } // namespace

@@ -13,7 +13,9 @@ namespace proskill::cli {
 /// Answers requests on the loopback interface alone.
 class HttpServer {
 public:
-  using Handler = std::function<HttpResponse(const HttpRequest&)>;
+  using Reply = std::function<void(HttpResponse)>;
+  /// Replies once, at once or later, from any thread.
+  using Handler = std::function<void(const HttpRequest&, Reply)>;
 
   /// Takes a port, any free one for 0. What went wrong is the error.
   [[nodiscard]] static std::expected<std::unique_ptr<HttpServer>, std::string>

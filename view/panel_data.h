@@ -3,10 +3,14 @@
 #include "verify/verify.h"
 #include "view/panel_json.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <thread>
+#include <vector>
 
 namespace proskill::cli {
 
@@ -29,23 +33,43 @@ public:
   [[nodiscard]] virtual bool canVerify() const = 0;
 };
 
-/// What there is to tell the pages that are open.
+/// What there is to tell the pages that are open. However many wait, they take no thread each.
 class EventFeed {
 public:
   using Json = nlohmann::ordered_json;
+  using Tell = std::function<void(Json)>;
+
+  EventFeed() : teller([this] { tellAll(); }) {}
+  ~EventFeed() { close(); }
+  EventFeed(const EventFeed&) = delete;
+  EventFeed& operator=(const EventFeed&) = delete;
 
   void announce(std::string method, Json params);
-  /// `{next, news}`: what came after the first `after` news. Waits for some, but not for ever.
-  [[nodiscard]] Json after(std::size_t after);
+  /// Tells `{next, news}`: what came after the first `after` news, once there is some; nothing
+  /// where there is none for long, or where too many wait.
+  void after(std::size_t after, Tell tell);
   /// Nobody waits any longer.
   void close();
 
 private:
+  using Time = std::chrono::steady_clock::time_point;
+  struct Waiting {
+    std::size_t after;
+    Time until;
+    Tell tell;
+  };
+
+  void tellAll();
+  std::vector<Waiting> takeDue(Time now);
+  [[nodiscard]] Json newsAfter(std::size_t after) const;
+
   std::mutex mutex;
   std::condition_variable changed;
   std::deque<Json> kept;
-  std::size_t count = 0; ///< of all, those that are no longer kept too
+  std::size_t count = 0;       ///< of all, those that are no longer kept too
+  std::deque<Waiting> waiting; ///< in the order of their times
   bool closed = false;
+  std::jthread teller; ///< the last member: it uses the others
 };
 
 struct ViewOptions {

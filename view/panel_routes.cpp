@@ -13,6 +13,7 @@ namespace proskill::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Reply = std::function<void(HttpResponse)>;
 
 constexpr std::string_view kPage = R"(<!DOCTYPE html>
 <html lang="en">
@@ -56,8 +57,7 @@ bool isFromHere(const HttpRequest& request, std::uint16_t port) {
   return origin.empty() || (origin.starts_with(scheme) && isOurs(origin.substr(scheme.size())));
 }
 
-PanelData::Answer call(std::string_view method, const Json& params, PanelData& data,
-                       EventFeed& news) {
+PanelData::Answer call(std::string_view method, const Json& params, PanelData& data) {
   const auto text = [&](const char* name) { return params.value(name, std::string()); };
   if (method == "hello")
     return Json{{"contract", 1},
@@ -69,7 +69,6 @@ PanelData::Answer call(std::string_view method, const Json& params, PanelData& d
                   {"verify", data.canVerify()},
                   {"follow", false}}},
                 {"program", data.program()}};
-  if (method == "news") return news.after(params.value("after", std::size_t{0}));
   if (method == "trace") return data.trace(text("name"));
   if (method == "source") return data.source(text("uri"));
   if (method == "verify") {
@@ -82,23 +81,30 @@ PanelData::Answer call(std::string_view method, const Json& params, PanelData& d
   return data.picture(*picture);
 }
 
-HttpResponse callJson(std::string_view method, const HttpRequest& request, PanelData& data,
-                      EventFeed& news) {
+HttpResponse jsonResponse(const Json& reply) {
+  return {200, "application/json", reply.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
+}
+
+/// Nothing where the request is for news, which are told later.
+std::optional<HttpResponse> callJson(std::string_view method, const HttpRequest& request,
+                                     PanelData& data, EventFeed& news, const Reply& reply) {
   if (!request.header("content-type").starts_with("application/json"))
     return refuse(400, "requests are JSON");
   const auto params = Json::parse(request.body, nullptr, false);
   if (!params.is_object()) return refuse(400, "parameters are a JSON object");
-  Json reply;
   try {
-    auto result = call(method, params, data, news);
-    if (result)
-      reply["result"] = std::move(*result);
-    else
-      reply["error"] = result.error();
+    if (method == "news") {
+      news.after(params.value("after", std::size_t{0}), [reply](Json told) {
+        reply(jsonResponse({{"result", std::move(told)}}));
+      });
+      return std::nullopt;
+    }
+    auto result = call(method, params, data);
+    return jsonResponse(result ? Json{{"result", std::move(*result)}}
+                               : Json{{"error", result.error()}});
   } catch (const Json::exception&) {
     return refuse(400, "a parameter is of the wrong type");
   }
-  return {200, "application/json", reply.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
 }
 
 } // namespace
@@ -114,20 +120,9 @@ std::string randomToken() {
   return token;
 }
 
-HttpResponse answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
-                    EventFeed& news) {
-  if (!isFromHere(request, address.port)) return refuse(403, "not for this host or origin");
-  std::string_view path = request.target;
-  path = path.substr(0, path.find('?'));
-  const auto end = path.find('/', 1);
-  if (end == std::string_view::npos || !equal(path.substr(1, end - 1), address.token))
-    return refuse(403, "the address lacks the token that `proskill view` printed");
-  path.remove_prefix(end + 1);
-  if (path.starts_with("api/")) {
-    if (request.method != "POST") return refuse(405, "requests are sent by POST");
-    return callJson(path.substr(4), request, data, news);
-  }
-  if (request.method != "GET" && request.method != "HEAD") return refuse(405, "only to be read");
+namespace {
+
+HttpResponse file(std::string_view path) {
   if (path.empty())
     return {200,
             "text/html; charset=utf-8",
@@ -138,6 +133,30 @@ HttpResponse answer(const HttpRequest& request, const PanelAddress& address, Pan
   if (path == "panel.css")
     return {200, "text/css; charset=utf-8", std::string(bundle::panelCss), {}};
   return refuse(404, "there is nothing of this name");
+}
+
+std::optional<HttpResponse> answerNow(const HttpRequest& request, const PanelAddress& address,
+                                      PanelData& data, EventFeed& news, const Reply& reply) {
+  if (!isFromHere(request, address.port)) return refuse(403, "not for this host or origin");
+  std::string_view path = request.target;
+  path = path.substr(0, path.find('?'));
+  const auto end = path.find('/', 1);
+  if (end == std::string_view::npos || !equal(path.substr(1, end - 1), address.token))
+    return refuse(403, "the address lacks the token that `proskill view` printed");
+  path.remove_prefix(end + 1);
+  if (path.starts_with("api/")) {
+    if (request.method != "POST") return refuse(405, "requests are sent by POST");
+    return callJson(path.substr(4), request, data, news, reply);
+  }
+  if (request.method != "GET" && request.method != "HEAD") return refuse(405, "only to be read");
+  return file(path);
+}
+
+} // namespace
+
+void answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
+            EventFeed& news, const Reply& reply) {
+  if (auto response = answerNow(request, address, data, news, reply)) reply(std::move(*response));
 }
 
 } // namespace proskill::cli

@@ -20,7 +20,8 @@ struct PanelAddress {
 
 /// The panel's page and the answers to its requests. Whoever does not know the token, or comes from
 /// a page of another origin, gets 403 and nothing else.
-[[nodiscard]] HttpResponse answer(const HttpRequest& request, const PanelAddress& address,
-                                  PanelData& data, EventFeed& news);
+/// Replies once, when there is something to say.
+void answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
+            EventFeed& news, const std::function<void(HttpResponse)>& reply);
 
 } // namespace proskill::cli

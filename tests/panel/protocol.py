@@ -6,13 +6,17 @@ usage: protocol.py PROGRAM
 import html
 import http.client
 import json
+import os
 import pathlib
 import re
+import resource
+import select
 import signal
 import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = sys.argv.pop(1)
@@ -22,9 +26,9 @@ LIFT = pathlib.Path(__file__).resolve().parents[2] / "examples/lift/bug.proskill
 class View:
     """A running `proskill view`."""
 
-    def __init__(self, file, *options):
+    def __init__(self, file, *options, before=None):
         self.process = subprocess.Popen([PROGRAM, "view", "--no-open", *options, str(file)], text=True,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=before)
         self.url = self.process.stdout.readline().strip()
         found = re.fullmatch(r"http://127\.0\.0\.1:(\d+)(/[0-9a-f]{32}/)", self.url)
         if not found:
@@ -159,6 +163,81 @@ class Protocol(unittest.TestCase):
         self.assertEqual(line[begin["column"] - 1:end["column"] - 1], "(serve_call)")
         self.assertIn("error", self.view.call("picture", kind="body", name="nobody"))
         self.assertIn("error", self.view.call("picture", kind="nothing", name=""))
+
+
+class Load(unittest.TestCase):
+    """More than one page asks for."""
+
+    def setUp(self):
+        self.view = View(LIFT)
+        self.view.verified()
+
+    def tearDown(self):
+        self.view.end()
+
+    def test_many_that_wait_for_news_keep_nobody_waiting(self):
+        after = self.view.call("news", after=0)["result"]["next"]
+        body = json.dumps({"after": after}).encode()
+        head = (f"POST {self.view.path}api/news HTTP/1.1\r\nHost: 127.0.0.1:{self.view.port}\r\n"
+                f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n").encode()
+        polls = [socket.create_connection(("127.0.0.1", self.view.port), timeout=30) for _ in range(40)]
+        try:
+            for poll in polls:
+                poll.sendall(head + body)
+            begin = time.monotonic()
+            self.assertEqual(self.view.ask(self.view.path)[0], 200)
+            self.assertLess(time.monotonic() - begin, 5)  # each poll waits for 20 s
+            self.view.call("verify")
+            for poll in polls:  # and each of them hears the news
+                self.assertIn(b'"news":[{', poll.makefile("rb").read())
+        finally:
+            for poll in polls:
+                poll.close()
+
+    def test_the_oldest_of_too_many_that_wait_is_told_nothing(self):
+        after = self.view.call("news", after=0)["result"]["next"]
+        body = json.dumps({"after": after}).encode()
+        head = (f"POST {self.view.path}api/news HTTP/1.1\r\nHost: 127.0.0.1:{self.view.port}\r\n"
+                f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n").encode()
+        polls = []
+        try:
+            for _ in range(129):
+                polls.append(socket.create_connection(("127.0.0.1", self.view.port), timeout=10))
+                polls[-1].sendall(head + body)
+            ready, _, _ = select.select(polls, [], [], 10)
+            self.assertTrue(ready)
+            self.assertIn(b'"news":[]', ready[0].makefile("rb").read())
+        finally:
+            for poll in polls:
+                poll.close()
+
+    def test_head_has_no_body(self):
+        connection = socket.create_connection(("127.0.0.1", self.view.port), timeout=30)
+        connection.sendall(f"HEAD {self.view.path} HTTP/1.1\r\nHost: 127.0.0.1:{self.view.port}\r\n\r\n".encode())
+        answer = connection.makefile("rb").read()
+        connection.close()
+        self.assertRegex(answer, rb"^HTTP/1\.1 200 OK\r\n")
+        self.assertRegex(answer, rb"Content-Length: [1-9]")
+        self.assertTrue(answer.endswith(b"\r\n\r\n"))
+
+    def test_without_descriptors_it_neither_spins_nor_ends(self):
+        limited = View(LIFT, before=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (40, 40)))
+        limited.verified()
+        held = [socket.create_connection(("127.0.0.1", limited.port), timeout=30) for _ in range(60)]
+        time.sleep(0.3)  # until all descriptors are taken
+        before = cpu_seconds(limited.process.pid)
+        time.sleep(2)
+        self.assertLess(cpu_seconds(limited.process.pid) - before, 0.2)
+        for connection in held:
+            connection.close()
+        self.assertEqual(limited.ask(limited.path)[0], 200)
+        self.assertEqual(limited.end()[0], 0)
+
+
+def cpu_seconds(process):
+    """What a process has used of the processors."""
+    fields = pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class Files(unittest.TestCase):
