@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace proskill::fiacre {
 namespace {
@@ -365,9 +366,12 @@ private:
   }
   [[nodiscard]] bool blankBefore(std::size_t index) const { return newlinesBefore(index) > 1; }
 
+  /// Of lines longer than any that people write, where from is all the same.
   [[nodiscard]] std::size_t column(const Token& token) const {
-    const auto newline = text.substr(0, token.begin).rfind('\n');
-    return token.begin - (newline == std::string_view::npos ? 0 : newline + 1);
+    constexpr std::size_t kFar = 1000;
+    const auto before = text.substr(token.begin - std::min<std::size_t>(token.begin, kFar),
+                                    std::min<std::size_t>(token.begin, kFar));
+    return before.size() - (before.rfind('\n') + 1); // npos + 1 is 0
   }
 
   /// The comments before the next token: those behind the last line's end stay there, the others
@@ -387,17 +391,25 @@ private:
     }
   }
 
+  /// The last of the comments that touch one another from this one on. They are looked at in their
+  /// order, so each once.
+  [[nodiscard]] std::size_t lastTouching(std::size_t i) {
+    if (touching && i <= *touching) return *touching;
+    auto last = i;
+    while (isComment(all[last + 1]) && newlinesBefore(last + 1) == 1) ++last;
+    touching = last;
+    return last;
+  }
+
   /// A comment belongs to what it touches; to what follows where it touches both or neither.
-  [[nodiscard]] std::size_t commentIndent(std::size_t i) const {
+  [[nodiscard]] std::size_t commentIndent(std::size_t i) {
     const Token& next = peek();
     const auto inComposition = compositions * Writer::kStep;
     const auto body = frames.empty() ? inComposition : frames.back().indent + Writer::kStep;
     const bool closes = next.text == "end" || next.text == "else" || next.text == "elsif" ||
                         next.text == "unless" || next.text == "|" || next.text == "[";
     const bool atSection = isAtSection() || isAtDeclaration() || next.kind == TokenKind::End;
-    auto last = i;
-    while (isComment(all[last + 1]) && newlinesBefore(last + 1) == 1) ++last;
-    const bool behind = !blankBefore(i) && blankBefore(last + 1);
+    const bool behind = !blankBefore(i) && blankBefore(lastTouching(i) + 1);
     if (atSection || isAtEntry()) return behind ? body : 0;
     if (closes && !frames.empty())
       return column(all[i]) > column(next) ? body : frames.back().indent;
@@ -413,9 +425,10 @@ private:
 
   std::string_view text;
   const std::vector<Token>& all;
-  std::vector<std::size_t> words; ///< places in `all`
-  std::size_t at = 0;             ///< in `words`
-  std::size_t taken = 0;          ///< comments before it are in lines
+  std::vector<std::size_t> words;      ///< places in `all`
+  std::size_t at = 0;                  ///< in `words`
+  std::size_t taken = 0;               ///< comments before it are in lines
+  std::optional<std::size_t> touching; ///< the end of the comments at hand that touch one another
   std::vector<FormatLine> lines;
   bool ended = true; ///< the next token begins a line
   std::size_t depth = 0;

@@ -23,6 +23,9 @@ const std::array<std::vector<Operator>, 6> kLevels{{
     {{"*", Op::Multiply}, {"/", Op::Divide}, {"%", Op::Modulo}},
 }};
 
+/// What associates to the left is as deep as it is long, and the stack bounds that.
+constexpr std::size_t kLongestChain = 5'000;
+
 constexpr auto kPrefixes = std::to_array<Operator>({{"not", Op::Not},
                                                     {"-", Op::Negate},
                                                     {"$", Op::Coerce},
@@ -48,16 +51,17 @@ Expr Parser::expr() {
 Expr Parser::binary(std::size_t level) {
   if (level == kLevels.size()) return prefix();
   Expr left = binary(level + 1);
-  for (;;) {
+  for (std::size_t length = 0;; ++length) {
     const Operator* found = nullptr;
     for (const auto& each : kLevels[level])
       if (isAt(each.first)) found = &each;
     if (!found) return left;
+    if (length == kLongestChain) fail("this expression has too many operators in a row");
     ++at;
     Expr right = binary(level + 1);
     left = Expr{.kind = ExprKind::Binary,
                 .op = found->second,
-                .operands = {std::move(left), std::move(right)}};
+                .operands = operandsOf(std::move(left), std::move(right))};
   }
 }
 
@@ -70,24 +74,26 @@ Expr Parser::prefix() {
       operand.number = -operand.number;
       return operand;
     }
-    return {.kind = ExprKind::Unary, .op = op, .operands = {std::move(operand)}};
+    return {.kind = ExprKind::Unary, .op = op, .operands = operandsOf(std::move(operand))};
   }
   return postfix();
 }
 
 Expr Parser::postfix() {
   Expr result = primary();
-  for (;;) {
+  for (std::size_t length = 0;; ++length) {
+    if (length == kLongestChain) fail("this expression has too many operators in a row");
     if (constantsOnly) return result;
     if (accept(".")) {
       result = Expr{.kind = ExprKind::Field,
                     .name = name("the name of a field", NameKind::Field),
-                    .operands = {std::move(result)}};
+                    .operands = operandsOf(std::move(result))};
     } else if (isAt("[") && !isAtPair("[", "]")) {
       ++at;
       Expr index = expr();
       expect("]");
-      result = Expr{.kind = ExprKind::Index, .operands = {std::move(result), std::move(index)}};
+      result = Expr{.kind = ExprKind::Index,
+                    .operands = operandsOf(std::move(result), std::move(index))};
     } else {
       return result;
     }

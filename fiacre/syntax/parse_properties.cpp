@@ -33,9 +33,9 @@ Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
 }
 
 Ltl negated(Ltl inner) {
-  if (!isAtom(inner)) return {.kind = LtlKind::Not, .operands = {std::move(inner)}};
+  if (!isAtom(inner)) return {.kind = LtlKind::Not, .operands = operandsOf(std::move(inner))};
   return {.kind = LtlKind::Atom,
-          .atom = {.kind = ObservableKind::Not, .operands = {std::move(inner.atom)}}};
+          .atom = {.kind = ObservableKind::Not, .operands = operandsOf(std::move(inner.atom))}};
 }
 
 Ltl of(LtlKind kind, std::vector<Ltl> operands) {
@@ -102,7 +102,7 @@ Ltl Parser::formulaPrefix() {
   if (accept("not")) return negated(formulaPrefix());
   const auto temporal = [&](LtlKind kind, std::size_t tokens) {
     at += tokens;
-    return Ltl{.kind = kind, .operands = {formulaPrefix()}};
+    return Ltl{.kind = kind, .operands = operandsOf(formulaPrefix())};
   };
   if (isAtPair("[", "]")) return temporal(LtlKind::Globally, 2);
   if (isAtPair("(", ")")) return temporal(LtlKind::Next, 2);
@@ -112,7 +112,8 @@ Ltl Parser::formulaPrefix() {
     if (!accept(word)) continue;
     Ltl inner = formulaPrefix();
     if (!isAtom(inner)) fail(fmt::format("`{}` takes no formula of time", word));
-    return {.kind = LtlKind::Atom, .atom = {.kind = kind, .operands = {std::move(inner.atom)}}};
+    return {.kind = LtlKind::Atom,
+            .atom = {.kind = kind, .operands = operandsOf(std::move(inner.atom))}};
   }
   return formulaPrimary();
 }

@@ -165,6 +165,16 @@ private:
   std::vector<std::pair<std::string, Token>> paths; ///< names that paths begin with
 };
 
+/// Operands moved to where they stay: a list in braces would copy each with all that is below it.
+template <class Node, class... More>
+[[nodiscard]] std::vector<Node> operandsOf(Node first, More... more) {
+  std::vector<Node> all;
+  all.reserve(1 + sizeof...(more));
+  all.push_back(std::move(first));
+  (all.push_back(std::move(more)), ...);
+  return all;
+}
+
 class Parser::Deeper {
 public:
   explicit Deeper(Parser& in);

@@ -108,3 +108,26 @@ TEST_CASE("settings that are no file are none, and those that are too large a mi
   CHECK(done.exitCode == 2);
   CHECK(done.err.find("it is larger than 256 MiB") != std::string::npos);
 }
+
+TEST_CASE(
+    "models of many megabytes are read and laid out in linear time, or refused with a place") {
+  const test::TemporaryDirectory files;
+  const auto many = [](const std::string& part, std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += part;
+    return text;
+  };
+  const std::string chain = "const c : int is 0" + many("+1", 1'000'000) + "\n";
+  for (const auto& [text, code] :
+       std::vector<std::pair<std::string, int>>{{many("// a comment of a line\n", 4'000'000), 0},
+                                                {many("/* a */ ", 1'000'000), 0},
+                                                {many("type t is 0..1 // why\n\n\n", 300'000), 1},
+                                                {chain, 1}}) {
+    const auto path = files.write("large.fcr", text);
+    INFO(text.substr(0, 30));
+    CHECK(soon({"check", path}).exitCode == code);
+    CHECK(soon({"fmt", "--check", path}).exitCode <= 1);
+  }
+  CHECK(soon({"check", "--format", "short", files.write("chain.fcr", chain)})
+            .out.find("too many operators in a row") != std::string::npos);
+}
