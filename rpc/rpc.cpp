@@ -1,6 +1,9 @@
 #include "rpc/rpc.h"
 
 #include "rpc/json_writer.h"
+#include "syntax/text/utf8.h"
+#include <algorithm>
+#include <charconv>
 
 namespace proskill::lsp {
 
@@ -37,12 +40,45 @@ std::expected<Message, MalformedMessage> call(const Json& json, Json id) {
   return message;
 }
 
-} // namespace
+/// The unit of UTF-16 that an escape such as `\ud83d` writes; nothing where there is none.
+std::optional<unsigned> escapedUnit(std::string_view text) {
+  constexpr std::size_t kLength = 6;
+  unsigned unit = 0;
+  if (text.size() < kLength || !text.starts_with("\\u")) return std::nullopt;
+  const auto read = std::from_chars(text.data() + 2, text.data() + kLength, unit, 16);
+  return read.ptr == text.data() + kLength ? std::optional(unit) : std::nullopt;
+}
 
-std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
-  auto json = Json::parse(body, nullptr, false);
-  if (json.is_discarded())
-    return std::unexpected(MalformedMessage{{ErrorCode::ParseError, "the message is no JSON"}, {}});
+/// The bytes of the JSON at the start of a text that belong together, and what they become: what
+/// is no whole character becomes U+FFFD.
+std::pair<std::size_t, std::string_view> wholeCharacter(std::string_view text) {
+  if (text.front() != '\\') {
+    const auto length = syntax::sequenceLength(text);
+    return length > 0 ? std::pair(length, text.substr(0, length))
+                      : std::pair(std::size_t{1}, syntax::kReplacement);
+  }
+  constexpr std::size_t kEscape = 6;
+  const auto isIn = [](std::optional<unsigned> unit, unsigned first) {
+    return unit && *unit >= first && *unit < first + 0x400;
+  };
+  const auto unit = escapedUnit(text);
+  if (!isIn(unit, 0xD800) && !isIn(unit, 0xDC00)) return {2, text.substr(0, 2)};
+  const bool isPair = isIn(unit, 0xD800) && isIn(escapedUnit(text.substr(kEscape)), 0xDC00);
+  return isPair ? std::pair(2 * kEscape, text.substr(0, 2 * kEscape))
+                : std::pair(kEscape, syntax::kReplacement);
+}
+
+std::string withWholeCharacters(std::string_view body) {
+  std::string result;
+  while (!body.empty()) {
+    const auto [length, text] = wholeCharacter(body);
+    result += text;
+    body.remove_prefix(std::min(length, body.size()));
+  }
+  return result;
+}
+
+std::expected<Message, MalformedMessage> messageOf(const Json& json) {
   if (!json.is_object()) return std::unexpected(malformed("the message is no object"));
   auto id = memberOrNull(json, "id");
   if (memberOrNull(json, "jsonrpc") != "2.0")
@@ -56,6 +92,19 @@ std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
   message.id = std::move(id);
   message.result = memberOrNull(json, "result");
   message.error = memberOrNull(json, "error");
+  return message;
+}
+
+} // namespace
+
+std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
+  auto json = Json::parse(body, nullptr, false);
+  if (!json.is_discarded()) return messageOf(json);
+  json = Json::parse(withWholeCharacters(body), nullptr, false);
+  if (json.is_discarded())
+    return std::unexpected(MalformedMessage{{ErrorCode::ParseError, "the message is no JSON"}, {}});
+  auto message = messageOf(json);
+  if (message) message->isRepaired = true;
   return message;
 }
 

@@ -39,6 +39,9 @@ struct Message {
   Json params;        ///< null where absent
   Json result;        ///< of a response that is no error
   Json error;         ///< of a response; null where there is none
+  /// Half a character or a byte that is no UTF-8 was in it, each of which reads as U+FFFD now: one
+  /// unit of UTF-16 as half a character is, so that later places mean what the client means.
+  bool isRepaired = false;
 };
 
 /// What is wrong with a body that is no message, and the identifier that an answer to it must bear:

@@ -168,12 +168,20 @@ bool Server::handle(InboxEvent& event) {
   const auto& malformed = std::get<MalformedMessage>(event);
   log.write("malformed message: " + malformed.error.message);
   outbox.send(replyError(malformed.id, malformed.error));
+  // It may have been an edit, and nobody can ask a client for its texts.
+  if (malformed.error.code == ErrorCode::ParseError && phase == Phase::Running)
+    announcer.show(Announcer::Kind::Error,
+                   "a message of the editor cannot be read; if ProSkill shows another text than "
+                   "yours, please close the file and open it again");
   return true;
 }
 
 /// What a message does to this thread is that message's error, and nobody's end.
 bool Server::handleMessage(Received& received) {
   auto& message = received.message;
+  if (message.isRepaired && phase == Phase::Running)
+    announcer.show(Announcer::Kind::Warning,
+                   "the editor sent half a character, which is read as U+FFFD");
   try {
     switch (message.kind) {
     case MessageKind::Request: handleRequest(received); return true;

@@ -1,5 +1,7 @@
 #include "lsp/workspace/text_changes.h"
 
+#include "syntax/text/utf8.h"
+
 #include <string>
 #include <utility>
 
@@ -22,14 +24,40 @@ std::optional<EditorPosition> editorPosition(const Json& json) {
   return EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
 }
 
-/// The bytes that a change replaces; nothing where its range is none of the text.
-std::optional<syntax::Range> rangeIn(std::string_view text, const syntax::LineIndex& lines,
-                                     const Json& range, Encoding encoding) {
+/// The bytes that a change replaces, and what they become.
+struct Replacement {
+  syntax::Range range;
+  std::string text;
+};
+
+/// The character of two units that a place cuts in two: its bytes, or 0 where it cuts none.
+std::size_t cutAt(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
+                  EditorPosition position, Encoding encoding) {
+  if (encoding != Encoding::Utf16) return 0;
+  const auto length = syntax::sequenceLength(text.substr(at));
+  const auto before = toEditor(text, lines, at, encoding);
+  const bool isWithin = before.line == position.line && before.character + 1 == position.character;
+  return length == 4 && isWithin ? length : 0;
+}
+
+/// Nothing where the range is none of the text. Half a character that stays becomes U+FFFD, of one
+/// unit as it was.
+std::optional<Replacement> replacementIn(std::string_view text, const syntax::LineIndex& lines,
+                                         const Json& range, std::string_view inserted,
+                                         Encoding encoding) {
   const auto start = editorPosition(memberAt(range, {"start"}));
   const auto end = editorPosition(memberAt(range, {"end"}));
   if (!start || !end || *end < *start || end->line > lines.lineCount()) return std::nullopt;
-  return syntax::Range{fromEditor(text, lines, *start, encoding),
-                       fromEditor(text, lines, *end, encoding)};
+  Replacement result{
+      {fromEditor(text, lines, *start, encoding), fromEditor(text, lines, *end, encoding)},
+      std::string(inserted)};
+  if (cutAt(text, lines, result.range.begin, *start, encoding) > 0)
+    result.text.insert(0, syntax::kReplacement);
+  if (const auto cut = cutAt(text, lines, result.range.end, *end, encoding)) {
+    result.range.end += static_cast<syntax::Offset>(cut);
+    result.text += syntax::kReplacement;
+  }
+  return result;
 }
 
 /// A document, and a text that differs from its own in one stretch.
@@ -46,10 +74,10 @@ public:
       return true;
     }
     const syntax::LineIndex lines(text);
-    const auto range = rangeIn(text, lines, change["range"], encoding);
-    if (!range) return false;
-    if (dirty && edits < kMostEdits && isFar(*range)) parse();
-    replace(*range, inserted);
+    const auto made = replacementIn(text, lines, change["range"], inserted, encoding);
+    if (!made) return false;
+    if (dirty && edits < kMostEdits && isFar(made->range)) parse();
+    replace(made->range, made->text);
     return true;
   }
 
@@ -104,9 +132,10 @@ std::optional<syntax::Document> changedOnce(const syntax::Document& document, co
   if (!words.is_string()) return std::nullopt;
   const auto& inserted = words.get_ref<const std::string&>();
   if (isWhole(change)) return syntax::Document::parse(inserted);
-  const auto range = rangeIn(document.text(), document.lines(), change["range"], encoding);
-  if (!range) return std::nullopt;
-  return document.edit(*range, inserted);
+  const auto made =
+      replacementIn(document.text(), document.lines(), change["range"], inserted, encoding);
+  if (!made) return std::nullopt;
+  return document.edit(made->range, made->text);
 }
 
 /// The last change that gives the whole text heals whatever was wrong before it.

@@ -118,3 +118,16 @@ TEST_CASE("an edit makes only those requests stale that came before it") {
   REQUIRE(stale.size() == 1);
   CHECK(stale[0].id == 1);
 }
+
+TEST_CASE("an edit within a character of two units leaves each half as one unit") {
+  const auto after = [](const Json& edit) {
+    return lsp::changed(syntax::Document::parse("a😀b\nc"), Json::array({edit}), Encoding::Utf16)
+        ->text();
+  };
+  CHECK(after(change(0, 2, 0, 3, "")) == "a\uFFFDb\nc");
+  CHECK(after(change(0, 1, 0, 2, "")) == "a\uFFFDb\nc");
+  CHECK(after(change(0, 2, 0, 2, "x")) == "a\uFFFDx\uFFFDb\nc");
+  CHECK(after(change(0, 1, 0, 3, "x")) == "axb\nc");
+  CHECK(after(change(0, 2, 1, 0, "")) == "a\uFFFDc");
+  CHECK(after(change(0, 9, 0, 9, "x")) == "a😀bx\nc");
+}
