@@ -14,6 +14,7 @@
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "syntax/diagnostics/suggest.h"
 #include "syntax/text/utf8.h"
 
@@ -71,8 +72,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "proskill " PROSKILL_VERSION);
   app.require_subcommand(1);
   app.failure_message(failureMessage);
-  for (auto add : {addCheck, addDap, addEmit, addExplain, addFmt, addGraph, addLsp, addVerify,
-                   addVerifyWorker, addView})
+  useHelpFormat(app);
+  app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
+  for (auto add : {addCheck, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addLsp,
+                   addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknown(app, word);

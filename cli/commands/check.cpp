@@ -3,6 +3,7 @@
 #include "cli/commands/fix.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
@@ -202,22 +203,29 @@ int run(const Arguments& arguments) {
 
 void addCheck(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand("check", "Report what is wrong with programs");
-  command->add_option("file", arguments->files, "The programs' root files")->required();
+  auto* command = app.add_subcommand("check", "Find mistakes in programs");
+  command
+      ->add_option("file", arguments->files, "Root files of programs, or models in Fiacre (.fcr)")
+      ->required();
+  show(command->add_flag("--fragment", arguments->fragment,
+                         "The files are parts of programs: names defined elsewhere are only hints"),
+       group::kSubject);
+  show(command->add_flag("--style", arguments->style, "Report hints on style too"),
+       group::kSubject);
+  show(command->add_flag("--fix", arguments->fix,
+                         "Apply the fixes that are safe to the files, then report what is left"),
+       group::kOutput);
   addChoice<Format>(*command, "--format", arguments->format,
                     {{"text", Format::Text},
                      {"short", Format::Short},
                      {"json", Format::Json},
                      {"sarif", Format::Sarif}},
-                    "How findings are printed");
-  command->add_flag("--fragment", arguments->fragment,
-                    "The files are parts of programs: names defined elsewhere are only hints");
-  command->add_flag("--style", arguments->style, "Tell hints of style too");
-  command->add_flag("--fix", arguments->fix,
-                    "Mend in the files what one edit mends; report the rest");
+                    "How to print findings; short: one line each");
   addColour(*command, arguments->colour);
-  command->footer("Exit code: 0 clean, or hints alone; 1 errors or warnings; 2 a mistake in the "
-                  "command, or a file that cannot be read.");
+  showBelow(*command, {"proskill check mission.proskill", "proskill check --fix *.proskill"},
+            {{kClean, "no errors and no warnings"},
+             {kFindings, "errors or warnings were found"},
+             {kUsage, "the command line is wrong, or a file cannot be read"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 #include "cli/commands/dap.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "dap/adapter.h"
 #include "disk/disk.h"
 
@@ -36,13 +37,15 @@ int run(std::optional<std::uint16_t> port) {
 void addDap(CLI::App& app, int& exitCode) {
   auto port = std::make_shared<std::optional<std::uint16_t>>();
   auto* command = app.add_subcommand(
-      "dap", "Step through traces and simulations by the Debug Adapter Protocol");
-  command->add_option("--port", *port,
-                      "Wait for one client on this port of the loopback interface, instead of "
-                      "standard input and output");
-  command->footer(
-      "Exit code: 0 the client disconnected; 1 it was gone before; 2 the port cannot be "
-      "used.");
+      "dap", "Step through traces and simulations in a debugger (Debug Adapter Protocol)");
+  show(command->add_option("--port", *port,
+                           "Wait for one client on this port of the loopback interface (0: any "
+                           "free port) instead of standard input"),
+       group::kAdvanced, "PORT");
+  showBelow(*command, {"proskill dap"},
+            {{0, "the client disconnected"},
+             {1, "the client went away without disconnecting"},
+             {2, "the command line is wrong, or the port cannot be used"}});
   command->callback([port, &exitCode] { exitCode = run(*port); });
 }
 

@@ -3,6 +3,7 @@
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "codegen/model.h"
 #include "disk/disk.h"
@@ -57,28 +58,43 @@ int run(const Arguments& arguments) {
 
 void addEmit(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand("emit", "Print the model of a program as Fiacre");
+  auto* command = app.add_subcommand("emit", "Print the Fiacre model of a program");
   addChoice<Target>(
       *command, "target", arguments->target,
       {{"fiacre", Target::Fiacre}, {"tina", Target::Tina}, {"hfiacre", Target::HFiacre}},
-      "For verification, for frac and Tina, or for execution")
+      "fiacre: a model to verify; tina: the same for frac and Tina; hfiacre: a model to execute")
       ->required();
-  command->add_option("file", arguments->file, "The program's root file")->required();
-  command->add_option("-o,--output", arguments->output, "Write here, not to standard output");
-  command->add_option("--main", arguments->options.mainSkill, "The skill that is the mission");
-  auto* expanded = command->add_flag("--expanded", arguments->expanded,
-                                     "fiacre: a state for every step, to be read");
-  command
-      ->add_option("--rate", arguments->options.ticksPerSecond, "hfiacre: ticks per second, in Hz")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
-      ->excludes(expanded);
-  command->add_flag("--prove", arguments->prove, "`prove` for each property, not `assert`");
+  command->add_option("file", arguments->file, "Root file of the program")->required();
+  show(command->add_option("--main", arguments->options.mainSkill,
+                           "The skill that is the mission, where several could be"),
+       group::kSubject, "SKILL");
+  show(command->add_option("-o,--output", arguments->output,
+                           "Write to this file instead of standard output"),
+       group::kOutput, "FILE");
+  auto* expanded = show(command->add_flag("--expanded", arguments->expanded,
+                                          "fiacre: one state per step of a skill, easier to read"),
+                        group::kOutput);
+  show(command->add_flag("--prove", arguments->prove,
+                         "Write `prove` instead of `assert` for each property"),
+       group::kOutput);
+  addColour(*command, arguments->colour);
+  show(command
+           ->add_option("--rate", arguments->options.ticksPerSecond,
+                        "hfiacre: ticks per second (default 100)")
+           ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
+           ->excludes(expanded),
+       group::kAdvanced, "HZ");
   using codegen::StateVariableAutomata;
   addChoice<StateVariableAutomata>(
       *command, "--sv-automata", arguments->options.automata,
       {{"exact", StateVariableAutomata::Exact}, {"paper", StateVariableAutomata::Paper}},
-      "Automata that see each forbidden move, or that poll the variables");
-  addColour(*command, arguments->colour);
+      "exact: detect every forbidden move of a state variable; paper: poll, as the paper does",
+      group::kAdvanced);
+  showBelow(*command,
+            {"proskill emit fiacre mission.proskill",
+             "proskill emit hfiacre --rate 50 -o mission.hfcr mission.proskill"},
+            {{kWritten, "the model was written"},
+             {kFailed, "the program has errors, or the command line or the output is wrong"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 #include "cli/commands/explain.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "ide/description/explanation.h"
 #include "report/render.h"
@@ -125,10 +126,14 @@ int run(const Arguments& arguments) {
 void addExplain(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("explain", "Explain a diagnostic, with an example");
-  command->add_option("code", arguments->code, "As check prints it: PS0201");
-  command->add_flag("--list", arguments->list, "All codes, a line each");
-  command->add_flag("--markdown", arguments->markdown, "All of them, as the manual's page");
+  command->add_option("code", arguments->code, "The code that check prints, such as PS0201");
+  show(command->add_flag("--list", arguments->list, "List all codes, one line each"),
+       group::kOutput);
+  show(command->add_flag("--markdown", arguments->markdown, "Print all of them as a manual page"),
+       group::kOutput);
   addColour(*command, arguments->colour);
+  showBelow(*command, {"proskill explain PS0201", "proskill explain --list"},
+            {{0, "explained"}, {2, "there is no such code, or the command line is wrong"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/output/unified_diff.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "disk/output.h"
 #include "ide/snapshot/fiacre_file.h"
@@ -104,17 +105,17 @@ int run(const Arguments& arguments) {
 
 void addFmt(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand(
-      "fmt", "Lay out programs and Fiacre (.fcr) in the one style that there is");
-  command->add_option("file", arguments->files, "Files; - for standard input to standard output")
-      ->required();
-  command->add_flag("--check", arguments->check,
-                    "Change nothing; name the files that would change");
-  command->add_flag("--diff", arguments->diff, "Change nothing; print what would change");
-  command->footer("Only white space changes. A definition that cannot be read as it stands is left "
-                  "as it is.\n"
-                  "Exit code: 0 all is laid out; 1 with --check: a file is not; 2 a mistake in the "
-                  "command, or a file that cannot be read or written.");
+  auto* command = app.add_subcommand("fmt", "Format programs and models in Fiacre (.fcr)");
+  command->add_option("file", arguments->files, "Files; `-` formats standard input")->required();
+  show(command->add_flag("--check", arguments->check,
+                         "Change nothing; list the files that would change"),
+       group::kOutput);
+  show(command->add_flag("--diff", arguments->diff, "Change nothing; print what would change"),
+       group::kOutput);
+  showBelow(*command, {"proskill fmt mission.proskill", "proskill fmt --check *.proskill"},
+            {{kDone, "all files are formatted"},
+             {kNotLaidOut, "with --check: a file would change"},
+             {kUsage, "the command line is wrong, or a file cannot be read or written"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -3,6 +3,7 @@
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/picture_kinds.h"
 #include "disk/disk.h"
@@ -138,20 +139,33 @@ int run(const Arguments& arguments) {
 void addGraph(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("graph", "Draw state variables, skills, bodies and calls");
-  command->add_option("file", arguments->file, "The program's root file")->required();
+  command->add_option("file", arguments->file, "Root file of the program")->required();
   addChoice(*command, "--kind", arguments->kind, optional(kPictureKinds),
-            "State variables, skills, bodies, or who calls whom");
-  command->add_option("--name", arguments->name, "Of what: a state variable, skill or environment");
+            "A state variable, a skill, the body of a skill, or who calls whom", group::kSubject);
+  show(command->add_option("--name", arguments->name,
+                           "Which state variable, skill or environment to draw"),
+       group::kSubject, "NAME");
+  show(command->add_flag("--forbidden", arguments->forbidden,
+                         "Draw the forbidden moves of state variables too"),
+       group::kSubject);
   addChoice(*command, "--format", arguments->format, optional(kFormats),
-            "If not given, as the output's name says, else svg");
-  command->add_flag("--dark", arguments->dark, "For a dark page");
-  command->add_flag("--forbidden", arguments->forbidden,
-                    "The moves of state variables that are not allowed, too");
-  auto* directory = command->add_option("--out-dir", arguments->directory,
-                                        "Draw all that is chosen, each into a file of its own");
-  command->add_option("-o,--output", arguments->output, "Write here, not to standard output")
-      ->excludes(directory);
+            "Image format (default: by the name of the output, else svg)");
+  auto* directory = show(command->add_option("--out-dir", arguments->directory,
+                                             "Draw everything, one file each, into this directory"),
+                         group::kOutput, "DIRECTORY");
+  show(command
+           ->add_option("-o,--output", arguments->output,
+                        "Write to this file instead of standard output")
+           ->excludes(directory),
+       group::kOutput, "FILE");
+  show(command->add_flag("--dark", arguments->dark, "Colours for a dark background"),
+       group::kOutput);
   addColour(*command, arguments->colour);
+  showBelow(*command,
+            {"proskill graph --kind body --name land -o land.svg mission.proskill",
+             "proskill graph --out-dir pictures mission.proskill"},
+            {{kDrawn, "drawn"},
+             {kFailed, "the program has errors, or the command line or the output is wrong"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 #include "cli/commands/lsp.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "lsp/server/server.h"
 
@@ -98,18 +99,22 @@ int run(const Arguments& arguments) {
 
 void addLsp(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand("lsp", "Serve an editor by the Language Server Protocol");
-  command->add_option("--port", arguments->port,
-                      "Wait for one client on this port of the loopback interface, 0: any that "
-                      "is free, instead of standard input and output");
-  command->add_option("--log", arguments->log, "Append a line for each request to this file");
-  command->add_option("--debounce", arguments->debounce,
-                      "Milliseconds without an edit before diagnostics are sent");
-  command->add_flag("--stdio")->description(
-      "Standard input and output, as without it: some clients ask for it");
-  command->footer(
-      "Exit code: 0 the client said `shutdown` before it left; 1 it did not; 2 the port "
-      "or the log cannot be used.");
+  auto* command = app.add_subcommand("lsp", "Serve an editor (Language Server Protocol)");
+  show(command->add_option("--port", arguments->port,
+                           "Wait for one client on this port of the loopback interface (0: any "
+                           "free port) instead of standard input"),
+       group::kAdvanced, "PORT");
+  show(command->add_option("--log", arguments->log, "Append one line per request to this file"),
+       group::kAdvanced, "FILE");
+  show(command->add_option("--debounce", arguments->debounce,
+                           "Wait this long after the last edit before reporting (default 50)"),
+       group::kAdvanced, "MILLISECONDS");
+  show(command->add_flag("--stdio", "Use standard input and output, as by default"),
+       group::kAdvanced);
+  showBelow(*command, {"proskill lsp", "proskill lsp --log server.log"},
+            {{0, "the client shut the server down"},
+             {1, "the client went away without shutting it down"},
+             {kUsage, "the command line is wrong, or the port or the log cannot be used"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -8,6 +8,7 @@
 #include "cli/output/tina_backend.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/progress.h"
 #include "disk/disk.h"
@@ -17,6 +18,7 @@
 #include "report/render.h"
 #include "report/verify_report.h"
 #include "syntax/text/utf8.h"
+#include "verify/reduction_names.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,7 +26,6 @@
 #include <algorithm>
 #include <csignal>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <unistd.h>
 
@@ -68,25 +69,31 @@ void onInterrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-const std::map<std::string, verify::Reduction> kReductions{
-    {"dead-variables", verify::Reduction::DeadVariables},
-    {"live-variables", verify::Reduction::LiveVariables},
-    {"open-variables", verify::Reduction::FreeInputs},
-    {"safe-steps", verify::Reduction::StubbornSets},
-    {"inclusion", verify::Reduction::Inclusion},
-    {"extrapolation", verify::Reduction::Extrapolation}};
-
-std::vector<std::string> reductionNames() {
-  std::vector<std::string> names{"all", "none"};
-  for (const auto& [name, reduction] : kReductions) names.push_back(name);
+std::string reductionNames() {
+  std::string names = "all|none";
+  for (const auto& it : verify::kReductionNames) names += "|" + std::string(it.name);
   return names;
+}
+
+/// A former name becomes today's, with a hint. The error is empty where a name is known.
+std::string takeReduction(std::string& word) {
+  if (word == "all" || word == "none") return "";
+  for (const auto& it : verify::kReductionNames) {
+    if (word == it.name) return "";
+    if (it.formerName.empty() || word != it.formerName) continue;
+    std::cerr << "hint: the reduction `" << it.formerName << "` is called `" << it.name
+              << "` now; the next version takes only that\n";
+    word = it.name;
+    return "";
+  }
+  return "`" + word + "` is none of " + reductionNames();
 }
 
 std::set<verify::Reduction> reductions(const std::vector<std::string>& names) {
   std::set<verify::Reduction> chosen;
-  for (const auto& [name, reduction] : kReductions)
-    if (names.empty() || std::ranges::count(names, name) + std::ranges::count(names, "all") > 0)
-      chosen.insert(reduction);
+  for (const auto& it : verify::kReductionNames)
+    if (names.empty() || std::ranges::count(names, it.name) + std::ranges::count(names, "all") > 0)
+      chosen.insert(it.reduction);
   return chosen;
 }
 
@@ -284,61 +291,115 @@ int run(const Arguments& arguments, bool list) {
   return runModel(arguments, list, *program, *model);
 }
 
+void addSubject(CLI::App& command, Arguments& arguments, bool& list) {
+  show(command.add_option("--property", arguments.properties,
+                          "Verify only this property, or all whose names begin with this word and "
+                          "a dot; may be repeated"),
+       group::kSubject, "PROPERTY");
+  show(command.add_flag("--list", list, "List the names of the properties, and stop"),
+       group::kSubject);
+  show(command.add_option("--properties", arguments.added,
+                          "Verify the properties of this file too: Fiacre, or one formula (.ltl)"),
+       group::kSubject, "FILE");
+  show(command.add_option("--environment", arguments.environment,
+                          "Replace the environment by the Fiacre process in this file"),
+       group::kSubject, "FILE");
+  show(command.add_option("--main", arguments.mainSkill,
+                          "The skill that is the mission, where several could be"),
+       group::kSubject, "SKILL");
+}
+
+void addOutput(CLI::App& command, Arguments& arguments) {
+  addChoice<Format>(command, "--format", arguments.format,
+                    {{"text", Format::Text},
+                     {"json", Format::Json},
+                     {"junit", Format::JUnit},
+                     {"sarif", Format::Sarif}},
+                    "How to print verdicts");
+  addChoice<ShowTraces>(
+      command, "--traces", arguments.traces,
+      {{"failed", ShowTraces::Failed}, {"all", ShowTraces::All}, {"none", ShowTraces::None}},
+      "Which traces to print as text: of failed properties, all, or none");
+  show(command.add_option("--save-traces", arguments.saveTraces,
+                          "Save every trace in this directory, as JSON and text"),
+       group::kOutput, "DIRECTORY");
+  show(command.add_option("--report", arguments.report,
+                          "Write a web page with verdicts, traces and pictures to this directory"),
+       group::kOutput, "DIRECTORY");
+  show(command.add_option("--graph", arguments.graph,
+                          "Write the state graph to this file (.aut or .txt), or print its size "
+                          "(counts)"),
+       group::kOutput, "FILE");
+  addChoice<verify::GraphKind>(command, "--graph-of", arguments.graphOf,
+                               {{"classes", verify::GraphKind::Classes},
+                                {"markings", verify::GraphKind::Markings},
+                                {"untimed", verify::GraphKind::Untimed}},
+                               "States of that graph: state classes, markings, or markings "
+                               "without time");
+  show(command.add_flag("--strict", arguments.strict, "Exit with 1 for warnings too"),
+       group::kOutput);
+  addColour(command, arguments.colour);
+}
+
+void addLimits(CLI::App& command, Arguments& arguments) {
+  show(command
+           .add_option("--time-limit", arguments.timeLimit,
+                       "Time limit in seconds; properties not decided by then are inconclusive")
+           ->check(positiveSeconds()),
+       group::kLimits, "SECONDS");
+  show(command.add_option("--memory-limit", arguments.memoryLimit, "Memory limit in MiB")
+           ->check(CLI::PositiveNumber),
+       group::kLimits, "MIB");
+  show(command.add_option("--class-limit", arguments.classLimit, "Limit of explored state classes")
+           ->check(CLI::PositiveNumber),
+       group::kLimits, "NUMBER");
+}
+
+void addAdvanced(CLI::App& command, Arguments& arguments) {
+  show(command
+           .add_option("--jobs", arguments.jobs, "Threads to explore with; this version uses one")
+           ->check(CLI::Range(1U, 256U)),
+       group::kAdvanced, "NUMBER");
+  show(command
+           .add_option("--reduce", arguments.reduce,
+                       "Reductions of the state space, separated by commas; verdicts do not depend "
+                       "on them")
+           ->delimiter(',')
+           ->transform(CLI::Validator(takeReduction, "")),
+       group::kAdvanced, reductionNames());
+  show(command.add_flag("--expanded", arguments.expanded,
+                        "Verify the expanded model, with one state per step of a skill"),
+       group::kAdvanced);
+  using codegen::StateVariableAutomata;
+  addChoice<StateVariableAutomata>(
+      command, "--sv-automata", arguments.automata,
+      {{"exact", StateVariableAutomata::Exact}, {"paper", StateVariableAutomata::Paper}},
+      "exact: detect every forbidden move of a state variable; paper: poll, as the paper does",
+      group::kAdvanced);
+}
+
 } // namespace
 
 void addVerify(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<Arguments>();
   auto list = std::make_shared<bool>(false);
-  auto* command = app.add_subcommand("verify", "Check every property of a program, with traces");
-  command->add_option("file", arguments->file, "The program's root file")->required();
-  command->add_option("--property", arguments->properties,
-                      "Only these: a name, or its beginning up to a dot");
-  command->add_flag("--list", *list, "Print the properties' names and stop");
-  command->add_option("--environment", arguments->environment,
-                      "A process in Fiacre, in the place of the environment");
-  command->add_option("--properties", arguments->added,
-                      "More properties: a file in Fiacre, or one formula (.ltl)");
-  command->add_option("--main", arguments->mainSkill, "The skill that is the mission");
-  command->add_option("--format", arguments->format, "text, json, junit or sarif")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"text", Format::Text},
-                                                                        {"json", Format::Json},
-                                                                        {"junit", Format::JUnit},
-                                                                        {"sarif", Format::Sarif}}));
-  command->add_option("--traces", arguments->traces, "In text: of failed, all or none")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, ShowTraces>{
-          {"failed", ShowTraces::Failed}, {"all", ShowTraces::All}, {"none", ShowTraces::None}}));
-  addColour(*command, arguments->colour);
-  command
-      ->add_option("--jobs", arguments->jobs,
-                   "Threads to explore with; this version explores with one")
-      ->check(CLI::Range(1U, 256U));
-  command->add_option("--time-limit", arguments->timeLimit, "Seconds; what is open is inconclusive")
-      ->check(positiveSeconds());
-  command->add_option("--memory-limit", arguments->memoryLimit, "MiB, likewise")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--class-limit", arguments->classLimit, "State classes, likewise")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--save-traces", arguments->saveTraces,
-                      "Write every trace into this directory, as JSON and text");
-  command->add_option("--report", arguments->report,
-                      "Write a page with verdicts, traces and pictures into this directory");
-  command->add_option("--reduce", arguments->reduce, "Which reductions to use: all, none, or names")
-      ->delimiter(',')
-      ->check(CLI::IsMember(reductionNames()));
-  command->add_option("--graph", arguments->graph,
-                      "Write the state graph into this file, `.aut` or `.txt`; counts: its size");
-  command->add_option("--graph-of", arguments->graphOf, "classes, markings or untimed")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, verify::GraphKind>{{"classes", verify::GraphKind::Classes},
-                                                   {"markings", verify::GraphKind::Markings},
-                                                   {"untimed", verify::GraphKind::Untimed}}));
+  auto* command = app.add_subcommand("verify", "Verify the properties of a program");
+  command->add_option("file", arguments->file, "Root file of the program, or a model (.fcr)")
+      ->required();
+  addSubject(*command, *arguments, *list);
+  addOutput(*command, *arguments);
+  addLimits(*command, *arguments);
   addBackend(*command, arguments->backend);
-  command->add_flag("--strict", arguments->strict, "Warnings make the exit code 1 too");
-  command->add_flag("--expanded", arguments->expanded, "Verify the expanded model");
-  command->add_option("--sv-automata", arguments->automata, "exact or paper")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, codegen::StateVariableAutomata>{
-          {"exact", codegen::StateVariableAutomata::Exact},
-          {"paper", codegen::StateVariableAutomata::Paper}}));
+  addAdvanced(*command, *arguments);
+  showBelow(*command,
+            {"proskill verify mission.proskill",
+             "proskill verify --property land --time-limit 60 mission.proskill",
+             "proskill verify --format junit mission.proskill > report.xml"},
+            {{kGood, "all properties are as they should be"},
+             {kViolated, "a property is violated (with --strict: or a warning)"},
+             {kUsage, "the program has errors, the command line is wrong, or Tina cannot be run"},
+             {kInconclusive, "nothing is violated, but a limit left properties undecided"},
+             {kDiffer, "with --backend both: the engine and Tina disagree"}});
   command->callback([arguments, list, &exitCode] { exitCode = run(*arguments, *list); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "view/http_server.h"
 #include "view/panel_routes.h"
@@ -73,8 +74,11 @@ int run(const Arguments& arguments) {
   std::cout << address.url() << std::endl;
   if (isatty(STDERR_FILENO) != 0) std::cerr << "Ctrl-C ends it\n";
   if (!arguments.noOpen) openBrowser(address.url());
-  (*server)->run([&](const HttpRequest& request) { return answer(request, address, **data, news); },
-                 [&] { news.close(); });
+  (*server)->run(
+      [&](const HttpRequest& request, const HttpServer::Reply& reply) {
+        answer(request, address, **data, news, reply);
+      },
+      [&] { news.close(); });
   return kEnded;
 }
 
@@ -86,18 +90,30 @@ void addView(CLI::App& app, int& exitCode) {
       app.add_subcommand("view", "Show verdicts, traces and automata in a browser, live");
   command
       ->add_option("file", arguments->file,
-                   "The program's root file, or a trace or report as JSON that was saved")
+                   "Root file of the program, or a saved trace or report (JSON)")
       ->required();
-  command->add_option("--main", arguments->mainSkill, "The skill that is the mission");
-  command->add_option("--port", arguments->port, "Of the loopback interface; any free one if 0");
-  command->add_flag("--no-open", arguments->noOpen, "Print the address, open no browser");
-  command
-      ->add_option("--time-limit", arguments->timeLimit,
-                   "Seconds for a verification; what is open is inconclusive")
-      ->check(positiveSeconds());
-  command->add_option("--memory-limit", arguments->memoryLimit, "MiB, likewise")
-      ->check(CLI::PositiveNumber);
-  command->footer("Exit code: 0 ended by Ctrl-C; 2 the file or the port cannot be used.");
+  show(command->add_option("--main", arguments->mainSkill,
+                           "The skill that is the mission, where several could be"),
+       group::kSubject, "SKILL");
+  show(command->add_flag("--no-open", arguments->noOpen,
+                         "Print the address without opening a browser"),
+       group::kOutput);
+  show(command
+           ->add_option("--time-limit", arguments->timeLimit,
+                        "Time limit of a verification in seconds (default 60); properties not "
+                        "decided by then are inconclusive")
+           ->check(positiveSeconds()),
+       group::kLimits, "SECONDS");
+  show(command
+           ->add_option("--memory-limit", arguments->memoryLimit,
+                        "Memory limit of a verification in MiB (default 2048)")
+           ->check(CLI::PositiveNumber),
+       group::kLimits, "MIB");
+  show(command->add_option("--port", arguments->port,
+                           "Port on the loopback interface (0, the default: any free port)"),
+       group::kAdvanced, "PORT");
+  showBelow(*command, {"proskill view mission.proskill", "proskill view report.json"},
+            {{kEnded, "ended by Ctrl-C"}, {kUsage, "the file or the port cannot be used"}});
   command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -16,6 +16,12 @@ std::optional<std::string> variable(const std::string& name) {
   return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
 }
 
+/// `PROSKILL_FRAC` of `frac`.
+std::string variableOf(std::string tool) {
+  for (char& c : tool) c = static_cast<char>(c - 'a' + 'A');
+  return "PROSKILL_" + tool;
+}
+
 std::string list(const std::vector<std::string>& missing) {
   std::string text = "Tina is not complete here:";
   for (const auto& item : missing) text += "\n  - " + item;
@@ -41,19 +47,28 @@ void addBackend(CLI::App& command, BackendArguments& arguments) {
   addChoice<Backend>(
       command, "--backend", arguments.backend,
       {{"engine", Backend::Engine}, {"tina", Backend::Tina}, {"both", Backend::Both}},
-      "Who verifies: the engine, Tina, or both, which are compared");
+      "Verify with the built-in engine, with the Tina tools, or with both and compare",
+      group::kBackends);
   auto& tools = arguments.tools;
-  command.add_option("--frac", tools.frac, "Where `frac` is; else PROSKILL_FRAC, else the PATH");
-  command.add_option("--sift", tools.sift, "Where `sift` is, likewise");
-  command.add_option("--tina", tools.tina, "Where `tina` is, to be used in place of `sift`");
-  command.add_option("--selt", tools.selt, "Where `selt` is, likewise");
-  command.add_option("--ktzio", tools.ktzio, "Where `ktzio` is, likewise");
-  command.add_option("--cc", tools.cc, "A compiler of C; else CC, else `cc` on the PATH");
-  command.add_option("--fraclib", tools.fraclib, "The directory FRACLIB; else the variable");
-  command.add_option("--keep", arguments.keep,
-                     "Run Tina in this fresh directory, and leave its files there");
-  command.add_option("--difference", arguments.difference,
-                     "both: write what differs into this file");
+  for (auto [name, path] : {std::pair("--frac", &tools.frac), std::pair("--sift", &tools.sift),
+                            std::pair("--tina", &tools.tina), std::pair("--selt", &tools.selt),
+                            std::pair("--ktzio", &tools.ktzio)})
+    show(command.add_option(name, *path,
+                            std::string("Path of `") + (name + 2) + "` (default: the variable " +
+                                variableOf(name + 2) + ", else PATH)"),
+         group::kBackends, "PROGRAM");
+  show(command.add_option("--cc", tools.cc, "Path of a C compiler (default: CC, else `cc`)"),
+       group::kBackends, "PROGRAM");
+  show(command.add_option("--fraclib", tools.fraclib,
+                          "Directory of frac's headers (default: the variable FRACLIB)"),
+       group::kBackends, "DIRECTORY");
+  show(command.add_option("--keep", arguments.keep,
+                          "Run the tools in this new directory, and keep their files"),
+       group::kBackends, "DIRECTORY");
+  show(command.add_option("--difference", arguments.difference,
+                          "both: write a report of differences to this file (default "
+                          "proskill-difference.md)"),
+       group::kBackends, "FILE");
 }
 
 std::expected<TinaRun, std::string> runTina(const BackendArguments& arguments,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cli/terminal/help.h"
+
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -21,14 +23,15 @@ template <class Value> std::string words(const Choices<Value>& choices, std::str
 /// An option that takes one of some words, each for a value. Its help names them.
 template <class Value>
 CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen,
-                       const Choices<Value>& choices, const std::string& help) {
+                       const Choices<Value>& choices, const std::string& help,
+                       const char* inGroup = group::kOutput) {
   auto choose = [&chosen, choices, name](const std::string& word) {
     for (const auto& [known, value] : choices)
       if (known == word) return static_cast<void>(chosen = value);
     throw CLI::ValidationError(name, "`" + word + "` is none of " + words(choices, ", "));
   };
-  return command.add_option_function<std::string>(name, choose, help)
-      ->type_name(words(choices, "|"));
+  auto* option = command.add_option_function<std::string>(name, choose, help);
+  return show(option, inGroup, words(choices, "|"));
 }
 
 /// A length of time in seconds: more than nothing, and finite, which `nan` and `1e999` are not.

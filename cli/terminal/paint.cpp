@@ -18,7 +18,7 @@ void addColour(CLI::App& command, ColourChoice& choice) {
                           {{"auto", ColourChoice::Auto},
                            {"always", ColourChoice::Always},
                            {"never", ColourChoice::Never}},
-                          "Colours; auto: on a terminal, unless NO_COLOR is set");
+                          "Colours; auto: on a terminal where NO_COLOR is not set");
 }
 
 } // namespace proskill::cli

@@ -148,6 +148,18 @@ TEST_CASE("a violation that was found before a limit counts") {
   CHECK(property(report, "battery.no_forbidden_transition")["verdict"] == "violated");
 }
 
+TEST_CASE("the former name of a reduction is taken, with a hint") {
+  TemporaryDirectory files;
+  auto good = files.write("good.proskill", kGood);
+  const auto former = verify({good, "--reduce", "safe-steps,inclusion"});
+  CHECK(former.exitCode == 0);
+  CHECK(former.err.find("hint: the reduction `safe-steps` is called `stubborn-sets` now") !=
+        std::string::npos);
+  const auto today = verify({good, "--reduce", "stubborn-sets,free-inputs"});
+  CHECK(today.exitCode == 0);
+  CHECK(today.err.find("hint") == std::string::npos);
+}
+
 TEST_CASE("bad usage, missing files and programs with errors end with 2") {
   TemporaryDirectory files;
   auto good = files.write("good.proskill", kGood);

@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""Makes the manual page and the completions of the shells from what `--help` shows.
+
+usage: generate.py PROGRAM [--check]: writes the files, or names those that are not as they would be written.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROGRAM_FILES = {"view": "proskill|json"}
+
+
+class Option:
+    def __init__(self, row):
+        self.names = ["-" + it for it in row["short"]] + ["--" + it for it in row["long"]]
+        self.positional, self.group, self.sentence = row["positional"], row["group"], row["sentence"]
+        self.value = row["value"]
+
+    @property
+    def long(self):
+        return self.names[-1]
+
+    @property
+    def words(self):
+        """The values that may follow, where they are a list."""
+        if "|" in self.value:
+            return self.value.split("|")
+        return ["counts"] if self.long == "--graph" else []
+
+    @property
+    def many(self):
+        return self.long == "--reduce"
+
+
+def commands_of(program):
+    data = json.loads(subprocess.run([program, "help-data"], capture_output=True, text=True, check=True).stdout)
+    for command in data["commands"]:
+        command["options"] = [Option(row) for row in command["options"]]
+    return data
+
+
+def plain(command):
+    return [it for it in command["options"] if not it.positional]
+
+
+# The manual page.
+
+def roff(text):
+    return text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
+
+
+def roff_command(command):
+    yield f".SS {command['name']}"
+    yield roff(command["sentence"]) + "."
+    group = None
+    for option in command["options"]:
+        if option.long == "--help":
+            continue
+        if not option.positional and option.group != group:
+            group = option.group
+            yield f".PP\n.I {roff(group)}"
+        names = option.positional or ", ".join(option.names)
+        value = f" \\fI{roff(option.value)}\\fR" if option.value and not option.positional else ""
+        yield f".TP\n\\fB{roff(names)}\\fR{value}\n{roff(option.sentence)}."
+    yield ".PP\n.nf\n" + roff(command["below"]) + "\n.fi"
+
+
+def manual(data):
+    head = (HERE / "proskill.1.head").read_text()
+    tail = (HERE / "proskill.1.tail").read_text()
+    body = "\n".join(line for command in data["commands"] for line in roff_command(command))
+    return head.replace("@VERSION@", data["version"]) + body + "\n" + tail
+
+
+# The shells.
+
+def bash_kind(option):
+    return {"DIRECTORY": "-d", "FILE": "-f", "PROGRAM": "-c"}.get(option.value)
+
+
+def bash(data):
+    names = [it["name"] for it in data["commands"]]
+    values, options, kinds = [], [], []
+    for command in data["commands"]:
+        options.append(f"    {command['name']}) echo '{' '.join(it.long for it in plain(command))}' ;;")
+        for option in plain(command):
+            for name in option.names:
+                if option.words:
+                    values.append(f"    '{command['name']} {name}') echo '{' '.join(option.words)}' ;;")
+                elif bash_kind(option):
+                    kinds.append(f"    '{command['name']} {name}') echo '{bash_kind(option)}' ;;")
+        for option in command["options"]:
+            if option.positional and option.words:
+                values.append(f"    '{command['name']} {command['name']}') echo '{' '.join(option.words)}' ;;")
+    text = (HERE / "proskill.bash.in").read_text()
+    for mark, lines in (("VALUES", values), ("KINDS", kinds), ("OPTIONS", options), ("COMMANDS", [" ".join(names)])):
+        text = text.replace(f"@{mark}@", "\n".join(lines).strip() if mark == "COMMANDS" else "\n".join(lines))
+    return text
+
+
+def zsh_quoted(text):
+    return text.replace("'", "'\\''").replace("[", "(").replace("]", ")").replace(":", "\\:")
+
+
+def zsh_value(option):
+    words = " ".join(option.words)
+    if option.long == "--graph":
+        return ":file:_files"
+    if option.many:
+        return f":names:_values -s , name {words}"
+    if words:
+        return f":value:({words})"
+    kind = {"FILE": "_files", "PROGRAM": "_files", "DIRECTORY": "_files -/", "PROPERTY": "_proskill_properties"}
+    return f":{option.value.lower()}:{kind.get(option.value, ' ')}" if option.value else ""
+
+
+def zsh(data):
+    commands = "\n".join(f"    '{it['name']}:{zsh_quoted(it['sentence'])}'" for it in data["commands"])
+    cases = []
+    for command in data["commands"]:
+        lines = []
+        for option in plain(command):
+            spec = f"[{zsh_quoted(option.sentence)}]{zsh_value(option)}"
+            repeated = "*" if option.value == "PROPERTY" else ""
+            names = "{" + ",".join(option.names) + "}" if len(option.names) > 1 else ""
+            lines.append(f"        {names}'{spec}'" if names else f"        '{repeated}{option.long}{spec}'")
+        for option in command["options"]:
+            if option.positional:
+                lines.append(f"        '1:{option.positional}:({' '.join(option.words)})'" if option.words else
+                             f"        '*:{option.positional}:" + zsh_positional(command, option) + "'")
+        cases.append(f"    {command['name']})\n      _arguments \\\n" + " \\\n".join(lines) + " ;;")
+    return (HERE / "_proskill.in").read_text().replace("@COMMANDS@", commands).replace("@CASES@", "\n".join(cases))
+
+
+def zsh_positional(command, option):
+    if option.positional == "code":
+        return " "
+    return f'_files -g "*.({PROGRAM_FILES.get(command["name"], "proskill|fcr")})"'
+
+
+def fish_quoted(text):
+    return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'"
+
+
+def fish_value(option):
+    if option.words:
+        return f" -x -a '{' '.join(option.words)}'" if option.long != "--graph" else " -r -a counts"
+    kind = {"FILE": " -r", "PROGRAM": " -r", "DIRECTORY": " -x -a '(__fish_complete_directories)'",
+            "PROPERTY": " -x -a '(__proskill_properties)'"}
+    return kind.get(option.value, " -x") if option.value else ""
+
+
+def fish(data):
+    lines = []
+    for command in data["commands"]:
+        name = command["name"]
+        seen = f"complete -c proskill -n '__fish_seen_subcommand_from {name}'"
+        lines.append(f"complete -c proskill -n __fish_use_subcommand -a {name} -d {fish_quoted(command['sentence'])}")
+        for option in plain(command):
+            short = "".join(f" -s {it[1:]}" for it in option.names if not it.startswith("--"))
+            lines.append(f"{seen}{short} -l {option.long[2:]} -d {fish_quoted(option.sentence)}{fish_value(option)}")
+        for option in command["options"]:
+            if option.positional and option.words:
+                lines.append(f"{seen} -a '{' '.join(option.words)}'")
+            elif option.positional == "file":
+                for ending in PROGRAM_FILES.get(name, "proskill|fcr").split("|"):
+                    lines.append(f"{seen} -ka '(__fish_complete_suffix .{ending})'")
+    return (HERE / "proskill.fish.in").read_text().replace("@OPTIONS@", "\n".join(lines))
+
+
+def main():
+    data = commands_of(sys.argv[1])
+    made = {HERE.parent / "man/proskill.1": manual(data), HERE / "proskill.bash": bash(data),
+            HERE / "_proskill": zsh(data), HERE / "proskill.fish": fish(data)}
+    stale = [path for path, text in made.items() if not path.exists() or path.read_text() != text]
+    if "--check" in sys.argv:
+        for path in stale:
+            print(f"{path.relative_to(HERE.parent)} is not what completions/generate.py makes")
+        return 1 if stale else 0
+    for path in stale:
+        path.write_text(made[path])
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
