@@ -41,7 +41,7 @@ void isReadAsWritten(const HttpRequest& request) {
 /// The response has one head, and all of the body behind it.
 void isAnswered(std::string_view body) {
   for (const int status : {200, 404, 413, 599}) {
-    const auto bytes = toBytes({status, "text/plain", std::string(body), {}});
+    const auto bytes = toBytes({status, "text/plain", std::string(body), {}}, "GET");
     expect(bytes.starts_with("HTTP/1.1 " + std::to_string(status) + " "), "the status comes first");
     const auto end = bytes.find(kEndOfHead);
     expect(std::string_view(bytes).substr(end + kEndOfHead.size()) == body, "the body comes last");
