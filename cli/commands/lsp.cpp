@@ -109,7 +109,7 @@ void addLsp(CLI::App& app, int& exitCode) {
   show(command->add_option("--debounce", arguments->debounce,
                            "Wait this long after the last edit before reporting (default 50)"),
        group::kAdvanced, "MILLISECONDS");
-  show(command->add_flag("--stdio", std::string("Use standard input and output, as by default")),
+  show(command->add_flag("--stdio")->description("Use standard input and output, as by default"),
        group::kAdvanced);
   showBelow(*command, {"proskill lsp", "proskill lsp --log server.log"},
             {{0, "the client shut the server down"},
