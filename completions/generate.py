@@ -22,7 +22,7 @@ class Option:
 
     @property
     def long(self):
-        return self.names[-1]
+        return self.names[-1] if self.names else ""
 
     @property
     def words(self):

@@ -1,36 +1,66 @@
 # Completion of proskill for bash.
 
-# What may follow an option; nothing: no option that takes a value from a list.
+# Made by completions/generate.py from what `proskill help-data` says.
+
+# The values of an option; of a command's first argument where the name of the command precedes it.
 _proskill_values() {
   case "$1 $2" in
     'check --format') echo 'text short json sarif' ;;
-    'verify --format') echo 'text json junit sarif' ;;
-    'graph --format') echo 'dot svg png' ;;
+    'check --color') echo 'auto always never' ;;
+    'emit --color') echo 'auto always never' ;;
+    'emit --sv-automata') echo 'exact paper' ;;
+    'emit emit') echo 'fiacre tina hfiacre' ;;
+    'explain --color') echo 'auto always never' ;;
     'graph --kind') echo 'sv skill body calls' ;;
+    'graph --format') echo 'dot svg png' ;;
+    'graph --color') echo 'auto always never' ;;
+    'verify --format') echo 'text json junit sarif' ;;
     'verify --traces') echo 'failed all none' ;;
-    'verify --reduce') echo 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation' ;;
     'verify --graph') echo 'counts' ;;
-    'verify --backend') echo 'engine tina both' ;;
     'verify --graph-of') echo 'classes markings untimed' ;;
-    *' --sv-automata') echo 'exact paper' ;;
-    *' --color') echo 'auto always never' ;;
+    'verify --color') echo 'auto always never' ;;
+    'verify --backend') echo 'engine tina both' ;;
+    'verify --reduce') echo 'all none dead-variables live-variables free-inputs stubborn-sets inclusion extrapolation' ;;
+    'verify --sv-automata') echo 'exact paper' ;;
+  esac
+}
+
+# What compgen completes an option with: files, directories or commands.
+_proskill_kinds() {
+  case "$1 $2" in
+    'emit -o') echo '-f' ;;
+    'emit --output') echo '-f' ;;
+    'graph --out-dir') echo '-d' ;;
+    'graph -o') echo '-f' ;;
+    'graph --output') echo '-f' ;;
+    'lsp --log') echo '-f' ;;
+    'verify --properties') echo '-f' ;;
+    'verify --environment') echo '-f' ;;
+    'verify --save-traces') echo '-d' ;;
+    'verify --report') echo '-d' ;;
+    'verify --frac') echo '-c' ;;
+    'verify --sift') echo '-c' ;;
+    'verify --tina') echo '-c' ;;
+    'verify --selt') echo '-c' ;;
+    'verify --ktzio') echo '-c' ;;
+    'verify --cc') echo '-c' ;;
+    'verify --fraclib') echo '-d' ;;
+    'verify --keep') echo '-d' ;;
+    'verify --difference') echo '-f' ;;
   esac
 }
 
 _proskill_options() {
   case "$1" in
-    check) echo '--format --fragment --style --fix --color --help' ;;
-    explain) echo '--list --markdown --color --help' ;;
-    fmt) echo '--check --diff --help' ;;
-    emit) echo '--output --expanded --rate --prove --sv-automata --main --color --help' ;;
-    verify)
-      echo '--property --environment --properties --list --main --format --traces --save-traces --jobs --time-limit --memory-limit
-            --class-limit --report --reduce --graph --graph-of --backend --frac --sift --tina --selt --ktzio --cc
-            --fraclib --keep --difference --strict --expanded --sv-automata --color --help' ;;
-    graph) echo '--kind --name --format --dark --forbidden --out-dir --output --color --help' ;;
-    view) echo '--main --port --no-open --time-limit --memory-limit --help' ;;
-    lsp) echo '--stdio --port --log --debounce --help' ;;
-    dap) echo '--port --help' ;;
+    check) echo '--help --fragment --style --fix --format --color' ;;
+    dap) echo '--help --port' ;;
+    emit) echo '--help --main --output --expanded --prove --color --rate --sv-automata' ;;
+    explain) echo '--help --list --markdown --color' ;;
+    fmt) echo '--help --check --diff' ;;
+    graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
+    lsp) echo '--help --port --log --debounce --stdio' ;;
+    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --jobs --reduce --expanded --sv-automata' ;;
+    view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
   esac
 }
@@ -46,18 +76,18 @@ _proskill() {
   local current="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local command="${COMP_WORDS[1]}" words
   COMPREPLY=()
+  local kind
+  kind=$(_proskill_kinds "$command" "$previous")
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check explain fmt emit verify graph view lsp dap $(_proskill_options)"
+    words="check dap emit explain fmt graph lsp verify view $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
-  elif [ "$previous" = --save-traces ] || [ "$previous" = --report ] || [ "$previous" = --out-dir ] ||
-       [ "$previous" = --keep ] || [ "$previous" = --fraclib ]; then
-    mapfile -t COMPREPLY < <(compgen -d -- "$current")
+  elif [ -n "$kind" ]; then
+    mapfile -t COMPREPLY < <(compgen "$kind" -- "$current")
     return
   else
     words=$(_proskill_values "$command" "$previous")
     if [ -z "$words" ] && [[ "$current" == -* ]]; then words=$(_proskill_options "$command"); fi
-    if [ -z "$words" ] && [ "$command" = emit ] && [ "$COMP_CWORD" -eq 2 ]; then words='fiacre tina hfiacre'; fi
   fi
   if [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")

@@ -1,4 +1,4 @@
-# Completion of proskill for fish.
+# Completion of proskill for fish. Made by completions/generate.py.
 
 function __proskill_properties
     for word in (commandline -opc)
@@ -9,78 +9,101 @@ function __proskill_properties
     end
 end
 
-# __proskill_option COMMANDS OPTION DESCRIPTION ARGUMENTS…: the arguments say what may follow the option.
-function __proskill_option
-    complete -c proskill -n "__fish_seen_subcommand_from $argv[1]" -l $argv[2] -d $argv[3] $argv[4..]
-end
-
 complete -c proskill -f
-complete -c proskill -l help -d 'show help'
 complete -c proskill -n __fish_use_subcommand -l version -d 'show the version'
-complete -c proskill -n __fish_use_subcommand -a check -d 'say what is wrong with programs'
-complete -c proskill -n __fish_use_subcommand -a explain -d 'explain a code of a diagnostic'
-complete -c proskill -n __fish_use_subcommand -a fmt -d 'lay out programs'
-complete -c proskill -n __fish_use_subcommand -a emit -d 'print the model that a program means'
-complete -c proskill -n __fish_use_subcommand -a verify -d 'decide the properties of a program'
-complete -c proskill -n __fish_use_subcommand -a graph -d 'draw a part of a program'
-complete -c proskill -n __fish_use_subcommand -a view -d 'show verdicts and traces in a browser'
-complete -c proskill -n __fish_use_subcommand -a lsp -d 'serve an editor'
-complete -c proskill -n __fish_use_subcommand -a dap -d 'step through traces in a debugger'
-complete -c proskill -n '__fish_seen_subcommand_from check fmt emit verify graph view' -ka '(__fish_complete_suffix .proskill)'
-complete -c proskill -n '__fish_seen_subcommand_from view' -ka '(__fish_complete_suffix .json)'
+complete -c proskill -n __fish_use_subcommand -a check -d 'Find mistakes in programs'
+complete -c proskill -n '__fish_seen_subcommand_from check' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from check' -l fragment -d 'The files are parts of programs: names defined elsewhere are only hints'
+complete -c proskill -n '__fish_seen_subcommand_from check' -l style -d 'Report hints on style too'
+complete -c proskill -n '__fish_seen_subcommand_from check' -l fix -d 'Apply the fixes that are safe to the files, then report what is left'
+complete -c proskill -n '__fish_seen_subcommand_from check' -l format -d 'How to print findings; short: one line each' -x -a 'text short json sarif'
+complete -c proskill -n '__fish_seen_subcommand_from check' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a dap -d 'Step through traces and simulations in a debugger (Debug Adapter Protocol)'
+complete -c proskill -n '__fish_seen_subcommand_from dap' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from dap' -l port -d 'Wait for one client on this port of the loopback interface (0: any free port) instead of standard input' -x
+complete -c proskill -n __fish_use_subcommand -a emit -d 'Print the Fiacre model of a program'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from emit' -s o -l output -d 'Write to this file instead of standard output' -r
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l expanded -d 'fiacre: one state per step of a skill, easier to read'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l prove -d 'Write `prove` instead of `assert` for each property'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l rate -d 'hfiacre: ticks per second (default 100)' -x
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l sv-automata -d 'exact: detect every forbidden move of a state variable; paper: poll, as the paper does' -x -a 'exact paper'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -a 'fiacre tina hfiacre'
-
-__proskill_option check format 'how to print' -x -a 'text short json sarif'
-__proskill_option check fragment 'the files are parts of programs'
-__proskill_option check style 'hints of style too'
-__proskill_option check fix 'mend what one edit mends'
-__proskill_option explain list 'all codes, a line each'
-__proskill_option explain markdown 'all of them as a page'
-__proskill_option fmt check 'name the files that would change'
-__proskill_option fmt diff 'print what would change'
-__proskill_option 'emit graph' output 'write there' -r
-__proskill_option emit rate 'ticks per second' -x
-__proskill_option emit prove 'prove instead of assert'
-__proskill_option 'check explain emit verify graph' color 'when to use colours' -x -a 'auto always never'
-__proskill_option 'emit verify view' main 'the skill that is the mission' -x
-__proskill_option 'emit verify' expanded 'name every state'
-__proskill_option 'emit verify' sv-automata 'form of the automata' -x -a 'exact paper'
-__proskill_option verify property 'only these' -x -a '(__proskill_properties)'
-__proskill_option verify environment 'a process in Fiacre for the environment' -r
-__proskill_option verify properties 'more properties' -r
-__proskill_option verify list 'print the names of the properties'
-__proskill_option verify format 'how to print' -x -a 'text json junit sarif'
-__proskill_option verify traces 'whose traces to show' -x -a 'failed all none'
-__proskill_option verify save-traces 'write every trace there' -x -a '(__fish_complete_directories)'
-__proskill_option verify jobs threads -x
-__proskill_option 'verify view' time-limit seconds -x
-__proskill_option 'verify view' memory-limit MiB -x
-__proskill_option verify report 'a page with all of it there' -x -a '(__fish_complete_directories)'
-__proskill_option verify class-limit classes -x
-__proskill_option verify reduce 'measures to use' -x -a 'all none dead-variables live-variables open-variables safe-steps inclusion extrapolation'
-__proskill_option verify graph 'write the state graph there, or counts' -r -a counts
-__proskill_option verify graph-of 'what its states are' -x -a 'classes markings untimed'
-__proskill_option verify backend 'who verifies' -x -a 'engine tina both'
-__proskill_option verify frac 'where frac is' -r
-__proskill_option verify sift 'where sift is' -r
-__proskill_option verify tina 'where tina is' -r
-__proskill_option verify selt 'where selt is' -r
-__proskill_option verify ktzio 'where ktzio is' -r
-__proskill_option verify cc 'a compiler of C' -r
-__proskill_option verify fraclib 'headers of frac' -x -a '(__fish_complete_directories)'
-__proskill_option verify keep 'leave the files of Tina there' -x -a '(__fish_complete_directories)'
-__proskill_option verify difference 'write what differs there' -r
-__proskill_option verify strict 'warnings count'
-__proskill_option graph kind 'what to draw' -x -a 'sv skill body calls'
-__proskill_option graph name 'which state variable or skill' -x
-__proskill_option graph format 'how to print' -x -a 'dot svg png'
-__proskill_option graph dark 'for a dark page'
-__proskill_option graph forbidden 'forbidden moves, too'
-__proskill_option graph out-dir 'each picture into a file there' -x -a '(__fish_complete_directories)'
-__proskill_option view port 'of the loopback interface' -x
-__proskill_option view no-open 'print the address only'
-__proskill_option lsp stdio 'standard input and output'
-__proskill_option lsp port 'of the loopback interface' -x
-__proskill_option lsp log 'a line for each request' -r
-__proskill_option dap port 'of the loopback interface' -x
-__proskill_option lsp debounce 'milliseconds before diagnostics are sent' -x
+complete -c proskill -n '__fish_seen_subcommand_from emit' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from emit' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a explain -d 'Explain a diagnostic, with an example'
+complete -c proskill -n '__fish_seen_subcommand_from explain' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from explain' -l list -d 'List all codes, one line each'
+complete -c proskill -n '__fish_seen_subcommand_from explain' -l markdown -d 'Print all of them as a manual page'
+complete -c proskill -n '__fish_seen_subcommand_from explain' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n __fish_use_subcommand -a fmt -d 'Format programs and models in Fiacre (.fcr)'
+complete -c proskill -n '__fish_seen_subcommand_from fmt' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from fmt' -l check -d 'Change nothing; list the files that would change'
+complete -c proskill -n '__fish_seen_subcommand_from fmt' -l diff -d 'Change nothing; print what would change'
+complete -c proskill -n '__fish_seen_subcommand_from fmt' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from fmt' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a graph -d 'Draw state variables, skills, bodies and calls'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l kind -d 'A state variable, a skill, the body of a skill, or who calls whom' -x -a 'sv skill body calls'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l name -d 'Which state variable, skill or environment to draw' -x
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l forbidden -d 'Draw the forbidden moves of state variables too'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l format -d 'Image format (default: by the name of the output, else svg)' -x -a 'dot svg png'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l out-dir -d 'Draw everything, one file each, into this directory' -x -a '(__fish_complete_directories)'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -s o -l output -d 'Write to this file instead of standard output' -r
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l dark -d 'Colours for a dark background'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from graph' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a lsp -d 'Serve an editor (Language Server Protocol)'
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -l port -d 'Wait for one client on this port of the loopback interface (0: any free port) instead of standard input' -x
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -l log -d 'Append one line per request to this file' -r
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -l debounce -d 'Wait this long after the last edit before reporting (default 50)' -x
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -l stdio -d 'Use standard input and output, as by default'
+complete -c proskill -n __fish_use_subcommand -a verify -d 'Verify the properties of a program'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l property -d 'Verify only this property, or all whose names begin with this word and a dot; may be repeated' -x -a '(__proskill_properties)'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l list -d 'List the names of the properties, and stop'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l properties -d 'Verify the properties of this file too: Fiacre, or one formula (.ltl)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l environment -d 'Replace the environment by the Fiacre process in this file' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l format -d 'How to print verdicts' -x -a 'text json junit sarif'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l traces -d 'Which traces to print as text: of failed properties, all, or none' -x -a 'failed all none'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l save-traces -d 'Save every trace in this directory, as JSON and text' -x -a '(__fish_complete_directories)'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l report -d 'Write a web page with verdicts, traces and pictures to this directory' -x -a '(__fish_complete_directories)'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l graph -d 'Write the state graph to this file (.aut or .txt), or print its size (counts)' -r -a counts
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l graph-of -d 'States of that graph: state classes, markings, or markings without time' -x -a 'classes markings untimed'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l strict -d 'Exit with 1 for warnings too'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l time-limit -d 'Time limit in seconds; properties not decided by then are inconclusive' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l memory-limit -d 'Memory limit in MiB' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l class-limit -d 'Limit of explored state classes' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l backend -d 'Verify with the built-in engine, with the Tina tools, or with both and compare' -x -a 'engine tina both'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l frac -d 'Path of `frac` (default: the variable PROSKILL_FRAC, else PATH)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l sift -d 'Path of `sift` (default: the variable PROSKILL_SIFT, else PATH)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l tina -d 'Path of `tina` (default: the variable PROSKILL_TINA, else PATH)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l selt -d 'Path of `selt` (default: the variable PROSKILL_SELT, else PATH)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l ktzio -d 'Path of `ktzio` (default: the variable PROSKILL_KTZIO, else PATH)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l cc -d 'Path of a C compiler (default: CC, else `cc`)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l fraclib -d 'Directory of frac\'s headers (default: the variable FRACLIB)' -x -a '(__fish_complete_directories)'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l keep -d 'Run the tools in this new directory, and keep their files' -x -a '(__fish_complete_directories)'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l difference -d 'both: write a report of differences to this file (default proskill-difference.md)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l jobs -d 'Threads to explore with; this version uses one' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs stubborn-sets inclusion extrapolation'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l expanded -d 'Verify the expanded model, with one state per step of a skill'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l sv-automata -d 'exact: detect every forbidden move of a state variable; paper: poll, as the paper does' -x -a 'exact paper'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a view -d 'Show verdicts, traces and automata in a browser, live'
+complete -c proskill -n '__fish_seen_subcommand_from view' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from view' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from view' -l no-open -d 'Print the address without opening a browser'
+complete -c proskill -n '__fish_seen_subcommand_from view' -l time-limit -d 'Time limit of a verification in seconds (default 60); properties not decided by then are inconclusive' -x
+complete -c proskill -n '__fish_seen_subcommand_from view' -l memory-limit -d 'Memory limit of a verification in MiB (default 2048)' -x
+complete -c proskill -n '__fish_seen_subcommand_from view' -l port -d 'Port on the loopback interface (0, the default: any free port)' -x
+complete -c proskill -n '__fish_seen_subcommand_from view' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from view' -ka '(__fish_complete_suffix .json)'
