@@ -219,6 +219,21 @@ void dropChecks(codegen::Model& model, std::uint32_t place) {
   }
 }
 
+/// The generator names it by its kind, as no other process; for Tina it is not there where it does
+/// nothing.
+bool isEnvironment(const fiacre::Process& process) {
+  return process.name.starts_with("environment_") || process.name.starts_with("basic_environment_");
+}
+
+/// Its process and its instance are the last ones.
+void removeEnvironment(codegen::Model& model) {
+  if (!isEnvironment(model.fiacre.processes.back())) return;
+  auto& instances = model.fiacre.components.back().instances;
+  dropChecks(model, static_cast<std::uint32_t>(instances.size()));
+  instances.pop_back();
+  model.fiacre.processes.pop_back();
+}
+
 // --- Properties
 
 /// What the parts of a model are called in paths: the processes, and the program's own names for
@@ -345,9 +360,8 @@ std::vector<Diagnostic> replaceEnvironment(codegen::Model& model, analysis::Prog
   auto& main = fiacre.components.back();
   checkInterface(addition, *environment, main);
   if (!addition.diagnostics.empty()) return addition.diagnostics;
-  dropChecks(model, static_cast<std::uint32_t>(main.instances.size()));
-  fiacre.processes.pop_back(); // the environment is always last
-  main.instances.back() = instanceOf(*environment);
+  removeEnvironment(model);
+  main.instances.push_back(instanceOf(*environment));
   // What it says happens when it says so.
   for (auto& port : main.ports) port.interval = fiacre::Interval{.lower = 0, .upper = 0};
   forbidOthers(fiacre, *environment);

@@ -70,7 +70,9 @@ TEST_CASE("verify --backend tina shows the same trace as the engine does") {
   const auto& steps = row["trace"]["steps"];
   REQUIRE(steps.size() > 1);
   for (const auto& step : steps) CHECK(step["location"]["file"] == scene.program);
-  CHECK(steps.back()["changes"] == engine["properties"][0]["trace"]["steps"].back()["changes"]);
+  // In the edition for Tina, the move and the step that reports it are two.
+  const auto& moves = engine["properties"][0]["trace"]["steps"].back()["changes"];
+  CHECK(steps[steps.size() - 2]["changes"] == moves);
   CHECK(steps.back()["earliest"]["exact"] == "1");
   CHECK(steps.back()["latest"]["exact"] == "2");
   const auto text = scene.verify({"--backend", "tina"});

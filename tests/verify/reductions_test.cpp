@@ -209,17 +209,17 @@ TEST_CASE("Open variables: a number that is counted up and down at any time has 
   const auto counts = [&](const char* process_, const char* text, std::int64_t by, int limit) {
     const auto bound = by > 0 ? binary(fiacre::Op::Less, name(text), number(limit))
                               : binary(fiacre::Op::Less, number(limit), name(text));
-    model.add(process(process_, {"a"},
-                      {from("a", {on(bound), assign(name(text), sum(name(text), number(by))),
-                                  to("a")})}));
+    model.add(process(
+        process_, {"a"},
+        {from("a", {on(bound), assign(name(text), sum(name(text), number(by))), to("a")})}));
   };
   counts("up", "n", 1, 5);
   counts("down", "n", -1, 0);
   counts("once", "m", 1, 3); // m never goes back: it is not open
-  model.add(process("p", {"a", "b", "c"},
-                    {from("a", {wait(1, 1), to("b")}),
-                     from("b", {now(), on(equals(name("n"), number(4))),
-                                on(equals(name("m"), number(2))), to("c")})}));
+  model.add(process(
+      "p", {"a", "b", "c"},
+      {from("a", {wait(1, 1), to("b")}), from("b", {now(), on(equals(name("n"), number(4))),
+                                                    on(equals(name("m"), number(2))), to("c")})}));
   CHECK(model.reaches(4, "c"));
   const auto progress = plain(fiacre::PatternKind::Progress);
   CHECK(classes(model, progress, {}) > 50);

@@ -19,10 +19,15 @@ export const failing = 'uav_mission.no_undershoot';
 const kSubject = 'uav_mission';
 export const row = (page, label) => page.locator(`.test-explorer .monaco-list-row[aria-label*="${label}"]`);
 
+/** Opens a row, whether or not a click has opened it already. */
 export async function expand(page, text) {
-  await row(page, text).first().waitFor();
-  await row(page, text).first().click();
-  await page.keyboard.press('ArrowRight');
+  const found = row(page, text).first();
+  await found.waitFor();
+  const isOpen = async () => (await found.getAttribute('aria-expanded', { timeout: 1000 })) === 'true';
+  await expect(`${text} opened`, async () => {
+    if (!await isOpen()) await found.locator('.monaco-tl-twistie').click({ timeout: 1000 });
+    return isOpen();
+  });
 }
 
 export const scenarios = {
@@ -31,9 +36,10 @@ export const scenarios = {
     const { editor, page } = world;
     const { words } = verified(world, kProgram, failing);
     world.failingRow = words.replace(/^.*` /, '');
-    await editor.command('View: Close All Editors');
-    await editor.openFile(kProgram);
     await editor.command('Testing: Focus on Test Explorer View');
+    await editor.command('View: Close All Editors');
+    await row(page, 'drone.proskill').first().waitFor({ state: 'detached' }); // a new row comes with the file
+    await editor.openFile(kProgram);
     await expand(page, 'drone.proskill (');
     await expand(page, `${kSubject} (`);
     const property = row(page, world.failingRow).first();

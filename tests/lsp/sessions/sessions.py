@@ -227,10 +227,10 @@ def nonsense_is_answered_with_errors_and_survived():
     assert client.end() == 0
 
 
-def text_that_is_no_unicode_is_the_message_s_error():
+def bytes_that_are_no_unicode_are_read_as_replacement_characters():
     client = started()
     client.raw(framed(b'{"jsonrpc":"2.0","id":"bad","method":"x","params":{"text":"\xff\xc0"}}'))
-    assert client.answer(None)['error']['code'] == -32700
+    assert client.answer('bad')['error']['code'] == -32601
     client.open(URI, '; \ud83d\ude00 \u0000 \ufffe\n' + BAD)
     assert codes(client.diagnostics(URI, 1))
     assert client.end() == 0
