@@ -227,7 +227,7 @@ bool isEnvironment(const fiacre::Process& process) {
 
 /// Its process and its instance are the last ones.
 void removeEnvironment(codegen::Model& model) {
-  if (!isEnvironment(model.fiacre.processes.back())) return;
+  if (model.fiacre.processes.empty() || !isEnvironment(model.fiacre.processes.back())) return;
   auto& instances = model.fiacre.components.back().instances;
   dropChecks(model, static_cast<std::uint32_t>(instances.size()));
   instances.pop_back();
