@@ -11,20 +11,20 @@ using syntax::Block;
 using syntax::Statement;
 using syntax::StatementKind;
 
-/// Control does not come to what stands behind the statement, unless it is a `break` that goes
-/// there.
+/// Control does not come from the statement itself to what stands behind it: only from statements
+/// within it, or by a `break`.
 bool neverGoesOn(const Statement& statement) {
   switch (statement.kind) {
   case StatementKind::Success:
   case StatementKind::Failure: return true;
   case StatementKind::While: return statement.condition.kind == syntax::ExprKind::True;
   case StatementKind::DoUntil: return statement.condition.kind == syntax::ExprKind::False;
+  case StatementKind::If: return !statement.arms.empty() && !statement.arms.back().condition;
   case StatementKind::Unknown:
   case StatementKind::Call:
   case StatementKind::Interrupt:
   case StatementKind::WaitCondition:
   case StatementKind::WaitTime:
-  case StatementKind::If:
   case StatementKind::Break:
   case StatementKind::Label:
   case StatementKind::Goto:

@@ -33,6 +33,10 @@ public:
   const std::string& outcome(std::string_view skill) {
     return global.of("outcome", {skill, "outcome"});
   }
+  /// What a body keeps of its own last call: `patrol_landing_status`.
+  const std::string& own(std::string_view thread, std::string_view skill, std::string_view field) {
+    return global.of("own", {thread, skill, field});
+  }
   /// A constructor of `skill_result`: `takeoff_success_at_altitude`.
   const std::string& result(std::string_view skill, std::string_view status, std::string_view tag) {
     return global.of("result", {skill, status, tag});

@@ -79,6 +79,7 @@ public:
     noteBranchEnds();
     noteStops();
     noteResults();
+    plan.ownOutcomes = OwnOutcomes(plan);
     return std::move(plan);
   }
 

@@ -2,6 +2,7 @@
 
 #include "codegen/model.h"
 #include "codegen/plan/body_automaton.h"
+#include "codegen/plan/own_outcomes.h"
 
 #include <deque>
 #include <expected>
@@ -54,6 +55,7 @@ struct GenerationPlan {
   const analysis::Definition<syntax::Environment>* environment =
       nullptr; ///< null: the most general
   std::optional<BodyAutomaton> environmentBody;
+  OwnOutcomes ownOutcomes;
 
   [[nodiscard]] const SkillPlan* find(std::string_view name) const;
   [[nodiscard]] bool hasGeneralCaller() const;

@@ -17,11 +17,6 @@ namespace {
 std::string syncState(const BodyState& state) { return state.name + "_" + state.next + "_sync"; }
 std::string busyState(const BodyState& state) { return state.name + "_busy"; }
 
-Statement withWatch(Statement main, std::vector<Statement> abortStatements) {
-  abortStatements.insert(abortStatements.begin(), std::move(main));
-  return select(std::move(abortStatements));
-}
-
 } // namespace
 
 BodyProcess::BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me)
@@ -40,8 +35,8 @@ void BodyProcess::addBody(fiacre::Process& process) {
     if (state.statement) {
       addStatement(process, state);
     } else if (auto end = atEnd()) {
-      addState(process, state.name, process.origin, sequence({atOnce(), std::move(*end)}),
-               "The end of the body.");
+      addState(process, state.name, process.origin,
+               unlessHeld(sequence({atOnce(), std::move(*end)})), "The end of the body.");
     } else {
       process.states.push_back({state.name, process.origin});
     }
@@ -53,8 +48,9 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   switch (statement.kind) {
   case StatementKind::Call: return addCall(process, state);
   case StatementKind::Parallel: return addParallel(process, state);
-  case StatementKind::WaitCondition: return addWaiting(process, state, waitFor(state));
+  case StatementKind::WaitCondition: return addWaiting(process, state, whenItMay(waitFor(state)));
   case StatementKind::WaitTime: {
+    // A guard that fails and holds again at once must not start the clock anew.
     const auto words =
         origin(statement.range, "has waited " + quote(statement.duration.range) + " s");
     return addWaiting(
@@ -73,23 +69,42 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   case StatementKind::Success:
   case StatementKind::Failure:
   case StatementKind::Emit:
-    return addState(process, state.name, origin(statement.range), step(state), lineOf(state));
+    return addState(process, state.name, origin(statement.range), unlessHeld(step(state)),
+                    lineOf(state));
   case StatementKind::Unknown:      // a program with it has errors
   case StatementKind::Label: break; // has no state of its own
   }
   assert(false && "a statement without a state");
 }
 
+/// A step that takes no time: where the body must not go on, what else can happen.
+Statement BodyProcess::unlessHeld(Statement step) {
+  auto goesOn = mayStep();
+  if (isTrue(goesOn)) return step;
+  return ifThenElse(std::move(goesOn), std::move(step), select(abortStatementsWhereHeld()));
+}
+
+/// What strikes is possible all the time.
+Statement BodyProcess::watched(Statement main, std::vector<Statement> strikes) {
+  strikes.insert(strikes.begin(), std::move(main));
+  return select(std::move(strikes));
+}
+
+/// A step for which the body waits.
+Statement BodyProcess::whenItMay(Statement main) {
+  return sequence({on(mayStep()), std::move(main)});
+}
+
 void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, Statement main) {
   addState(process, state.name, origin(state.statement->range),
-           withWatch(std::move(main), abortStatements({}, false)), lineOf(state));
+           watched(std::move(main), abortStatements({}, false)), lineOf(state));
 }
 
 /// A forbidden move among the effects tells more than the wait, so it comes behind its words.
 Statement BodyProcess::waitFor(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto words = origin(statement.range, "has waited for " + quote(statement.condition.range));
-  auto guard = on(condition(context, statement.condition));
+  auto guard = on(conditionIn(body.name, context, statement.condition));
   auto next = to(state.next);
   const bool isPlain = statement.effects.items.empty() || guard.kind != fiacre::StatementKind::On;
   (isPlain ? next : guard).origin = words;
@@ -147,7 +162,8 @@ void BodyProcess::addCall(fiacre::Process& process, const BodyState& state) {
   const auto place = origin(state.statement->range);
   const auto sync = syncState(state);
   if (!callee.shared()) {
-    addState(process, state.name, place, sequence({atOnce(), callNow(state, sync)}), lineOf(state));
+    addState(process, state.name, place, unlessHeld(sequence({atOnce(), callNow(state, sync)})),
+             lineOf(state));
   } else {
     const auto busy = busyState(state);
     const auto isFree = calls.isFree(callee.name());
@@ -156,22 +172,25 @@ void BodyProcess::addCall(fiacre::Process& process, const BodyState& state) {
                                  tag(context.names.tag({body.name, state.name, "busy"}))),
                               to(busy)});
     addState(process, state.name, place,
-             sequence({atOnce(), ifThenElse(isFree, callNow(state, sync), std::move(findBusy))}),
+             unlessHeld(sequence(
+                 {atOnce(), ifThenElse(isFree, callNow(state, sync), std::move(findBusy))})),
              lineOf(state));
     addState(process, busy, place,
-             withWatch(sequence({atOnce(), on(isFree), callNow(state, sync)}),
-                       abortStatements({}, false)));
+             watched(whenItMay(sequence({atOnce(), on(isFree), callNow(state, sync)})),
+                     abortStatements({}, false)));
   }
-  addState(process, sync, place,
-           withWatch(sequence({atOnce(), on(calls.isDone(callee.name())), returnFrom(state)}),
-                     abortStatements({callee.name()}, false)));
+  addState(
+      process, sync, place,
+      watched(whenItMay(sequence({atOnce(), on(calls.isDone(callee.name())), returnFrom(state)})),
+              abortStatements({callee.name()}, false)));
 }
 
 Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) {
   const auto& statement = *state.statement;
   const auto callee = statement.head.text;
   const auto words = fmt::format("calls `{}`", callee);
-  std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee))};
+  std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee)),
+                             keepOutcome(callee)};
   if (context.isRuntime())
     all.push_back(saying("synthesized action arg index",
                          assign(context.cellField(callee, "ArgIndex"), argumentsOf(statement))));
@@ -193,12 +212,27 @@ fiacre::Expr BodyProcess::argumentsOf(const syntax::Statement& call) {
   return chosen;
 }
 
+/// Of a skill that others call too: what this body, and those around it, know of their own call.
+Statement BodyProcess::keepOutcome(std::string_view callee) {
+  std::vector<Statement> all;
+  for (const auto thread : context.plan.ownOutcomes.toldBy(body.name, callee)) {
+    const auto& kept = context.plan.ownOutcomes.of(thread, callee);
+    const auto keep = [&](std::string_view field) {
+      all.push_back(
+          assign(context.ownField(thread, callee, field), context.cellField(callee, field)));
+    };
+    if (kept.status) keep("status");
+    if (kept.result) keep("val");
+  }
+  return sequence(std::move(all));
+}
+
 Statement BodyProcess::returnFrom(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto& callee = *context.plan.find(statement.head.text);
   auto goOn =
       at(origin(statement.range, fmt::format("`{}` returns", callee.name())), to(state.next));
-  auto acknowledge = calls.acknowledge(callee.name());
+  auto acknowledge = sequence({keepOutcome(callee.name()), calls.acknowledge(callee.name())});
   if (isTrue(precondition(context, callee.skill())))
     return sequence({std::move(acknowledge), std::move(goOn)});
   const auto words = origin(statement.range, fmt::format("`{}` was refused", callee.name()));
@@ -219,8 +253,8 @@ void BodyProcess::addParallel(fiacre::Process& process, const BodyState& state) 
     running.emplace_back(branch.name);
   }
   start.push_back(at(origin(state.statement->range, "starts its parallel branches"), to(sync)));
-  addState(process, state.name, place, sequence(std::move(start)), lineOf(state));
-  addState(process, sync, place, withWatch(join(state), abortStatements(running, true)));
+  addState(process, state.name, place, unlessHeld(sequence(std::move(start))), lineOf(state));
+  addState(process, sync, place, watched(whenItMay(join(state)), abortStatements(running, true)));
 }
 
 Statement BodyProcess::join(const BodyState& state) {
@@ -248,7 +282,7 @@ Statement BodyProcess::testArms(const BodyState& state) {
                    ? tested(arms[0].condition->range, false, otherwise)
                    : at(origin(state.statement->range, "all its tests are false"), to(otherwise));
   for (std::size_t i = tests; i-- > 0;)
-    chain = ifThenElse(condition(context, *arms[i].condition),
+    chain = ifThenElse(conditionIn(body.name, context, *arms[i].condition),
                        tested(arms[i].condition->range, true, state.targets[i]), std::move(chain));
   return chain;
 }
@@ -258,7 +292,7 @@ Statement BodyProcess::testLoop(const BodyState& state) {
   const bool isWhile = statement.kind == StatementKind::While;
   const auto& whenTrue = isWhile ? state.targets[0] : state.next;
   const auto& whenFalse = isWhile ? state.next : state.targets[0];
-  return ifThenElse(condition(context, statement.condition),
+  return ifThenElse(conditionIn(body.name, context, statement.condition),
                     tested(statement.condition.range, true, whenTrue),
                     tested(statement.condition.range, false, whenFalse));
 }
@@ -272,7 +306,8 @@ Statement BodyProcess::choose(const BodyState& state) {
   return select(std::move(choices));
 }
 
-/// The flag of a skill that runs; nothing happens to one that does not.
+/// The flag of a skill that was called, whether it runs already or not; nothing happens to one that
+/// was not.
 Statement BodyProcess::interrupt(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto target = statement.name.text;
@@ -285,8 +320,7 @@ Statement BodyProcess::interrupt(const BodyState& state) {
   const auto words = origin(statement.range, fmt::format("interrupts `{}`", target));
   auto raise = sequence(
       {at(words, assign(context.cellField(target, "stop"), boolean(true))), to(state.next)});
-  return sequence(
-      {atOnce(), ifThenElse(context.cellField(target, "inv_active"), std::move(raise), nothing)});
+  return sequence({atOnce(), ifThenElse(calls.isOutstanding(target), std::move(raise), nothing)});
 }
 
 const std::string& processOf(Context& context, const SkillPlan& skill,

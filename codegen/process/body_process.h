@@ -24,6 +24,10 @@ protected:
   virtual fiacre::Statement conclude(const syntax::Statement& statement) = 0;
   /// Of `(x.interrupt)`.
   virtual fiacre::Statement interrupt(const BodyState& state);
+  /// While it is false the body does nothing more: a guard of its skill is false.
+  virtual fiacre::Expr mayStep() { return boolean(true); }
+  /// What can happen then where no time passes.
+  virtual std::vector<fiacre::Statement> abortStatementsWhereHeld() { return {}; }
   /// Holds while no branch has ended the skill.
   virtual fiacre::Expr mayGoOn() { return boolean(true); }
 
@@ -41,10 +45,15 @@ private:
   void addCall(fiacre::Process& process, const BodyState& state);
   void addParallel(fiacre::Process& process, const BodyState& state);
   void addWaiting(fiacre::Process& process, const BodyState& state, fiacre::Statement main);
+  [[nodiscard]] fiacre::Statement unlessHeld(fiacre::Statement step);
+  [[nodiscard]] fiacre::Statement watched(fiacre::Statement main,
+                                          std::vector<fiacre::Statement> strikes);
+  [[nodiscard]] fiacre::Statement whenItMay(fiacre::Statement main);
   [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
   [[nodiscard]] fiacre::Statement step(const BodyState& state);
   [[nodiscard]] fiacre::Statement callNow(const BodyState& state, const std::string& sync);
   [[nodiscard]] fiacre::Expr argumentsOf(const syntax::Statement& call);
+  [[nodiscard]] fiacre::Statement keepOutcome(std::string_view callee);
   [[nodiscard]] fiacre::Statement returnFrom(const BodyState& state);
   [[nodiscard]] fiacre::Statement join(const BodyState& state);
   [[nodiscard]] fiacre::Statement testArms(const BodyState& state);

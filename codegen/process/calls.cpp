@@ -12,7 +12,21 @@ bool Calls::isShared(std::string_view callee) const {
 
 Expr Calls::isFree(std::string_view callee) { return equal(caller(callee), name("None")); }
 
-Statement Calls::take(std::string_view callee) { return assign(caller(callee), me); }
+Statement Calls::take(std::string_view callee) {
+  std::vector<Statement> all{assign(caller(callee), me)};
+  if (const auto* skill = context.plan.find(callee)) {
+    all.push_back(assign(context.cellField(callee, "status"), name("no_status")));
+    if (skill->resultIsRead)
+      all.push_back(assign(context.cellField(callee, "val"), name("no_result")));
+  }
+  return sequence(std::move(all));
+}
+
+Expr Calls::isOutstanding(std::string_view callee) {
+  auto isCalled = negation(isFree(callee));
+  if (!isShared(callee)) return isCalled;
+  return conjunction({std::move(isCalled), negation(returned(callee))});
+}
 
 Expr Calls::isDone(std::string_view callee) {
   return isShared(callee) ? returned(callee) : isFree(callee);

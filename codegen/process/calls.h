@@ -14,7 +14,10 @@ public:
   Calls(Context& context, fiacre::Expr caller) : context(context), me(std::move(caller)) {}
 
   [[nodiscard]] fiacre::Expr isFree(std::string_view callee);
+  /// Calls it. From then on, its status and result are those of no call.
   [[nodiscard]] fiacre::Statement take(std::string_view callee);
+  /// Somebody has called it, and it is not done.
+  [[nodiscard]] fiacre::Expr isOutstanding(std::string_view callee);
   /// \pre this process has called it.
   [[nodiscard]] fiacre::Expr isDone(std::string_view callee);
   [[nodiscard]] fiacre::Statement acknowledge(std::string_view callee);

@@ -123,7 +123,20 @@ private:
       if (skill.branchEnds)
         all.push_back({context.names.outcome(skill.name()), namedType("skill_result"),
                        name("no_result"), "how a branch has ended the skill"});
+    addOwnOutcomes(all);
     return all;
+  }
+
+  void addOwnOutcomes(std::vector<fiacre::Variable>& all) {
+    const auto add = [&](const auto& of, std::string_view field, std::string_view type,
+                         std::string_view initial) {
+      all.push_back({context.names.own(of.first, of.second, field), namedType(type), name(initial),
+                     fmt::format("of the last call of {} by {}", of.second, of.first)});
+    };
+    for (const auto& [of, kept] : context.plan.ownOutcomes.all()) {
+      if (kept.status) add(of, "status", "skill_status", "no_status");
+      if (kept.result) add(of, "val", "skill_result", "no_result");
+    }
   }
 
   /// An environment of the program's own is in a hurry: what it says happens when it is said.

@@ -2,6 +2,7 @@
 
 #include "codegen/process/body_process.h"
 #include "codegen/process/watchdog.h"
+#include "codegen/term/conditions.h"
 
 #include <fmt/format.h>
 
@@ -66,6 +67,14 @@ protected:
     all.push_back(std::move(end));
     addState(process, "stopping", process.origin, sequence(std::move(all)),
              "Nothing that it called is left running.");
+  }
+
+  /// All guards of the skill are true.
+  Expr mayStep() override {
+    std::vector<Expr> guards;
+    for (const auto& invariant : skill.skill().invariants)
+      guards.push_back(condition(context, invariant.guard));
+    return conjunction(std::move(guards));
   }
 
   Expr mayGoOn() override {
@@ -147,15 +156,23 @@ private:
     if (skill.mayBeStopped())
       all.push_back(strike(seen(frame.stop(), interruption.range, "is asked to stop"), running,
                            note(resultOf(interruption))));
-    for (const auto& invariant : node.invariants) {
-      const auto ending = failureOf(invariant);
-      all.push_back(strike(seen(frame.fails(invariant), ending.range, ending.words), running,
-                           note(resultOf(ending))));
-    }
+    for (auto& failure : failedGuards(running)) all.push_back(std::move(failure));
     if (joining && skill.branchEnds) {
       const auto outcome = name(context.names.outcome(skill.name()));
       all.push_back(strike(seen(negation(mayGoOn()), node.name.range, "a branch has ended it"),
                            running, note(outcome)));
+    }
+    return all;
+  }
+
+  std::vector<Statement> abortStatementsWhereHeld() override { return failedGuards({}); }
+
+  std::vector<Statement> failedGuards(const std::vector<std::string_view>& running) {
+    std::vector<Statement> all;
+    for (const auto& invariant : skill.skill().invariants) {
+      const auto ending = failureOf(invariant);
+      all.push_back(strike(seen(frame.fails(invariant), ending.range, ending.words), running,
+                           note(resultOf(ending))));
     }
     return all;
   }
@@ -258,6 +275,8 @@ private:
     auto asked = at(origin(range(), "is asked to stop"), on(context.cellField(body.name, "stop")));
     return {strike(sequence({atOnce(), std::move(asked)}), running, sequence({}))};
   }
+
+  std::vector<Statement> abortStatementsWhereHeld() override { return abortStatements({}, false); }
 
   std::optional<Statement> atEnd() override { return returnControl(range(), "ends"); }
 

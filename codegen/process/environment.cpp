@@ -51,7 +51,7 @@ private:
     const auto skips =
         origin(statement.range, fmt::format("does not interrupt `{}`: it is not running", target));
     if (!context.plan.find(target)) return sequence({atOnce(), at(skips, to(state.next))});
-    const auto isRunning = context.cellField(target, "inv_active");
+    const auto isRunning = calls.isOutstanding(target);
     const auto words = origin(statement.range, fmt::format("interrupts `{}`", target));
     return select(
         {sequence({on(isRunning), at(words, synchronise(context.names.interruptPort(target))),

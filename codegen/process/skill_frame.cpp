@@ -38,17 +38,17 @@ SkillFrame::SkillFrame(Context& context, const SkillPlan& skill)
 void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
   if (!context.isExpanded()) {
     const auto rest = restingState();
-    return addState(process, "idle", place(),
-                    sequence({atOnce(), on(isCalled()), entry(first, rest, rest)}));
+    auto begin = sequence({atOnce(), on(isCalled()), entry(first, rest, rest)});
+    return addState(process, "idle", place(), orInterrupted(std::move(begin), rest));
   }
   const auto called = origin(skill.skill().name.range, "is called");
   addState(process, "start_", place(),
            sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
   if (!isTrue(precondition(context, skill.skill()))) noteEndState("precondition_unsatisfied", {});
-  if (skill.callerMayStop) noteEndState("interrupted", {});
-  addState(process, "check_precondition", place(),
-           sequence({atOnce(),
-                     entry("precondition_satisfied", "precondition_unsatisfied", "interrupted")}));
+  if (skill.mayBeStopped() || skill.skill().interrupt) noteEndState("interrupted", {});
+  auto begin = sequence(
+      {atOnce(), entry("precondition_satisfied", "precondition_unsatisfied", "interrupted")});
+  addState(process, "check_precondition", place(), orInterrupted(std::move(begin), "interrupted"));
   step(process, "precondition_satisfied", first, "");
 }
 
@@ -69,12 +69,21 @@ Expr SkillFrame::isReady() {
   return conjunction(std::move(all));
 }
 
+/// An interrupt from outside ends a call that has not started, too.
+Statement SkillFrame::orInterrupted(Statement entry, std::string_view stopped) {
+  if (!skill.skill().interrupt) return entry;
+  auto outside =
+      sequence({context.isExpanded() ? sequence({}) : on(isCalled()),
+                synchronise(context.names.interruptPort(skill.name())), interruptEarly(stopped)});
+  return select({std::move(entry), std::move(outside)});
+}
+
 /// From the call to the run, or back.
 Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused,
                             std::string_view stopped) {
   auto begin = sequence({on(isReady()), ifThenElse(precondition(context, skill.skill()),
                                                    start(satisfied), refuse(refused))});
-  if (!skill.callerMayStop) return begin;
+  if (!skill.mayBeStopped()) return begin;
   return ifThenElse(stop(), stopEarly(stopped), std::move(begin));
 }
 
@@ -82,11 +91,8 @@ Statement SkillFrame::start(std::string_view next) {
   const auto& node = skill.skill();
   std::vector<Statement> all{
       at(origin(node.name.range, "starts"), tag(context.names.tag({skill.name(), "run"}))),
-      changeResources(Op::Add),
-      effects(context, actor, node.start),
-      assign(cell("inv_active"), boolean(true)),
-      assign(cell("status"), name("no_status")),
-      setResult("", "")};
+      changeResources(Op::Add), effects(context, actor, node.start),
+      assign(cell("inv_active"), boolean(true))};
   if (skill.isWatchedAgain()) all.push_back(assign(cell("watched"), boolean(true)));
   all.push_back(to(next));
   return sequence(std::move(all));
@@ -98,15 +104,36 @@ Statement SkillFrame::refuse(std::string_view next) {
                                   ? skill.skill().name.range
                                   : syntax::Range{all.front().range.begin, all.back().range.end};
   const auto words = origin(range, "is refused: its precondition does not hold");
-  return sequence({at(words, assign(cell("status"), name("no_status"))), setResult("", ""),
-                   returnControl(), to(next)});
+  return sequence({at(words, refusal()), returnControl(), to(next)});
+}
+
+/// The mission and the monitors have no caller that could see it.
+Statement SkillFrame::refusal() {
+  if (!skill.root || isTrue(precondition(context, skill.skill()))) return sequence({});
+  auto refused = tag(context.names.tag({skill.name(), "refused"}));
+  if (skill.runsOnce()) return refused;
+  return ifThen(equal(cell("caller"), name("root")), std::move(refused));
 }
 
 Statement SkillFrame::stopEarly(std::string_view next) {
-  const auto words = origin(skill.skill().name.range, "is stopped before it starts");
-  return sequence({at(words, assign(stop(), boolean(false))),
-                   assign(cell("status"), name("interrupted")), setResult("", ""), returnControl(),
-                   to(next)});
+  return returnInterrupted("is stopped before it starts", next);
+}
+
+Statement SkillFrame::interruptEarly(std::string_view next) {
+  return returnInterrupted("is interrupted from outside before it starts", next);
+}
+
+/// The effects of `:interrupt` are those of a run, so they are not set.
+Statement SkillFrame::returnInterrupted(std::string_view words, std::string_view next) {
+  std::vector<Statement> all;
+  if (skill.skill().interrupt)
+    all.push_back(tag(context.names.tag({skill.name(), "interrupted", ""})));
+  if (skill.mayBeStopped()) all.push_back(assign(stop(), boolean(false)));
+  all.push_back(
+      at(origin(skill.skill().name.range, words), assign(cell("status"), name("interrupted"))));
+  all.push_back(returnControl());
+  all.push_back(to(next));
+  return sequence(std::move(all));
 }
 
 // --- End

@@ -58,7 +58,11 @@ private:
                                         std::string_view stopped);
   [[nodiscard]] fiacre::Statement start(std::string_view next);
   [[nodiscard]] fiacre::Statement refuse(std::string_view next);
+  [[nodiscard]] fiacre::Statement refusal();
   [[nodiscard]] fiacre::Statement stopEarly(std::string_view next);
+  [[nodiscard]] fiacre::Statement interruptEarly(std::string_view next);
+  [[nodiscard]] fiacre::Statement returnInterrupted(std::string_view words, std::string_view next);
+  [[nodiscard]] fiacre::Statement orInterrupted(fiacre::Statement entry, std::string_view stopped);
   [[nodiscard]] fiacre::Expr isCalled();
   [[nodiscard]] fiacre::Expr isReady();
   [[nodiscard]] fiacre::Statement happens(const Ending& ending);

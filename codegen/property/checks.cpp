@@ -55,6 +55,10 @@ private:
     const auto& node = skill.skill();
     begin(skill.name(), actorOf(skill), node.name.range);
     reachable("can_run", "", "can run", tag({skill.name(), "run"}));
+    const auto& refused = context.names.tag({skill.name(), "refused"});
+    if (skill.root && observer.hasTag(refused))
+      holds("never_refused", "", inTicks(subject) + " is not refused when the program starts",
+            Weight::Warning, absent(observer.tag(refused)));
     for (const auto& ending : endings(skill)) addEnding(skill, ending);
     for (const auto& invariant : node.invariants) addEnding(skill, failureOf(invariant));
     if (node.interrupt) addEnding(skill, interruptionOf(skill));

@@ -25,17 +25,21 @@ bool isMember(const syntax::Expr& expr, std::string_view member) {
   return expr.kind == ExprKind::Access && expr.member.text == member;
 }
 
+bool isVariable(const Context& context, const syntax::Expr& expr) {
+  return expr.kind == ExprKind::Access && context.plan.find(expr.name.text);
+}
+
 /// A status, or its word. A skill that is not in the model has never run.
 fiacre::Expr status(Context& context, const syntax::Expr& expr) {
   if (expr.kind != ExprKind::Access) return name(expr.name.text);
-  return context.plan.find(expr.name.text) ? context.cellField(expr.name.text, "status")
+  return context.plan.find(expr.name.text) ? context.outcomeField(expr.name.text, "status")
                                            : name("no_status");
 }
 
 fiacre::Expr statusEquality(Context& context, const syntax::Expr& a, const syntax::Expr& b) {
   auto left = status(context, a);
   auto right = status(context, b);
-  const bool areWords = left.kind == fiacre::ExprKind::Name && right.kind == fiacre::ExprKind::Name;
+  const bool areWords = !isVariable(context, a) && !isVariable(context, b);
   return areWords ? boolean(left == right) : equal(std::move(left), std::move(right));
 }
 
@@ -54,7 +58,7 @@ std::vector<std::string_view> resultTags(const syntax::Skill& skill) {
 fiacre::Expr resultIs(Context& context, std::string_view skill, std::string_view tag) {
   const auto* plan = context.plan.find(skill);
   if (!plan) return boolean(tag == "no_result");
-  const auto value = context.cellField(skill, "val");
+  const auto value = context.outcomeField(skill, "val");
   const auto& node = plan->skill();
   std::vector<fiacre::Expr> cases;
   if (tag == "no_result") cases.push_back(equal(value, name("no_result")));
@@ -157,6 +161,13 @@ fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
   }
   assert(false && "not a condition of the program");
   return boolean(false);
+}
+
+fiacre::Expr conditionIn(std::string_view reader, Context& context, const syntax::Expr& expr) {
+  context.reader = reader;
+  auto translated = condition(context, expr);
+  context.reader = {};
+  return translated;
 }
 
 fiacre::Expr precondition(Context& context, const syntax::Skill& skill) {

@@ -6,6 +6,9 @@ namespace proskill::codegen {
 
 /// A condition of the program, without the atoms of properties. \pre it has no errors.
 [[nodiscard]] fiacre::Expr condition(Context& context, const syntax::Expr& expr);
+/// The same as the body `reader` sees it, which has outcomes of its own calls.
+[[nodiscard]] fiacre::Expr conditionIn(std::string_view reader, Context& context,
+                                       const syntax::Expr& expr);
 
 /// `variable` has `value`, as in `(battery Low)`.
 [[nodiscard]] fiacre::Expr hasValue(Context& context, const syntax::Name& variable,

@@ -8,6 +8,16 @@ fiacre::Expr Context::cellField(std::string_view thread, std::string_view field)
   return codegen::field(element(name("skill"), name(names.cell(thread))), field);
 }
 
+fiacre::Expr Context::outcomeField(std::string_view skill, std::string_view field) {
+  const auto owner = plan.ownOutcomes.ownerFor(reader, skill);
+  return owner.empty() ? cellField(skill, field) : ownField(owner, skill, field);
+}
+
+fiacre::Expr Context::ownField(std::string_view thread, std::string_view skill,
+                               std::string_view field) {
+  return name(names.own(thread, skill, field));
+}
+
 fiacre::Expr Context::result(std::string_view skill, std::string_view status,
                              std::string_view tag) {
   const auto& constructor = names.result(skill, status, tag);

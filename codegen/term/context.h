@@ -29,6 +29,7 @@ struct Context {
   std::vector<std::string> results;   ///< constructors of `skill_result` in use, `no_result` aside
   std::set<std::string_view> alarmed; ///< state variables of which some move may be forbidden
   std::optional<fiacre::Function> invariantActive; ///< where any skill has an invariant
+  std::string_view reader; ///< the thread whose conditions are being translated
   CallTable arguments;                             ///< runtime
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
@@ -49,6 +50,12 @@ struct Context {
   }
   /// `skill[takeoff].status`, of a skill or a branch.
   [[nodiscard]] fiacre::Expr cellField(std::string_view thread, std::string_view field);
+  /// `status` or `val` of a skill as the body `reader` sees it: of its own last call where several
+  /// call the skill. Without a reader, of the last call by anybody.
+  [[nodiscard]] fiacre::Expr outcomeField(std::string_view skill, std::string_view field);
+  /// The variable in which a thread keeps `status` or `val` of its own last call.
+  [[nodiscard]] fiacre::Expr ownField(std::string_view thread, std::string_view skill,
+                                      std::string_view field);
   /// A constructor of `skill_result`, which is thereby in use.
   [[nodiscard]] fiacre::Expr result(std::string_view skill, std::string_view status,
                                     std::string_view tag);

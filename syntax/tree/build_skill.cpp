@@ -112,7 +112,8 @@ bool readClause(Builder& builder, const Node& clause, std::string_view owner, Ef
                 std::optional<Condition>& condition) {
   Parts parts(clause);
   bool empty = !parts.peek();
-  if (empty) builder.report(Code::EmptyForm, clause.range);
+  // To be interrupted a skill need not set anything.
+  if (empty && owner != ":interrupt") builder.report(Code::EmptyForm, clause.range);
   bool loose = reportLoose(builder, parts, owner);
   List<Name> seen;
   while (const Node* part = parts.take()) {

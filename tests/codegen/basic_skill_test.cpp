@@ -35,17 +35,24 @@ TEST_CASE("a basic skill is the paper's compact process") {
      &flight_status: sv_flight_status) is
 states idle, run
 from idle
-    wait [0,0];
-    on (not (skill[takeoff].caller = None));
-    on (not invariant_active(skill, motion, battery));
-    if ((motion = Free) and (flight_status = OnGround)) then
-        #takeoff_run;
-        motion := Controlled;
-        skill[takeoff].inv_active := true;
-        skill[takeoff].status := no_status;
-        to run
-    else
-        skill[takeoff].status := no_status;
+    select
+        wait [0,0];
+        on (not (skill[takeoff].caller = None));
+        on (not invariant_active(skill, motion, battery));
+        if ((motion = Free) and (flight_status = OnGround)) then
+            #takeoff_run;
+            motion := Controlled;
+            skill[takeoff].inv_active := true;
+            to run
+        else
+            skill[takeoff].caller := None;
+            to idle
+        end
+    []
+        on (not (skill[takeoff].caller = None));
+        interrupt_takeoff;
+        #takeoff_interrupted;
+        skill[takeoff].status := interrupted;
         skill[takeoff].caller := None;
         to idle
     end

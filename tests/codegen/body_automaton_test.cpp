@@ -40,7 +40,8 @@ TEST_CASE("nothing stands behind an outcome or a loop for ever") {
 }
 
 TEST_CASE("arms are called after their test") {
-  CHECK(shapeOf("(if x (a) (b) elseif y (c) else (d)) (e)") == R"(NS1 -> NS3 [N1_T] [N1_T2] [N1_F]
+  CHECK(shapeOf("(if x (a) (b) elseif y (c) else (d)) (e)") ==
+        R"(NS1 -> nowhere [N1_T] [N1_T2] [N1_F]
 N1_T -> NS2
 NS2 -> NS3
 N1_T2 -> NS3

@@ -35,6 +35,7 @@ TEST_CASE("a call passes control and waits until it is back") {
   CHECK(state(model, "NS1") == R"(from NS1
     wait [0,0];
     skill[wave].caller := mission;
+    skill[wave].status := no_status;
     to NS1_NS2_sync
 )");
   CHECK(state(model, "NS1_NS2_sync") == R"(from NS1_NS2_sync
@@ -117,6 +118,7 @@ TEST_CASE("where time can pass a skill watches its guards, and stops what it has
   const auto model = missionOf("(wave) (^ 1)", ":invariant (shut (:guard (door Closed)))");
   CHECK(state(model, "NS1_NS2_sync") == R"(from NS1_NS2_sync
     select
+        on (door = Closed);
         wait [0,0];
         on (skill[wave].caller = None);
         to NS2

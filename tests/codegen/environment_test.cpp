@@ -105,6 +105,7 @@ from start_
     on (skill[wave].caller = None);
     wait [0,...[;
     skill[wave].caller := root;
+    skill[wave].status := no_status;
     to start_
 )");
   CHECK(verdicts("").at("wave.can_be_interrupted") == "reachable");

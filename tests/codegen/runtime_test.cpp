@@ -34,9 +34,9 @@ TEST_CASE("expanded, every state of a basic skill has the paper's name") {
   std::vector<std::string> states;
   for (const auto& state : move.states) states.push_back(state.name);
   CHECK(states == std::vector<std::string>{"start_", "check_precondition", "precondition_satisfied",
-                                           "action", "success_there",
+                                           "action", "interrupted", "success_there",
                                            "failed_success_postcondition_there", "failure_lost",
-                                           "interrupted", "failed_invariant", "done", "ether"});
+                                           "failed_invariant", "done", "ether"});
 }
 
 TEST_CASE("expanded, a timed outcome has one target, and its postcondition is told behind it") {

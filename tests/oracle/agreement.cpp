@@ -74,12 +74,14 @@ Judged judge(const fiacre::Program& program, std::size_t limit, Reading reading)
 
 std::optional<std::string> disagreement(const fiacre::Program& program,
                                         const fiacre::Provenance& provenance, const Judged& judged,
-                                        const std::pair<std::string, Options>& setting) {
+                                        const std::pair<std::string, Options>& setting,
+                                        std::size_t* decided) {
   std::vector<verify::Question> questions;
   for (std::size_t i = 0; i < program.properties.size(); ++i) questions.push_back({i});
   Options options = setting.second;
   // Without extrapolation a model may have zones without end; what was decided until then must
-  // still be right.
+  // still be right. With it every question is decided.
+  const bool mayStayOpen = !options.reductions.contains(Reduction::Extrapolation);
   options.limits.classes = 200'000;
   auto result = verify::verify(program, provenance, questions, options);
   if (!result) return "the engine cannot run it: " + result.error().message;
@@ -88,7 +90,8 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
     const auto& answer = result->answers[i];
     if (!judged.truths[i]) continue;
     std::string expected = *judged.truths[i] ? "true" : "false";
-    bool open = answer.truth == Truth::Unknown && !result->exploration.complete;
+    bool open = mayStayOpen && answer.truth == Truth::Unknown && !result->exploration.complete;
+    if (decided && answer.truth != Truth::Unknown) ++*decided;
     if (!open && wordOf(answer.truth) != expected)
       return describe(program, i, wordOf(answer.truth) + " " + answer.reason, expected) +
              "\n  with " + setting.first;

@@ -23,10 +23,12 @@ struct Judged {
                            Reading reading = Reading::Engine);
 
 /// Asks the engine for every property under one setting, and says where it is not of the oracle's
-/// mind, or where a trace of its cannot be replayed.
+/// mind, or where a trace of its cannot be replayed. A question that stays open is a disagreement,
+/// but where zones are not extrapolated. \param decided counts those that were answered
 [[nodiscard]] std::optional<std::string>
 disagreement(const fiacre::Program& program, const fiacre::Provenance& provenance,
-             const Judged& judged, const std::pair<std::string, verify::Options>& setting);
+             const Judged& judged, const std::pair<std::string, verify::Options>& setting,
+             std::size_t* decided = nullptr);
 
 /// The program with a property for each state of each instance and for each tag, which the
 /// properties do not ask for yet: is it never there?

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "codegen/plan/body_automaton.h"
+
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace proskill::codegen {
+
+struct GenerationPlan;
+
+/// What a thread of a body looks at after its own calls of a skill.
+struct OwnOutcome {
+  bool status = false;
+  bool result = false;
+};
+
+/// The outcomes that bodies keep for themselves: of a skill that several processes call, what a
+/// body reads after its call is the outcome of that call, whoever has called the skill since. The
+/// thread is the innermost one around the reader that calls the skill, itself or in a branch.
+class OwnOutcomes {
+public:
+  OwnOutcomes() = default;
+  /// \pre the callers of all skills are known.
+  explicit OwnOutcomes(const GenerationPlan& plan);
+
+  /// Whose outcome `reader` sees: a thread, or nothing where the skill's last call by anybody
+  /// counts.
+  [[nodiscard]] std::string_view ownerFor(std::string_view reader, std::string_view skill) const;
+  /// The threads that are told of what happens to a call of `caller`.
+  [[nodiscard]] std::vector<std::string_view> toldBy(std::string_view caller,
+                                                     std::string_view skill) const;
+  [[nodiscard]] const OwnOutcome& of(std::string_view thread, std::string_view skill) const {
+    return kept.at({thread, skill});
+  }
+  /// By thread and skill.
+  [[nodiscard]] const auto& all() const { return kept; }
+
+private:
+  using Pair = std::pair<std::string_view, std::string_view>;
+
+  void noteCalls(const BodyAutomaton& thread, std::string_view parent, const GenerationPlan& plan);
+  void noteReads(const BodyAutomaton& thread);
+  void noteReads(std::string_view thread, const syntax::Expr& condition);
+
+  std::map<std::string_view, std::string_view> parentOf;
+  std::map<Pair, OwnOutcome> callers; ///< threads that call a shared skill, in a branch or not
+  std::map<Pair, OwnOutcome> kept;    ///< of these, whose outcome something reads
+};
+
+} // namespace proskill::codegen

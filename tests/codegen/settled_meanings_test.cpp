@@ -1,0 +1,133 @@
+#include "tests/codegen/model_of.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using codegen::Edition;
+
+namespace {
+
+using Verdicts = std::map<std::string, std::string>;
+
+/// What both editions for verification answer.
+Verdicts verdicts(const std::string& text) {
+  auto compact = test::verdictsOf(text);
+  CHECK(test::verdictsOf(text, {.edition = Edition::Expanded}) == compact);
+  return compact;
+}
+
+} // namespace
+
+TEST_CASE("a skill that never waits stops with its program, though it may be interrupted") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill note :interrupt (:effects (door Closed)) :body ((printf "x")))
+    (defskill mission :body ((note) (^ (door Open)))))");
+  CHECK(found.at("program.no_deadlock") == "violated");
+}
+
+TEST_CASE("what a body reads after its call is the outcome of that call") {
+  const auto found = verdicts(R"(
+    (defskill landing :time_interval [1,1] :success down :action (land))
+    (defskill mission :success (landed) :failure (aloft)
+      :body ((landing)
+             (if (and (= landing.status success) (= landing.res down)) (success landed)
+              else (failure aloft))))
+    (defskill watch :monitor t :body ((landing))))");
+  CHECK(found.at("mission.can_succeed.landed") == "reachable");
+  CHECK(found.at("mission.can_fail.aloft") == "unreachable");
+}
+
+TEST_CASE("parallel branches each read the outcome of their own call") {
+  const auto found = verdicts(R"(
+    (defsv n :init 0 :min 0 :max 2)
+    (defskill step :time_interval [1,1] :action (go))
+    (defskill mission :success done :failure (lost)
+      :body ((// ((step) (if (/= step.status success) (failure lost)))
+                 ((step) (if (/= step.status success) (failure lost))))
+             (success done))))");
+  CHECK(found.at("mission.can_fail.lost") == "unreachable");
+}
+
+TEST_CASE("an interrupt ends a call that still waits for its resource") {
+  const auto found = verdicts(R"(
+    (defsv stopped :states (No Yes) :init No)
+    (defresource arm)
+    (defskill hold :resources (arm) :time_interval [5,5] :action (hold))
+    (defskill move :resources (arm) :interrupt () :time_interval [1,1] :action (move))
+    (defenvironment calm :body ())
+    (defskill mission :body ((// ((hold)) ((^ 1) (move)) ((^ 2) (move.interrupt)))))
+    (defproperty never_moves (never (running move)))
+    (defproperty is_told (present (ended move interrupted))))");
+  CHECK(found.at("never_moves") == "holds");
+  CHECK(found.at("is_told") == "holds");
+  CHECK(found.at("move.can_be_interrupted") == "reachable");
+}
+
+TEST_CASE("so does one from outside, and one for an idle skill has no effect") {
+  const auto found = verdicts(R"(
+    (defresource arm)
+    (defskill hold :resources (arm) :time_interval [5,5] :action (hold))
+    (defskill move :resources (arm) :interrupt () :time_interval [1,1] :action (move))
+    (defenvironment button :body ((move.interrupt) (^ 2) (move.interrupt)))
+    (defskill mission :body ((// ((hold)) ((^ 1) (move)))))
+    (defproperty never_moves (never (running move))))");
+  CHECK(found.at("never_moves") == "holds");
+}
+
+TEST_CASE("a skill that waits for its start has no status of the call before") {
+  const auto found = verdicts(R"(
+    (defresource arm)
+    (defskill hold :resources (arm) :time_interval [2,2] :action (hold))
+    (defskill move :resources (arm) :time_interval [1,1] :action (move))
+    (defskill mission :body ((move) (^ 1) (move)))
+    (defskill other :monitor t :body ((^ 1.5) (hold)))
+    (defproperty waits (reachable (and (called move) (not (running move)) (= move.status no_status))))
+    (defproperty old (reachable (and (called move) (not (running move)) (= move.status success)))))");
+  CHECK(found.at("waits") == "reachable");
+  CHECK(found.at("old") == "unreachable");
+}
+
+TEST_CASE("a guard that is false at the start of a body that takes no time is seen") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Open)
+    (defskill mission :invariant (shut (:guard (door Closed))) :success done
+      :body ((printf "x") (success done))))");
+  CHECK(found.at("mission.can_succeed.done") == "unreachable");
+  CHECK(found.at("mission.invariant_may_fail.shut") == "reachable");
+}
+
+TEST_CASE("a guard that a body breaks and mends at once is seen") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill mission :invariant (shut (:guard (door Closed))) :success done
+      :body ((set (door Open)) (set (door Closed)) (success done))))");
+  CHECK(found.at("mission.can_succeed.done") == "unreachable");
+}
+
+TEST_CASE("a branch that breaks a guard does nothing more") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill mission :invariant (shut (:guard (door Closed))) :success done
+      :body ((// ((set (door Open)) (set (door Closed)))) (success done))))");
+  CHECK(found.at("mission.can_succeed.done") == "unreachable");
+  CHECK(found.at("program.no_deadlock") == "holds");
+}
+
+TEST_CASE("a mission or monitor that is refused when the program starts is told of") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill mission :body ((^ 1)))
+    (defskill watch :monitor t :precondition (open (door Open)) :body ((^ (door Closed)))))");
+  CHECK(found.at("watch.never_refused") == "violated");
+  CHECK(found.count("mission.never_refused") == 0);
+}
+
+TEST_CASE("a body whose last test ends it either way has no end that could not be reached") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill mission :success ok :failure ko
+      :body ((if (door Open) (success ok) else (failure ko)))))");
+  CHECK(found.count("mission.can_succeed") == 0);
+  CHECK(found.count("mission.can_succeed.ok") == 1);
+}

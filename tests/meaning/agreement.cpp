@@ -1,0 +1,74 @@
+#include "tests/meaning/agreement.h"
+
+#include "tests/meaning/verdicts.h"
+#include "tests/support/texts.h"
+
+#include <fmt/format.h>
+
+namespace proskill::meaning {
+namespace {
+
+std::string wordOf(verify::Truth truth) {
+  switch (truth) {
+  case verify::Truth::True: return "true";
+  case verify::Truth::False: return "false";
+  case verify::Truth::Unknown: break;
+  }
+  return "unknown";
+}
+
+std::vector<verify::Question> questionsOf(const codegen::Model& model) {
+  std::vector<verify::Question> questions;
+  for (const auto& check : model.checks) questions.push_back({check.property});
+  return questions;
+}
+
+Comparison compare(const Script& script, const codegen::Model& model, std::size_t limit,
+                   const verify::Options& options) {
+  Comparison comparison;
+  const Runs runs(script, limit);
+  comparison.situations = runs.nodes().size();
+  comparison.tooLarge = !runs.complete();
+  if (comparison.tooLarge) return comparison;
+  const Verdicts verdicts(script, runs);
+  const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), options);
+  if (!result) {
+    comparison.refusal = "the engine cannot run it: " + result.error().message;
+    return comparison;
+  }
+  for (std::size_t i = 0; i < model.checks.size(); ++i) {
+    const auto& check = model.checks[i];
+    const auto expected = verdicts.isTrue(check, model.provenance.origins[check.origin]);
+    if (!expected) continue;
+    ++comparison.questions;
+    const auto& answer = result->answers[i];
+    if (answer.truth == (*expected ? verify::Truth::True : verify::Truth::False)) continue;
+    comparison.disagreement =
+        fmt::format("{} ({})\n  engine:      {} {}\n  interpreter: {}", check.name, check.words,
+                    wordOf(answer.truth), answer.reason, *expected);
+    return comparison;
+  }
+  return comparison;
+}
+
+} // namespace
+
+Comparison compare(const std::vector<test::Form>& forms, std::size_t limit,
+                   const verify::Options& options) {
+  const auto program = test::programOfText(test::textOf(forms));
+  if (!test::isWellFormed(program)) return {};
+  const auto script = scriptOf(program);
+  const auto model = codegen::generate(program);
+  if (!script || !model) return {};
+  return compare(*script, *model, limit, options);
+}
+
+std::string smallest(std::vector<test::Form> program, std::size_t limit,
+                     const verify::Options& options) {
+  const auto small = test::minimise(std::move(program), [&](const auto& forms) {
+    return compare(forms, limit, options).disagreement.has_value();
+  });
+  return test::textOf(small) + *compare(small, limit, options).disagreement;
+}
+
+} // namespace proskill::meaning

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "tests/support/form.h"
+
+#include "verify/verify.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace proskill::meaning {
+
+/// What came of a comparison.
+struct Comparison {
+  bool tooLarge = false;
+  std::size_t questions = 0; ///< that were decided by both
+  std::size_t situations = 0;
+  std::optional<std::string> refusal; ///< the engine cannot run it
+  std::optional<std::string> disagreement;
+};
+
+/// Asks the engine and the interpreter of programs the same questions.
+[[nodiscard]] Comparison compare(const std::vector<test::Form>& program, std::size_t limit,
+                                 const verify::Options& options = {});
+
+/// The smallest program that still shows that they disagree, and on what.
+[[nodiscard]] std::string smallest(std::vector<test::Form> program, std::size_t limit,
+                                   const verify::Options& options = {});
+
+} // namespace proskill::meaning

@@ -1,0 +1,70 @@
+#include "tests/meaning/agreement.h"
+#include "tests/support/random_program.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+using namespace proskill;
+
+namespace {
+
+constexpr std::size_t kLimit = 1500; ///< situations of a program
+
+struct Tally {
+  std::uint64_t programs = 0;
+  std::uint64_t tooLarge = 0;
+  std::uint64_t questions = 0;
+  std::uint64_t situations = 0;
+};
+
+/// `PROSKILL_MEANING_SEEDS=FIRST:COUNT` compares others than those of every day.
+std::pair<std::uint64_t, std::uint64_t> seeds(std::uint64_t first, std::uint64_t count) {
+  const char* asked = std::getenv("PROSKILL_MEANING_SEEDS");
+  if (!asked) return {first, first + count};
+  char* rest = nullptr;
+  const auto from = std::strtoull(asked, &rest, 10);
+  return {from, from + std::strtoull(rest + 1, nullptr, 10)};
+}
+
+Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSize& size) {
+  Tally tally;
+  const auto [begin, end] = seeds(first, count);
+  for (auto seed = begin; seed < end; ++seed) {
+    const auto program = test::randomProgram(seed, size);
+    const auto comparison = meaning::compare(program, kLimit);
+    if (comparison.refusal) FAIL("seed " << seed << ": " << *comparison.refusal);
+    if (comparison.disagreement)
+      FAIL("seed " << seed << "\n" << meaning::smallest(program, kLimit));
+    ++tally.programs;
+    tally.tooLarge += comparison.tooLarge ? 1 : 0;
+    tally.questions += comparison.questions;
+    tally.situations += comparison.situations;
+  }
+  return tally;
+}
+
+} // namespace
+
+TEST_CASE("the engine's verdicts are those of an interpreter of programs") {
+  const auto tally = compareAll(0, 2500, {.properties = 4});
+  WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
+                      << " questions, " << tally.situations << " situations");
+  CHECK(tally.tooLarge < tally.programs / 3);
+  CHECK(tally.questions > tally.programs * 10);
+}
+
+TEST_CASE("so they are with several callers, resources and an environment") {
+  const auto tally = compareAll(1'000'000, 1500,
+                                {.resources = 2,
+                                 .basicSkills = 2,
+                                 .composites = 2,
+                                 .monitors = 2,
+                                 .properties = 4,
+                                 .seconds = 2,
+                                 .halves = 0,
+                                 .environment = 80});
+  WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
+                      << " questions, " << tally.situations << " situations");
+  CHECK(tally.tooLarge < tally.programs * 2 / 3);
+}

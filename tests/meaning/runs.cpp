@@ -1,0 +1,163 @@
+#include "tests/meaning/runs.h"
+
+#include <algorithm>
+
+namespace proskill::meaning {
+namespace {
+
+bool reaches(const Age& age, std::int64_t bound, bool open) {
+  if (age.beyond || age.whole > bound) return true;
+  return age.whole == bound && (!open || age.fraction > 0);
+}
+
+bool isPast(const Age& age, std::int64_t bound, bool open) { return reaches(age, bound, !open); }
+
+bool isLate(const Step& step, const std::vector<Age>& ages) {
+  const auto& when = step.when;
+  return when.clock != kNobody && when.upper &&
+         isPast(ages[when.clock], *when.upper, when.upperOpen);
+}
+
+/// What is at a whole number gets a fraction; else the one with the greatest becomes whole.
+std::vector<Age> later(std::vector<Age> ages) {
+  const bool someWhole = std::ranges::any_of(
+      ages, [](const Age& age) { return age.counts && !age.beyond && age.fraction == 0; });
+  std::int64_t greatest = 0;
+  for (const auto& age : ages) greatest = std::max(greatest, age.fraction);
+  for (auto& age : ages) {
+    if (!age.counts || age.beyond) continue;
+    if (someWhole)
+      ++age.fraction;
+    else if (age.fraction == greatest)
+      age = {.counts = true, .whole = age.whole + 1};
+  }
+  return ages;
+}
+
+} // namespace
+
+bool isDue(const When& when, const std::vector<Age>& ages) {
+  if (when.clock == kNobody) return true;
+  const auto& age = ages[when.clock];
+  return reaches(age, when.lower, when.lowerOpen) &&
+         (!when.upper || !isPast(age, *when.upper, when.upperOpen));
+}
+
+Runs::Runs(const Script& of, std::size_t limit) : script(of) {
+  const auto note = [&](const syntax::Interval& interval) {
+    longest = std::max(longest, script.units(interval.lower));
+    if (interval.upper) longest = std::max(longest, script.units(*interval.upper));
+  };
+  for (const auto& skill : script.skills)
+    if (skill.node->timeInterval) note(*skill.node->timeInterval);
+  for (const auto& thread : script.threads)
+    for (const auto& place : thread.places)
+      if (place.statement && place.statement->kind == syntax::StatementKind::WaitTime)
+        note(place.statement->duration);
+  add(beginning(script));
+  std::size_t next = 0;
+  for (; next < all.size() && all.size() < limit; ++next) expand(next);
+  finished = next == all.size();
+}
+
+std::size_t Runs::add(Situation situation) {
+  situation = inOrder(std::move(situation));
+  const auto [place, isNew] = known.try_emplace(situation, all.size());
+  if (!isNew) return place->second;
+  noteState(situation);
+  all.push_back({std::move(situation), {}, {}, false});
+  return place->second;
+}
+
+/// Fractions count from 1 without gaps; an age beyond all bounds is only that.
+Situation Runs::inOrder(Situation situation) const {
+  std::set<std::int64_t> fractions{0};
+  for (auto& age : situation.ages) {
+    if (age.counts && isPast(age, longest, false)) age = {.counts = true, .beyond = true};
+    fractions.insert(age.fraction);
+  }
+  for (auto& age : situation.ages)
+    age.fraction = std::distance(fractions.begin(), fractions.find(age.fraction));
+  return situation;
+}
+
+void Runs::expand(std::size_t node) {
+  const auto steps = stepsFrom(script, all[node].situation);
+  std::vector<Edge> edges;
+  for (const auto& step : steps) {
+    if (!isDue(step.when, all[node].situation.ages)) continue;
+    found.insert(step.facts.begin(), step.facts.end());
+    edges.push_back({add(step.after), step.facts});
+  }
+  all[node].edges = std::move(edges);
+  letTimePass(node, steps);
+}
+
+void Runs::letTimePass(std::size_t node, const std::vector<Step>& steps) {
+  if (std::ranges::any_of(steps, [](const Step& step) { return step.when.isUrgent(); })) return;
+  Situation next = all[node].situation;
+  next.ages = later(next.ages);
+  const bool isLimit =
+      std::ranges::any_of(steps, [&](const Step& step) { return isLate(step, next.ages); });
+  const bool between = std::ranges::none_of(all[node].situation.ages, [](const Age& age) {
+    return age.counts && !age.beyond && age.fraction == 0;
+  });
+  all[node].timePasses = between || !isLimit;
+  if (!all[node].timePasses) return;
+  for (std::size_t i = 0; i < script.skills.size(); ++i) {
+    auto& skill = next.skills[i];
+    if (skill.endedEarly)
+      found.insert({What::Undershoot, static_cast<int>(i),
+                    script.skills[i].node->timeInterval->range.begin});
+    skill.endedEarly = false;
+  }
+  if (isLimit) return;
+  const auto target = add(std::move(next));
+  if (target != node) all[node].later = target;
+}
+
+/// What is there for a while: statements that are reached, and skills that take too long.
+void Runs::noteState(const Situation& situation) {
+  for (std::size_t i = 0; i < script.threads.size(); ++i) {
+    const auto& state = situation.threads[i];
+    const auto* statement = script.threads[i].places[state.place].statement;
+    if (state.control == Control::Before && statement)
+      found.insert({What::Reached, script.threads[i].skill, statement->range.begin});
+  }
+  for (std::size_t i = 0; i < script.skills.size(); ++i) {
+    const auto& skill = script.skills[i];
+    const auto& interval = skill.node->timeInterval;
+    if (!skill.isComposite() || !interval || !interval->upper) continue;
+    const auto& age = situation.ages[script.threads.size() + i];
+    if (age.counts && isPast(age, script.units(*interval->upper), interval->upperOpen))
+      found.insert({What::Overshoot, static_cast<int>(i), interval->range.begin});
+  }
+}
+
+bool Runs::canStop() const {
+  return std::ranges::any_of(
+      all, [&](const Node& node) { return stepsFrom(script, node.situation).empty(); });
+}
+
+bool Runs::timeCanGoOn() const {
+  std::vector<std::vector<std::size_t>> before(all.size());
+  std::vector<std::size_t> todo;
+  std::vector<bool> good(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const auto& edge : all[i].edges) before[edge.target].push_back(i);
+    good[i] = all[i].timePasses;
+    if (good[i]) todo.push_back(i);
+  }
+  while (!todo.empty()) {
+    const auto node = todo.back();
+    todo.pop_back();
+    for (const auto source : before[node]) {
+      if (good[source]) continue;
+      good[source] = true;
+      todo.push_back(source);
+    }
+  }
+  return std::ranges::all_of(good, std::identity{});
+}
+
+} // namespace proskill::meaning

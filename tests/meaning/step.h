@@ -1,0 +1,56 @@
+#pragma once
+
+#include "tests/meaning/steps.h"
+
+namespace proskill::meaning {
+
+/// A step as it is put together: each word changes the situation after it and notes what happens.
+class Change {
+public:
+  Change(const Script& of, const Situation& before, When when)
+      : script(of), step{when, {}, before} {}
+
+  void note(What what, int subject, std::uint32_t at = 0) {
+    step.facts.push_back({what, subject, at});
+  }
+  void setEffects(const syntax::Effects& effects);
+
+  // --- Calls
+
+  void call(int skill, int caller);
+  /// The skill is as it was before the call, and its caller goes on.
+  void returnFrom(int skill);
+  /// A caller sees that its call is over.
+  void seeReturn(int skill, int thread);
+  void askToStop(int skill, int thread);
+
+  // --- Skills
+
+  void startSkill(int skill);
+  void refuse(int skill);
+  void stopBeforeStart(int skill);
+  void endSkill(int skill, const Ending& ending);
+
+  // --- Threads
+
+  void goTo(int thread, int place, Control control = Control::Before);
+  void wait(int thread, Control control) { goTo(thread, after().threads[thread].place, control); }
+  void endBranch(int thread);
+  /// Asks what the thread is waiting for to stop, and notes what comes when it has.
+  void strike(int thread, const Ending& ending);
+
+  [[nodiscard]] Situation& after() { return step.after; }
+  [[nodiscard]] Step take() { return std::move(step); }
+
+private:
+  SkillState& state(int skill) { return step.after.skills[skill]; }
+  void changeResources(int skill, int by);
+  void noteDuration(int skill);
+  void tellCallers(int thread, int skill, const Outcome& outcome);
+  Age& ageOf(int skill) { return step.after.ages[script.threads.size() + skill]; }
+
+  const Script& script;
+  Step step;
+};
+
+} // namespace proskill::meaning

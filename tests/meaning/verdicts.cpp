@@ -1,0 +1,162 @@
+#include "tests/meaning/verdicts.h"
+
+#include <algorithm>
+
+namespace proskill::meaning {
+
+using syntax::ExprKind;
+using syntax::PropertyKind;
+
+namespace {
+
+const std::map<std::string_view, What>& kinds() {
+  static const std::map<std::string_view, What> all{
+      {"can_run", What::Runs},
+      {"can_succeed", What::Succeeds},
+      {"can_fail", What::Fails},
+      {"invariant_may_fail", What::InvariantFails},
+      {"can_be_interrupted", What::IsInterrupted},
+      {"postcondition", What::PostconditionFails},
+      {"never_busy", What::CallBusy},
+      {"reachable", What::Reached},
+      {"no_undershoot", What::Undershoot},
+      {"no_overshoot", What::Overshoot},
+  };
+  return all;
+}
+
+} // namespace
+
+std::optional<Fact> Verdicts::factOf(const codegen::Check& check,
+                                     const fiacre::Origin& place) const {
+  if (check.kind == "no_forbidden_transition")
+    return Fact{What::Forbidden, script.variable(check.subject), 0};
+  const int skill = script.skill(check.subject);
+  const bool ofCall = place.begin != script.skills[skill].node->name.range.begin;
+  if (check.kind == "never_refused")
+    return ofCall ? Fact{What::CallRefused, skill, place.begin} : Fact{What::Refused, skill, 0};
+  const auto found = kinds().find(check.kind);
+  if (found == kinds().end()) return std::nullopt;
+  return Fact{found->second, skill, place.begin};
+}
+
+std::optional<bool> Verdicts::isTrue(const codegen::Check& check,
+                                     const fiacre::Origin& place) const {
+  if (check.kind == "no_deadlock") return !runs.canStop();
+  if (check.kind == "time_progress") return runs.timeCanGoOn();
+  if (check.kind == "property")
+    return isTrue(script.program->properties.find(check.subject)->node());
+  const auto fact = factOf(check, place);
+  if (!fact) return std::nullopt;
+  return !runs.facts().contains(*fact);
+}
+
+std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
+  if (property.after || property.before || property.within || property.forDuration ||
+      property.lasting)
+    return std::nullopt;
+  switch (property.kind) {
+  case PropertyKind::Always: return !sometimes(property.operands[0], false);
+  case PropertyKind::Never:
+  case PropertyKind::Absent:
+  case PropertyKind::Reachable: return !sometimes(property.operands[0], true);
+  case PropertyKind::Present: return !canAvoid(property.operands[0]);
+  case PropertyKind::DeadlockFree: return !runs.canStop();
+  case PropertyKind::Missing:
+  case PropertyKind::InfinitelyOften:
+  case PropertyKind::LeadsTo:
+  case PropertyKind::Precedes:
+  case PropertyKind::Ltl: return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+bool Verdicts::isTrueAt(const syntax::Expr& wish, const Situation& now,
+                        const std::vector<Fact>& facts) const {
+  const auto part = [&](const syntax::Expr& operand) { return isTrueAt(operand, now, facts); };
+  const auto& parts = wish.operands;
+  const auto stateOf = [&]() -> const SkillState& {
+    return now.skills[script.skill(wish.name.text)];
+  };
+  const bool isKnown = script.skill(wish.name.text) != kNobody;
+  switch (wish.kind) {
+  case ExprKind::And: return std::ranges::all_of(parts, part);
+  case ExprKind::Or: return std::ranges::any_of(parts, part);
+  case ExprKind::Not: return !part(parts[0]);
+  case ExprKind::Implies: return !part(parts[0]) || part(parts[1]);
+  case ExprKind::Running: return isKnown && stateOf().phase == Phase::Running;
+  case ExprKind::Called: return isKnown && stateOf().caller != kNobody;
+  case ExprKind::Ended:
+    if (!isKnown || stateOf().caller != kNobody) return false;
+    return wish.member ? wordOf(stateOf().last.status) == wish.member.text
+                       : stateOf().last.status != Status::None;
+  case ExprKind::Occurs:
+    return std::ranges::count(facts, Fact{What::Occurs, script.event(wish.name.text), 0}) > 0;
+  case ExprKind::At: return isAt(wish.name.text, now);
+  default: return Look(script, now).holds(wish);
+  }
+}
+
+bool Verdicts::isAt(std::string_view label, const Situation& now) const {
+  for (std::size_t i = 0; i < script.threads.size(); ++i) {
+    const auto& labels = script.threads[i].labels;
+    const auto found = labels.find(label);
+    if (found == labels.end()) continue;
+    const auto control = now.threads[i].control;
+    const bool isThere =
+        control == Control::Before || control == Control::Busy || control == Control::Within;
+    if (isThere && now.threads[i].place == found->second) return true;
+  }
+  return false;
+}
+
+/// It has this value at a point of some run: in a situation, or as a step leaves it.
+bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
+  return std::ranges::any_of(runs.nodes(), [&](const Node& node) {
+    return isTrueAt(wish, node.situation, {}) == value ||
+           std::ranges::any_of(node.edges, [&](const Edge& edge) {
+             return isTrueAt(wish, node.situation, edge.facts) == value;
+           });
+  });
+}
+
+/// Some run never sees it: one that comes to a stop, or one that goes on for ever.
+bool Verdicts::canAvoid(const syntax::Expr& wish) const {
+  const auto& nodes = runs.nodes();
+  std::vector<bool> free(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) free[i] = !isTrueAt(wish, nodes[i].situation, {});
+  enum Mark : std::uint8_t { New, Open, Done };
+  struct Task {
+    std::size_t node;
+    std::size_t next;
+  };
+  std::vector<Mark> marks(nodes.size(), New);
+  if (!free[0]) return false;
+  std::vector<Task> path{{0, 0}};
+  marks[0] = Open;
+  while (!path.empty()) {
+    auto& task = path.back();
+    const auto& node = nodes[task.node];
+    if (node.edges.empty() && !node.later) return true;
+    std::optional<std::size_t> target;
+    if (task.next == 0) {
+      target = node.later;
+    } else if (task.next <= node.edges.size()) {
+      const auto& edge = node.edges[task.next - 1];
+      if (!isTrueAt(wish, node.situation, edge.facts)) target = edge.target;
+    } else {
+      marks[task.node] = Done;
+      path.pop_back();
+      continue;
+    }
+    ++task.next;
+    if (!target || !free[*target]) continue;
+    if (marks[*target] == Open) return true; // time alone makes no circle
+    if (marks[*target] != New) continue;
+    marks[*target] = Open;
+    path.push_back({*target, 0});
+  }
+  return false;
+}
+
+} // namespace proskill::meaning

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "tests/meaning/runs.h"
+
+#include "codegen/model.h"
+
+namespace proskill::meaning {
+
+/// What is true of a program, by its second meaning.
+class Verdicts {
+public:
+  Verdicts(const Script& of, const Runs& explored) : script(of), runs(explored) {}
+
+  /// Whether a question of the verifier is answered by yes, as the property is written: what is
+  /// absent never happens. Nothing where the question is not of a kind that is known here.
+  [[nodiscard]] std::optional<bool> isTrue(const codegen::Check& check,
+                                           const fiacre::Origin& place) const;
+
+private:
+  [[nodiscard]] std::optional<bool> isTrue(const syntax::Property& property) const;
+  [[nodiscard]] bool isTrueAt(const syntax::Expr& wish, const Situation& situation,
+                              const std::vector<Fact>& facts) const;
+  [[nodiscard]] bool sometimes(const syntax::Expr& wish, bool value) const;
+  [[nodiscard]] bool canAvoid(const syntax::Expr& wish) const;
+  [[nodiscard]] bool isAt(std::string_view label, const Situation& situation) const;
+  [[nodiscard]] std::optional<Fact> factOf(const codegen::Check& check,
+                                           const fiacre::Origin& place) const;
+
+  const Script& script;
+  const Runs& runs;
+};
+
+} // namespace proskill::meaning
