@@ -294,6 +294,7 @@ def the_code_of_a_diagnostic_leads_to_its_page():
 def other_texts_of_a_program_are_asked_for_again():
     client = server()
     client.initialize({**CAPABILITIES, 'textDocument': {**CAPABILITIES['textDocument'], 'diagnostic': {}}})
+    client.asked('workspace/diagnostic/refresh')  # the settings have come
     main = 'file:///nowhere/main.proskill'
     client.open(main, '(include "lamp.proskill")\n(defevent e :effects (lamp Oon))\n')
     client.open(URI, LAMP)
