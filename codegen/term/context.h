@@ -30,7 +30,7 @@ struct Context {
   std::set<std::string_view> alarmed; ///< state variables of which some move may be forbidden
   std::optional<fiacre::Function> invariantActive; ///< where any skill has an invariant
   std::string_view reader; ///< the thread whose conditions are being translated
-  CallTable arguments;                             ///< runtime
+  CallTable arguments;     ///< runtime
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
   /// Every state is named, not only those where time passes.

@@ -147,8 +147,8 @@ private:
     if (kind == "can_run") possible = canRun(verdict.check.subject);
     if (kind == "can_succeed" || kind == "can_fail") possible = returns(verdict, kind);
     if (kind == "invariant_may_fail") possible = reachesNode(verdict, NodeKind::InvariantFailure);
-    if (kind == "can_be_interrupted") possible = reachesNode(verdict, NodeKind::Interrupted);
-    if (kind == "never_refused") possible = mayBeRefused(verdict.place);
+    if (kind == "can_be_interrupted") possible = mayBeInterrupted(verdict);
+    if (kind == "never_refused") possible = mayBeRefused(verdict);
     if (kind == "never_busy") possible = mayBeBusy(verdict.place);
     if (kind == "postcondition") possible = mayBreakPostcondition(verdict.place);
     if (kind == "no_forbidden_transition") possible = mayMoveWrongly(verdict.check.subject);
@@ -210,13 +210,28 @@ private:
 
   [[nodiscard]] bool reachesNode(const Verdict& verdict, NodeKind kind) const {
     bool possible = false;
-    forEachReachedNode(
-        *report, [&](ProcessId id, const Process& process, NodeId, const Node& node) {
-          bool same = kind == NodeKind::Interrupted ||
-                      report->system().at(process, node.range) == verdict.place;
-          possible |= id == processOf(verdict.check.subject) && node.kind == kind && same;
-        });
+    forEachReachedNode(*report,
+                       [&](ProcessId id, const Process& process, NodeId, const Node& node) {
+                         possible |= id == processOf(verdict.check.subject) && node.kind == kind &&
+                                     report->system().at(process, node.range) == verdict.place;
+                       });
     return possible;
+  }
+
+  /// Before its start too.
+  [[nodiscard]] bool mayBeInterrupted(const Verdict& verdict) const {
+    ProcessId skill = processOf(verdict.check.subject);
+    return report->solver.started(skill) &&
+           (report->solver.mayBeInterrupted(skill) || report->solver.mayBeStopped(skill));
+  }
+
+  [[nodiscard]] bool mayBeRefused(const Verdict& verdict) const {
+    if (verdict.check.name != verdict.check.subject + ".never_refused")
+      return mayBeRefused(verdict.place);
+    ProcessId root = processOf(verdict.check.subject);
+    State entry = report->solver.before(root, 0);
+    refineAll(entry, report->system()[root].actions[0].conditions, false);
+    return entry.reachable;
   }
 
   [[nodiscard]] bool mayBeRefused(Location place) const {
@@ -341,7 +356,7 @@ private:
       return;
     case Code::CallAlwaysRefused: {
       const Verdict* call = enclosing(claim.location, {"reachable"});
-      // It may be stopped, or wait for what it needs, before it is refused.
+      // It may be stopped, interrupted, or wait for what it needs, before it is refused.
       if (call && isCutShort(processOf(call->check.subject))) return;
       if (!(*program.skills.find(quoted(claim.message)[0]))->resources.empty()) return;
       demand(claim, call, call ? find("never_refused", call->place) : nullptr);
@@ -475,9 +490,10 @@ private:
   [[nodiscard]] const Verdict* whatSets(Location place) const {
     for (const Verdict& each : verdicts)
       if (each.check.kind == "reachable" && isSet(each.place) && within(place, each.place))
-        return &each;
-    if (const Verdict* outcome = enclosing(
-            place, {"can_succeed", "can_fail", "invariant_may_fail", "can_be_interrupted"}))
+        return isGuarded(each) ? nullptr : &each;
+    // Not `can_be_interrupted`: what is interrupted before its start sets nothing.
+    if (const Verdict* outcome =
+            enclosing(place, {"can_succeed", "can_fail", "invariant_may_fail"}))
       return outcome;
     for (const auto& skill : program.skills.all)
       for (const auto& effect : skill->start.items)
@@ -492,6 +508,13 @@ private:
     auto asked = std::ranges::find(queries, fmt::format("(occurs {})", event), &Query::words);
     if (asked == queries.end()) return nullptr;
     return findOf("property", fmt::format("query_{}", asked - queries.begin()));
+  }
+
+  /// A guard that fails may end the skill before the step.
+  [[nodiscard]] bool isGuarded(const Verdict& verdict) const {
+    const auto skill = program.skills.byName.find(verdict.check.subject);
+    return skill != program.skills.byName.end() &&
+           !program.skills.all[skill->second]->invariants.empty();
   }
 
   /// Of `set` alone: a wait with effects may be reached and never end.

@@ -45,7 +45,7 @@ private:
 
   template <class Visit> void forEachValue(VariableId id, Visit visit) {
     const Variable& variable = report.variables()[id];
-    if (variable.kind == VariableKind::Running || variable.kind == VariableKind::Used) return;
+    if (variable.kind == VariableKind::Called || variable.kind == VariableKind::Used) return;
     for (unsigned value = 0; value < variable.domain.size(); ++value)
       visit(value, fmt::format("(= {} {})", report.variables().name(id),
                                report.variables().words(id, ValueSet::of(value))));
@@ -119,7 +119,7 @@ private:
     ProcessId target = process.actions[next].target;
     if (node.kind != NodeKind::Interrupt || target == kNoProcess) return;
     const std::size_t skill = report.system()[target].definition;
-    auto slot = process.slots.find(report.variables().of(VariableKind::Running, skill));
+    auto slot = process.slots.find(report.variables().of(VariableKind::Called, skill));
     bool runs = !slot;
     for (NodeId at : {label, next})
       if (slot && report.solver.reachable(id, at))

@@ -61,7 +61,10 @@ private:
         changed.insert(each.variable);
     for (NodeId node : loop) {
       bool leaves = false;
-      for (const Edge& edge : (*process.graph)[node].edges) leaves |= !inside.contains(edge.target);
+      for (const Edge& edge : (*process.graph)[node].edges) {
+        if (edge.stops && reads(edge.target, changed)) return true;
+        leaves |= !edge.stops && !inside.contains(edge.target);
+      }
       if (leaves && ((*process.graph)[node].kind != NodeKind::Test || reads(node, changed)))
         return true;
     }
@@ -105,7 +108,8 @@ private:
   [[nodiscard]] bool isExit(NodeId node, const std::vector<NodeId>& loop) const {
     const Node& each = (*process.graph)[node];
     return each.kind == NodeKind::Test && std::ranges::any_of(each.edges, [&](const Edge& edge) {
-             return edge.target != kNoNode && std::ranges::find(loop, edge.target) == loop.end();
+             return !edge.stops && edge.target != kNoNode &&
+                    std::ranges::find(loop, edge.target) == loop.end();
            });
   }
 

@@ -63,7 +63,7 @@ std::vector<std::string_view> resultsOf(const syntax::Skill& skill) {
 
 Domain domainOf(const syntax::Skill& skill, VariableKind kind) {
   if (kind == VariableKind::Result) return Domain::ofWords(resultsOf(skill));
-  if (kind == VariableKind::Running) return Domain::ofWords({"idle", "running"});
+  if (kind == VariableKind::Called) return Domain::ofWords({"idle", "called"});
   auto statuses = statusWords();
   return Domain::ofWords({statuses.begin(), statuses.end()});
 }
@@ -73,7 +73,7 @@ Domain domainOf(const syntax::Skill& skill, VariableKind kind) {
 Variables::Variables(const Program& program) : program(program) {
   std::vector<std::int64_t> cuts = numbersIn(program);
   for (std::size_t i = 0; i < program.stateVariables.all.size(); ++i) addStateVariable(i, cuts);
-  for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Running})
+  for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Called})
     addOfSkills(kind);
   firstOf[static_cast<std::size_t>(VariableKind::Used)] = static_cast<VariableId>(all.size());
   for (std::size_t i = 0; i < program.resources.all.size(); ++i) addResource(i);
@@ -126,7 +126,7 @@ std::string Variables::name(VariableId id) const {
     return fmt::format("{}.status", program.skills.all[variable.definition].name());
   case VariableKind::Result:
     return fmt::format("{}.res", program.skills.all[variable.definition].name());
-  case VariableKind::Running: return std::string(program.skills.all[variable.definition].name());
+  case VariableKind::Called: return std::string(program.skills.all[variable.definition].name());
   }
   return {};
 }

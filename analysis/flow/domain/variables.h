@@ -15,10 +15,10 @@ using VariableId = std::uint32_t;
 
 enum class VariableKind : std::uint8_t {
   StateVariable,
-  Status,  ///< `skill.status`
-  Result,  ///< `skill.res`: the tags of a skill, and `no_result`
-  Running, ///< of a skill: its guards are watched, it holds its resources
-  Used,    ///< of a resource
+  Status, ///< `skill.status`
+  Result, ///< `skill.res`: the tags of a skill, and `no_result`
+  Called, ///< of a skill: somebody has called it, and it has not returned
+  Used,   ///< of a resource
 };
 
 /// Where the words of `statusWords()` stand in a status's domain.

@@ -30,22 +30,15 @@ public:
   Bookkeeping(const System& system, const Process& process, std::vector<Assignment>& assignments)
       : system(system), process(process), assignments(assignments) {}
 
-  void start() {
-    set(VariableKind::Status, static_cast<std::int64_t>(Status::None));
-    set(VariableKind::Result, 0);
-    set(VariableKind::Running, 1);
-    use(Term::Kind::Add);
-  }
-  void refused() {
-    set(VariableKind::Status, static_cast<std::int64_t>(Status::None));
-    set(VariableKind::Result, 0);
-  }
+  void start() { use(Term::Kind::Add); }
+  /// The call has reset what is known of the last run.
+  void refused() { set(VariableKind::Called, 0); }
   /// An end without a tag has no result.
   void end(Status status, std::string_view tag) {
     const Domain& tags = system.variables()[of(VariableKind::Result)].domain;
     set(VariableKind::Result, tags.numberOf(tag).value_or(0));
     set(VariableKind::Status, static_cast<std::int64_t>(status));
-    set(VariableKind::Running, 0);
+    set(VariableKind::Called, 0);
     use(Term::Kind::Subtract);
   }
 
@@ -138,7 +131,7 @@ void addReads(const System& system, const Process& process, std::vector<Variable
       addReads(*effects, system.resolver(), variables, reads);
     ProcessId target = process.actions[id].target;
     if (node.kind == NodeKind::Interrupt && target != kNoProcess)
-      reads.push_back(variables.of(VariableKind::Running, system[target].definition));
+      reads.push_back(variables.of(VariableKind::Called, system[target].definition));
   }
   if (process.kind == ProcessKind::Skill)
     for (const auto& [resource, count] : resourcesOf(system, process))
@@ -156,7 +149,7 @@ std::vector<VariableId> writesOf(const System& system, const Process& process) {
   if (process.kind == ProcessKind::Events) return writes;
   for (const Node& node : process.graph->nodes) add(effectsOf(system, node));
   if (process.kind == ProcessKind::Skill)
-    for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Running})
+    for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Called})
       writes.push_back(system.variables().of(kind, process.definition));
   if (process.kind == ProcessKind::Skill)
     for (const auto& [resource, count] : resourcesOf(system, process))

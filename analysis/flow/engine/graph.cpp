@@ -15,6 +15,11 @@ const Outcome* findOutcome(const syntax::List<Outcome>& outcomes, std::string_vi
   return found == outcomes.end() ? nullptr : &*found;
 }
 
+/// A step of a body, before which the guards are looked at.
+bool isStep(const Node& node) {
+  return !node.atomic && (node.statement || node.kind == NodeKind::Outcome);
+}
+
 /// An edge that does not have its target yet.
 struct Loose {
   NodeId from = kNoNode;
@@ -258,7 +263,7 @@ void Builder::resolveJumps() {
   }
 }
 
-/// From a node that waits, when an invariant fails or the skill is to stop.
+/// When an invariant fails or, where the node waits, the skill is to stop.
 void Builder::addStops(NodeId node, const std::vector<NodeId>& exits) {
   for (NodeId exit : exits) {
     Loose stop = edge(node);
@@ -291,7 +296,7 @@ void Builder::skillThread() {
     connect({edge(first, Guard::Fails)}, refused);
     edge(refused, Guard::None, true);
   }
-  std::vector<NodeId> exits;
+  std::vector<NodeId> failures;
   for (const Invariant& each : skill->invariants) {
     NodeId node = add({.kind = NodeKind::InvariantFailure,
                        .range = each.range,
@@ -299,12 +304,13 @@ void Builder::skillThread() {
                        .effects = &each.effects,
                        .invariant = &each});
     connect(node, graph().end, true);
-    exits.push_back(node);
+    failures.push_back(node);
   }
   NodeId stopped = add({.kind = NodeKind::Interrupted,
                         .range = skill->interrupt ? skill->interrupt->range : skill->name.range,
                         .effects = skill->interrupt ? &skill->interrupt->effects : nullptr});
   connect(stopped, graph().end, true);
+  std::vector<NodeId> exits = failures;
   exits.push_back(stopped);
   Loose started = edge(first, Guard::Holds, true);
   if (skill->body) {
@@ -322,8 +328,12 @@ void Builder::skillThread() {
       connect(run, outcome(nullptr, true, skill->name.range, nullptr), false);
   }
   auto count = static_cast<NodeId>(graph().nodes.size());
-  for (NodeId node = 0; node < count; ++node)
-    if (graph().nodes[node].waits()) addStops(node, exits);
+  for (NodeId node = 0; node < count; ++node) {
+    if (graph().nodes[node].waits())
+      addStops(node, exits);
+    else if (skill->isComposite() && isStep(graph().nodes[node]))
+      addStops(node, failures);
+  }
 }
 
 } // namespace

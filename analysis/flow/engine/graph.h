@@ -41,7 +41,7 @@ struct Edge {
   NodeId target = kNoNode; ///< none: it has returned, without a start
   Guard guard = Guard::None;
   bool sets = false;  ///< the effects of the node happen on it
-  bool stops = false; ///< taken while the node still waits for what it has called
+  bool stops = false; ///< taken instead of what the node does, or while it waits for what it called
 };
 
 /// A state of the automaton, with what its transitions do.

@@ -12,6 +12,12 @@ namespace {
 constexpr std::size_t kMostCases = 32;           ///< of a point
 constexpr std::size_t kMostCasesInAll = 200'000; ///< so that large programs do not take long
 
+/// A call changes it, even one that never starts.
+bool isOfCall(VariableKind kind) {
+  return kind == VariableKind::Status || kind == VariableKind::Result ||
+         kind == VariableKind::Called;
+}
+
 } // namespace
 
 Solver::Solver(const System& system) : model(system), moves(system.variables()) {
@@ -32,8 +38,7 @@ Solver::Closing Solver::closingOf(ProcessId process, bool inside) {
   Closing closing;
   for (Slot slot = 0; slot < slots.size(); ++slot) {
     VariableKind kind = model.variables()[slots[slot]].kind;
-    bool refusable = kind == VariableKind::Status || kind == VariableKind::Result;
-    View& view = moves.of(refusable ? model.concurrent(process) : beside, slots[slot]);
+    View& view = moves.of(isOfCall(kind) ? model.concurrent(process) : beside, slots[slot]);
     view.readers.push_back({.process = process, .inside = inside, .slot = slot});
     closing.relations.push_back(&view.relation);
   }
@@ -92,8 +97,7 @@ void Solver::prepareCall(ProcessId id, NodeId node) {
   for (Slot slot = 0; slot < process.slots.size(); ++slot) {
     if (!written.contains(process.slots[slot])) continue;
     VariableKind kind = model.variables()[process.slots[slot]].kind;
-    bool refused = kind == VariableKind::Status || kind == VariableKind::Result;
-    View& view = moves.of(refused ? refusable : inside, process.slots[slot]);
+    View& view = moves.of(isOfCall(kind) ? refusable : inside, process.slots[slot]);
     view.readers.push_back({.process = id, .node = node, .slot = slot});
     whileCalling[id][node].emplace_back(slot, &view.relation);
   }
@@ -202,7 +206,7 @@ void Solver::step(ProcessId process, NodeId id) {
   const Node& node = (*model[process].graph)[id];
   const Action& action = model[process].actions[id];
   if (node.kind == NodeKind::Interrupt && action.target != kNoProcess) interrupt(process, id);
-  if (node.kind == NodeKind::Start && stopped[process]) stopBeforeStart(process);
+  if (node.kind == NodeKind::Start && mayStop(process)) stopBeforeStart(process);
   bool stops = mayStop(process);
   for (const Edge& edge : node.edges) {
     if (edge.stops) {
@@ -272,19 +276,26 @@ void Solver::stopCallees(ProcessId process, NodeId id, bool stops) {
   for (ProcessId branch : action.branches) mark(stopped, branch);
 }
 
-/// A skill that was called but waits for its resources returns with `interrupted`, without effects.
+/// A skill that was called but has not started returns with `interrupted`, without effects.
 void Solver::stopBeforeStart(ProcessId process) {
   const Process& self = model[process];
   if (self.kind != ProcessKind::Skill) return;
   State state = before(process, 0);
-  auto set = [&](VariableKind kind, unsigned to) {
-    VariableId variable = model.variables().of(kind, self.definition);
-    record(state, process, model.resolver().constant(variable, to, self.slots));
-    if (auto slot = self.slots.find(variable)) state.values[*slot] = ValueSet::of(to);
-  };
-  set(VariableKind::Status, static_cast<unsigned>(Status::Interrupted));
-  set(VariableKind::Result, 0);
-  if (self.repeats) enter(process, state);
+  set(state, process, VariableKind::Status, static_cast<unsigned>(Status::Interrupted));
+  set(state, process, VariableKind::Called, 0);
+  if (interrupted[process]) {
+    arrive(process, self.graph->end, std::move(state));
+  } else if (stoppedEnds[process].add(std::move(state), mostCases)) {
+    announceEnd(process);
+  }
+}
+
+/// A variable of the skill itself.
+void Solver::set(State& state, ProcessId process, VariableKind kind, unsigned to) {
+  const Process& self = model[process];
+  VariableId variable = model.variables().of(kind, self.definition);
+  record(state, process, model.resolver().constant(variable, to, self.slots));
+  if (auto slot = self.slots.find(variable)) state.values[*slot] = ValueSet::of(to);
 }
 
 void Solver::mark(std::vector<bool>& flags, ProcessId process) {
@@ -296,8 +307,8 @@ void Solver::mark(std::vector<bool>& flags, ProcessId process) {
 void Solver::interrupt(ProcessId process, NodeId id) {
   ProcessId target = model[process].actions[id].target;
   if (!model.skill(model[target]).interrupt) return;
-  VariableId isRunning = model.variables().of(VariableKind::Running, model[target].definition);
-  auto slot = model[process].slots.find(isRunning);
+  VariableId isCalled = model.variables().of(VariableKind::Called, model[target].definition);
+  auto slot = model[process].slots.find(isCalled);
   if (!slot || before(process, id).values[*slot].contains(1)) mark(interrupted, target);
 }
 

@@ -91,6 +91,7 @@ private:
   void interrupt(ProcessId process, NodeId node);
   void stopCallees(ProcessId process, NodeId node, bool stops);
   void stopBeforeStart(ProcessId process);
+  void set(State& state, ProcessId process, VariableKind kind, unsigned to);
 
   [[nodiscard]] State during(const State& before, ProcessId process, NodeId node) const;
   [[nodiscard]] bool entersCall(const State& before, ProcessId process, NodeId node) const;
@@ -106,7 +107,7 @@ private:
   void record(const State& before, ProcessId process, const Assignment& assignment);
   void record(const State& before, ProcessId process, NodeId node);
   void arrive(ProcessId process, NodeId node, State state);
-  void enter(ProcessId process, const State& state);
+  void enter(ProcessId process, State state);
   void announceEnd(ProcessId process);
   void wakeForks(ProcessId skill);
   /// All that the variable may be, as far as is known.

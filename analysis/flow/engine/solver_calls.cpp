@@ -35,7 +35,16 @@ std::vector<State> Solver::atCallee(ProcessId caller, NodeId call) const {
   return entries;
 }
 
-void Solver::enter(ProcessId process, const State& state) { arrive(process, 0, state); }
+/// A call resets what the skill tells of its last run.
+void Solver::enter(ProcessId process, State state) {
+  if (!state.reachable) return;
+  if (model[process].kind == ProcessKind::Skill) {
+    set(state, process, VariableKind::Status, static_cast<unsigned>(Status::None));
+    set(state, process, VariableKind::Result, 0);
+    set(state, process, VariableKind::Called, 1);
+  }
+  arrive(process, 0, std::move(state));
+}
 
 bool Solver::entersCall(const State& before, ProcessId process, NodeId id) const {
   const Process& self = model[process];
@@ -70,7 +79,7 @@ State Solver::refused(const State& before, ProcessId process, NodeId id) const {
   State state = before;
   for (Slot slot = 0; slot < callee.slots.size(); ++slot)
     if (auto mine = self.slots.find(callee.slots[slot])) state.values[*mine] = entry.values[slot];
-  for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
+  for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Called})
     if (auto slot = self.slots.find(model.variables().of(kind, callee.definition)))
       state.values[*slot] = ValueSet::of(0);
   return state;
@@ -83,7 +92,7 @@ void Solver::call(ProcessId process, NodeId id, NodeId next) {
   const std::vector<State> ends = cases(target, model[target].graph->end);
   for (const State& before : all) {
     arrive(process, next, refused(before, process, id));
-    if (!entersCall(before, process, id)) continue;
+    if (!entersCall(before, process, id) && !interrupted[target]) continue;
     for (const State& end : ends) arrive(process, next, returned(before, end, process, id));
   }
 }
@@ -97,14 +106,15 @@ void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
   std::vector<State> ends = cases(target, model[target].graph->end);
   const auto& more = stoppedEnds[target].all();
   ends.insert(ends.end(), more.begin(), more.end());
-  std::size_t skill = model[target].definition;
-  VariableId status = model.variables().of(VariableKind::Status, skill);
-  VariableId result = model.variables().of(VariableKind::Result, skill);
+  auto mayBe = [&](VariableKind kind, unsigned value, State& state) {
+    if (auto slot = self.slots.find(model.variables().of(kind, model[target].definition)))
+      state.values[*slot] |= ValueSet::of(value);
+  };
   for (const State& before : all) {
     State early = before;
-    if (auto slot = self.slots.find(status))
-      early.values[*slot] |= ValueSet::of(static_cast<unsigned>(Status::Interrupted));
-    if (auto slot = self.slots.find(result)) early.values[*slot] |= ValueSet::of(0);
+    mayBe(VariableKind::Status, static_cast<unsigned>(Status::Interrupted), early);
+    mayBe(VariableKind::Result, 0, early);
+    mayBe(VariableKind::Called, 0, early);
     arrive(process, exit, std::move(early));
     arrive(process, exit, refused(before, process, id));
     for (const State& end : ends) arrive(process, exit, returned(before, end, process, id));
