@@ -8,7 +8,7 @@ std::optional<Dbm> convexUnion(const Dbm& a, const Dbm& b) {
   const std::uint32_t size = a.dimension();
   std::vector<Bound> both(a.matrix().begin(), a.matrix().end());
   for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::max(both[i], b.matrix()[i]);
-  const Dbm hull(size, both);
+  Dbm hull(size, both);
   for (std::uint32_t i = 0; i < size; ++i)
     for (std::uint32_t j = 0; j < size; ++j) {
       if (a.at(i, j) == hull.at(i, j)) continue;
