@@ -121,7 +121,8 @@ std::string FiacreText::commentsOf(std::uint32_t begin) const {
     const auto line = trimmed(text.substr(start, end - start));
     if (!line.starts_with("//")) break;
     const auto words = line.substr(std::min(line.find_first_not_of('/'), line.size()));
-    result = std::string(trimmed(words)) + (result.empty() ? "" : "\n") + result;
+    if (!result.empty()) result.insert(0, 1, '\n');
+    result.insert(0, trimmed(words));
     above = start;
   }
   if (!result.empty()) return result;
