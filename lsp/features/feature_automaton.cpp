@@ -58,7 +58,7 @@ Json partAt(const viz::Graph& graph, const std::string& file, syntax::Offset off
   syntax::Offset length = 0;
   auto offer = [&](const viz::Source& source, const std::string& id) {
     const bool holds = source.file == file && source.range.begin <= offset &&
-                       offset <= source.range.end && source.range.length() > 0;
+                       offset <= source.range.end && !source.range.empty();
     if (!holds || (!best.is_null() && source.range.length() >= length)) return;
     best = id;
     length = source.range.length();

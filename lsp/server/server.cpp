@@ -6,6 +6,8 @@
 #include "lsp/protocol/convert.h"
 #include "report/uri.h"
 
+#include <fmt/format.h>
+
 #include <thread>
 
 namespace proskill::lsp {
@@ -302,7 +304,7 @@ void Server::handleNotebook(const Received& received) {
   else if (method != "notebookDocument/didSave")
     log.write("a notification that is not served: " + method);
   for (const auto& problem : outcome.problems) {
-    log.write(method + ": " + problem);
+    log.write(fmt::format("{}: {}", method, problem));
     announcer.show(Announcer::Kind::Error, problem);
   }
   for (const auto& path : outcome.changed)

@@ -1,6 +1,7 @@
 #include "lsp/server/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include <unistd.h>
@@ -11,7 +12,7 @@ namespace {
 
 /// \pre `sorted` is not empty
 double quantile(const std::vector<double>& sorted, double part) {
-  auto index = static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1) + 0.5);
+  auto index = static_cast<std::size_t>(std::lround(part * static_cast<double>(sorted.size() - 1)));
   return sorted[index];
 }
 
