@@ -1,6 +1,8 @@
 """clang-tidy over the sources and headers of the program; what it says is an error.
 
-usage: tidy.py PROGRAM changed|all      changed: what differs from where the branch left main; on main, the last commit
+usage: tidy.py PROGRAM changed|all
+  changed: the files that differ from where the branch left main; on main, those of the last ten commits. A clone with less
+           history has no such base, and all are read.
 
 It reads the files eight at a time, as the unity builds compile them, for to read headers is most of its time. What is
 clean stays so until a file of it changes: build/tidy/clean/ remembers.
@@ -18,6 +20,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build/tidy"
 CLEAN = BUILD / "clean"
+RECENT = 10  # commits; some 15 of the 80 units, and a minute of one processor
 OTHERS = ("tests/", "bench/", "fuzz/", "tree-sitter-proskill/", "build/")
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 WARNING = re.compile(r"^\S+:\d+:\d+: (?:warning|error): .*$", re.M)
@@ -27,12 +30,22 @@ def git(*arguments):
     return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True)
 
 
-def changed():
-    """The files that differ from where the branch left main; on main itself, those of the last commit."""
+def base_of_changes():
+    """The commit since which files count as changed, in words, too; none where the history does not reach so far."""
     head = git("rev-parse", "HEAD").stdout
-    found = [git("merge-base", "HEAD", main).stdout for main in ("origin/main", "main")]
-    base = next((commit for commit in found if commit and commit != head), "HEAD~1\n").strip()
-    return set(git("diff", "--name-only", base).stdout.splitlines())
+    for main in ("origin/main", "main"):
+        left = git("merge-base", "HEAD", main).stdout
+        if left and left != head:
+            return left.strip(), f"since the branch left {main}"
+    ago = git("rev-parse", "--verify", "--quiet", f"HEAD~{RECENT}").stdout.strip()
+    return (ago, f"in the last {RECENT} commits") if ago else (None, f"all: there are no {RECENT} commits here")
+
+
+def changed():
+    """The files that changed, and since when."""
+    base, since = base_of_changes()
+    tracked = git("diff", "--name-only", base) if base else git("ls-files")
+    return set(tracked.stdout.splitlines()), since
 
 
 class Unit:
@@ -64,8 +77,15 @@ class Unit:
 def units():
     subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
-    found = [Unit(command) for command in commands if not command["file"].endswith((".c", ".cxx_pch"))]
+    found = [Unit(command) for command in commands
+             if not command["file"].endswith((".c", ".cxx_pch")) and pathlib.Path(command["file"]).is_file()]
     return [unit for unit in found if unit.sources and not any(name.startswith(OTHERS) for name in unit.sources)]
+
+
+def unread(found):
+    """The sources and headers that no unit has."""
+    tracked = set(git("ls-files", "*.cpp", "*.h").stdout.splitlines())
+    return {name for name in tracked if not name.startswith(OTHERS)} - set().union(*(unit.files for unit in found))
 
 
 def covering(found, names):
@@ -92,17 +112,20 @@ def main():
     program, which = sys.argv[1:]
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
     found = units()
-    chosen = found if which == "all" else covering(found, changed())
+    names, since = changed() if which == "changed" else (set(), "all")
+    chosen = covering(found, names) if which == "changed" else found
+    warnings = {f"{name}: error: no unit has it, so nobody reads it" for name in unread(found)}
+    print("".join(f"{line}\n" for line in sorted(warnings)), end="")
     CLEAN.mkdir(exist_ok=True)
     todo = [unit for unit in chosen if not unit.stamp(version).exists()]
-    warnings = set()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() + 1) as pool:
         for unit, said in zip(todo, pool.map(lambda unit: tidy(program, unit), todo)):
             print("".join(f"{line}\n" for line in sorted(said - warnings)), end="", flush=True)
             warnings |= said
             if not said:
                 unit.stamp(version).touch()
-    print(f"clang-tidy: {len(warnings)} warnings; {len(chosen)} of {len(found)} units, {len(todo)} of them read anew")
+    print(f"clang-tidy ({since}): {len(warnings)} warnings; {len(chosen)} of {len(found)} units, "
+          f"{len(todo)} of them read anew")
     return 1 if warnings else 0
 
 
