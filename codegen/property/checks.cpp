@@ -2,6 +2,7 @@
 
 #include "codegen/process/body_process.h"
 #include "codegen/property/properties.h"
+#include "codegen/property/statement_names.h"
 #include "codegen/term/conditions.h"
 
 #include <fmt/format.h>
@@ -64,7 +65,9 @@ private:
     if (node.interrupt) addEnding(skill, interruptionOf(skill));
     if (!skill.body) return;
     if (skill.isWatched()) addWatchdog(skill);
-    forEachThread(*skill.body, [&](const BodyAutomaton& thread) { addStatements(skill, thread); });
+    const StatementNames names(*skill.body);
+    forEachThread(*skill.body,
+                  [&](const BodyAutomaton& thread) { addStatements(skill, thread, names); });
   }
 
   /// The declared outcomes, and success without a tag where the end of the body can be reached.
@@ -115,28 +118,29 @@ private:
 
   // --- Statements
 
-  void addStatements(const SkillPlan& skill, const BodyAutomaton& thread) {
+  void addStatements(const SkillPlan& skill, const BodyAutomaton& thread,
+                     const StatementNames& names) {
     const auto process = processOf(context, skill, thread);
     for (const auto& state : thread.states) {
       if (!state.statement) continue;
       const auto range = state.statement->range;
       place = context.origins.of(actorOf(skill, thread), range);
-      column = context.origins.position(skill.file(), range).column;
-      const auto line = std::to_string(context.origins.position(skill.file(), range).line);
+      const auto& statement = names.of(*state.statement);
       const auto text = inTicks(context.origins.excerpt(skill.file(), range));
-      if (state.statement->kind == syntax::StatementKind::Call) addCall(thread, state, line, text);
-      question("reachable", line, text + " can be reached", Expectation::Reachable, Weight::Warning,
-               absent(observer.state(process, state.name)));
+      if (state.statement->kind == syntax::StatementKind::Call)
+        addCall(thread, state, statement, text);
+      question("reachable", statement, text + " can be reached", Expectation::Reachable,
+               Weight::Warning, absent(observer.state(process, state.name)));
     }
   }
 
   /// Only where a call may be refused, or find its skill busy, is it asked whether it ever is.
-  void addCall(const BodyAutomaton& thread, const BodyState& state, const std::string& line,
+  void addCall(const BodyAutomaton& thread, const BodyState& state, const std::string& statement,
                const std::string& text) {
     const auto ask = [&](std::string_view how, std::string_view kind, const std::string& words) {
       const auto& name = context.names.tag({thread.name, state.name, how});
       if (observer.hasTag(name))
-        holds(kind, line, words, Weight::Warning, absent(observer.tag(name)));
+        holds(kind, statement, words, Weight::Warning, absent(observer.tag(name)));
     };
     ask("refused", "never_refused", text + " is never refused");
     ask("busy", "never_busy", text + " never finds its skill busy");
@@ -178,7 +182,6 @@ private:
   void begin(std::string_view of, const Actor& actor, syntax::Range range) {
     subject = of;
     place = context.origins.of(actor, range);
-    column = 0;
   }
 
   Observable tag(std::initializer_list<std::string_view> parts) {
@@ -220,12 +223,8 @@ private:
     model.checks.push_back(std::move(check));
   }
 
-  /// Two statements of a line are told apart by their column, whatever else by a number.
   std::string unique(const std::string& name) {
     if (taken.insert(name).second) return name;
-    if (column > 0)
-      if (auto withColumn = fmt::format("{}:{}", name, column); taken.insert(withColumn).second)
-        return withColumn;
     for (std::size_t i = 2;; ++i)
       if (auto numbered = fmt::format("{}.{}", name, i); taken.insert(numbered).second)
         return numbered;
@@ -237,7 +236,6 @@ private:
   std::set<std::string> taken;
   std::string subject;
   OriginId place = 0;
-  std::uint32_t column = 0;
 };
 
 } // namespace

@@ -164,5 +164,5 @@ TEST_CASE("what a basic skill does is what its program says") {
   CHECK(verdicts.at("takeoff.can_be_interrupted") == "reachable");
   CHECK(verdicts.at("takeoff.invariant_may_fail.battery") == "unreachable"); // nothing drains it
   CHECK(verdicts.at("takeoff.postcondition.at_altitude") == "violated");     // nothing lifts it
-  CHECK(verdicts.at("mission.never_refused.16") == "holds");
+  CHECK(verdicts.at("mission.never_refused.call[takeoff]") == "holds");
 }

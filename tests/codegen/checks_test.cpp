@@ -71,9 +71,28 @@ TEST_CASE("every part of a program has its default properties") {
             "wave.can_succeed.done", "wave.postcondition.done", "wave.can_fail.tired",
             "wave.invariant_may_fail.power", "wave.can_be_interrupted", "mission.can_run",
             "mission.can_succeed.won", "mission.no_undershoot", "mission.no_overshoot",
-            "mission.never_refused.17", "mission.reachable.17", "mission.reachable.18",
-            "mission.reachable.18:33", "mission.reachable.19", "program.no_deadlock",
-            "program.time_progress"});
+            "mission.never_refused.call[wave]", "mission.reachable.call[wave]",
+            "mission.reachable.if[wave]", "mission.reachable.goto[again]",
+            "mission.reachable.success[won]", "program.no_deadlock", "program.time_progress"});
+}
+
+TEST_CASE("the name of a question outlives edits elsewhere") {
+  const std::string before = R"(
+    (defsv light :states (Off On) :init Off)
+    (defskill wave :action (wave) :precondition (dark (light Off)))
+    (defskill mission :body ((wave) (// ((^ 1) (wave)) ((^ (light On)))) (set (light On)))))";
+  const auto names = namesOf(test::modelOf(before));
+  for (const char* expected :
+       {"mission.never_refused.call[wave]", "mission.never_refused.call[wave].2",
+        "mission.reachable.parallel", "mission.reachable.delay", "mission.reachable.wait[light]",
+        "mission.reachable.set[light]"})
+    CHECK_THAT(names, Catch::Matchers::VectorContains(std::string(expected)));
+  auto after = before;
+  after.replace(after.find(":body ("), 7, ":body ((printf \"off\")\n  (^ (raised 1))\n  ");
+  for (const auto& name :
+       namesOf(test::modelOf("\n\n(defsv raised :init 0 :min 0 :max 1)" + after)))
+    if (!name.ends_with(".printf") && !name.contains("raised"))
+      CHECK_THAT(names, Catch::Matchers::VectorContains(name));
 }
 
 TEST_CASE("a check says what is good, how bad the other is, and where it is about") {
@@ -86,8 +105,9 @@ TEST_CASE("a check says what is good, how bad the other is, and where it is abou
   CHECK(run.weight == Weight::Warning);
   CHECK(checkOf(model, "battery.no_forbidden_transition").weight == Weight::Error);
   CHECK(checkOf(model, "mission.no_overshoot").good == Expectation::Holds);
-  CHECK(checkOf(model, "mission.never_refused.17").weight == Weight::Warning);
-  const auto& origin = model.provenance.origins[checkOf(model, "mission.reachable.19").origin];
+  CHECK(checkOf(model, "mission.never_refused.call[wave]").weight == Weight::Warning);
+  const auto& origin =
+      model.provenance.origins[checkOf(model, "mission.reachable.success[won]").origin];
   CHECK(kProgram.substr(origin.begin, origin.end - origin.begin) == "(success won)");
 }
 
@@ -110,7 +130,7 @@ TEST_CASE("what can never happen is asked for all the same") {
   CHECK(found.at("wave.can_run") == "unreachable");
   CHECK(found.at("mission.can_succeed.won") == "reachable");
   CHECK(found.at("mission.can_succeed.lost") == "unreachable");
-  CHECK(found.at("mission.never_refused.3") == "violated");
+  CHECK(found.at("mission.never_refused.call[wave]") == "violated");
 }
 
 TEST_CASE("the program's own properties are Fiacre's patterns") {

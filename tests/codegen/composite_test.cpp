@@ -196,8 +196,8 @@ TEST_CASE("a call waits until a busy skill is free, and is told apart from one t
   auto found = verdicts(R"(
     (defskill mission :body ((// ((wave))
                                  ((^ 0.5) (wave))))))");
-  CHECK(found.at("mission.never_busy.9") == "holds");
-  CHECK(found.at("mission.never_busy.10") == "violated");
+  CHECK(found.at("mission.never_busy.call[wave]") == "holds");
+  CHECK(found.at("mission.never_busy.call[wave].2") == "violated");
   CHECK(found.at("mission.can_succeed") == "reachable");
   CHECK(found.at("program.no_deadlock") == "holds");
 }

@@ -114,6 +114,6 @@ from start_
 TEST_CASE("in a library a monitor and the most general caller share the skills") {
   auto found = verdicts("(defskill watch :monitor t :body ((^ (door Open)) (wave)))");
   CHECK(found.at("watch.can_succeed") == "reachable");
-  CHECK(found.at("watch.never_busy.6") == "violated");
+  CHECK(found.at("watch.never_busy.call[wave]") == "violated");
   CHECK(found.at("program.time_progress") == "holds");
 }

@@ -66,7 +66,8 @@ TEST_CASE("a mission may be one that another skill calls too") {
     (defskill wave :action (wave))
     (defskill greet :body ((wave)))
     (defskill watch :monitor t :body ((greet))))";
-  CHECK(test::verdictsOf(text, {.mainSkill = "greet"}).at("watch.never_busy.4") == "violated");
+  CHECK(test::verdictsOf(text, {.mainSkill = "greet"}).at("watch.never_busy.call[greet]") ==
+        "violated");
   CHECK(test::verdictsOf(text, {.mainSkill = "greet"}).at("watch.can_succeed") == "reachable");
 }
 
