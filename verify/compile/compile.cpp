@@ -2,12 +2,12 @@
 
 #include "verify/compile/observe.h"
 #include "verify/compile/paths.h"
-#include "verify/compile/unsupported.h"
+#include "verify/compile/priorities.h"
 #include "verify/compile/watch.h"
 #include "verify/model/clocks.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -82,7 +82,7 @@ public:
       else
         for (auto& parts : choices) join(std::move(parts), probes[port]);
     }
-    findBlockers();
+    addPriorities(model, system);
     for (const auto& [port, choices] : watching) addSeen(port, choices);
   }
 
@@ -138,11 +138,6 @@ private:
     return probes[port] && fiacre::watchesSteps(*model.probes[port]);
   }
 
-  [[nodiscard]] bool observes(InstanceId instance) const { return instance >= model.firstObserver; }
-  [[nodiscard]] bool observes(const Transition& transition) const {
-    return observes(system.paths[transition.parts[0]].instance);
-  }
-
   /// Each step of the model is one with those who watch for it, too, which goes before the one
   /// without.
   void addSeen(std::uint32_t port, const std::vector<std::vector<PathId>>& choices) {
@@ -154,7 +149,7 @@ private:
 
   [[nodiscard]] bool mayBeSeen(const Transition& step, std::uint32_t port,
                                const std::vector<PathId>& parts) {
-    if (step.fails || observes(step)) return false;
+    if (step.fails || observes(model, system, step)) return false;
     Bits happening;
     for (auto event : step.events) happening.insert(event);
     std::set<InstanceId> moving;
@@ -330,66 +325,6 @@ private:
     summarise(system, path);
     system.paths.push_back(std::move(path));
     return static_cast<PathId>(system.paths.size() - 1);
-  }
-
-  /// Priorities between ports, and `unless` between silent paths.
-  void findBlockers() {
-    std::vector<std::vector<TransitionId>> withPort(system.ports.size());
-    std::map<std::pair<InstanceId, std::uint32_t>, std::vector<TransitionId>> inSelect;
-    for (TransitionId i = 0; i < system.transitions.size(); ++i) {
-      const auto& transition = system.transitions[i];
-      const Path& path = system.paths[transition.parts[0]];
-      if (transition.port != kNone)
-        withPort[transition.port].push_back(i);
-      else if (path.select != 0)
-        inSelect[{path.instance, path.select}].push_back(i);
-    }
-    const auto below = portsBelow();
-    for (std::uint32_t high = 0; high < below.size(); ++high)
-      below[high].each([&](std::uint32_t low) {
-        for (auto first : withPort[high])
-          for (auto second : withPort[low]) putBefore(first, second);
-      });
-    const auto group = [&](TransitionId id) {
-      return system.paths[system.transitions[id].parts[0]].group;
-    };
-    for (const auto& [_, all] : inSelect)
-      for (auto first : all)
-        for (auto second : all)
-          if (group(first) > group(second)) putBefore(first, second);
-    putObserversBefore();
-  }
-
-  void putObserversBefore() {
-    for (TransitionId i = 0; i < system.transitions.size(); ++i)
-      for (TransitionId j = 0; j < system.transitions.size(); ++j)
-        if (observes(system.transitions[i]) && !observes(system.transitions[j])) putBefore(i, j);
-  }
-
-  /// By port: those that have to let it go first, by what is said and what follows from it.
-  [[nodiscard]] std::vector<Bits> portsBelow() const {
-    std::vector<Bits> below(system.ports.size());
-    for (const auto& each : model.priorities)
-      for (auto high : each.higher)
-        for (auto low : each.lower) below[high].insert(low);
-    for (std::uint32_t middle = 0; middle < below.size(); ++middle)
-      for (auto& high : below)
-        if (high.contains(middle)) high |= Bits(below[middle]);
-    for (std::uint32_t port = 0; port < below.size(); ++port)
-      if (below[port].contains(port))
-        unsupported("the port `" + system.ports[port] + "` has priority over itself");
-    return below;
-  }
-
-  /// Where what goes first is possible at any time when it is enabled, being enabled decides; else
-  /// its clock.
-  void putBefore(TransitionId high, TransitionId low) {
-    const auto& interval = system.transitions[high].interval;
-    const bool waits = interval.lowerOpen || interval.lower > 0;
-    auto& blocked = system.transitions[low];
-    (waits ? blocked.laterBlockers : blocked.blockers).push_back(high);
-    system.transitions[high].blocksLater = system.transitions[high].blocksLater || waits;
-    system.hasPriorities = true;
   }
 
   const Elaboration& model;

@@ -1,7 +1,7 @@
 #include "verify/compile/expressions.h"
 
 #include "fiacre/syntax/print.h"
-#include "verify/compile/unsupported.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "fiacre/syntax/print.h"
 #include "verify/compile/expressions.h"
-#include "verify/compile/unsupported.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "verify/compile/init.h"
 
-#include "verify/compile/unsupported.h"
 #include "verify/state/evaluate.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
 

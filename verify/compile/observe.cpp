@@ -1,8 +1,8 @@
 #include "verify/compile/observe.h"
 
-#include "verify/compile/buchi.h"
-#include "verify/compile/pattern_monitors.h"
-#include "verify/compile/unsupported.h"
+#include "verify/monitor/buchi.h"
+#include "verify/monitor/pattern_monitors.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
 #include <optional>

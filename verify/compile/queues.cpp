@@ -1,6 +1,6 @@
 #include "fiacre/syntax/print.h"
 #include "verify/compile/expressions.h"
-#include "verify/compile/unsupported.h"
+#include "verify/unsupported.h"
 
 /// Queues as values: the length, then the places, the first one first. Places beyond the length
 /// hold the lowest value, so that equal queues are equal part by part.

@@ -1,6 +1,6 @@
 #include "verify/compile/types.h"
 
-#include "verify/compile/unsupported.h"
+#include "verify/unsupported.h"
 
 #include <utility>
 

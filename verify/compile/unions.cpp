@@ -1,5 +1,5 @@
 #include "verify/compile/expressions.h"
-#include "verify/compile/unsupported.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
 

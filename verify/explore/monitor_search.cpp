@@ -1,43 +1,14 @@
 #include "verify/explore/monitor_search.h"
 
-#include "graph/components.h"
+#include "verify/explore/monitor_graph.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
-#include <deque>
 
 namespace proskill::verify {
 
 namespace {
-
-enum class MoveKind : std::uint8_t {
-  Start,
-  Silent, ///< of the monitor alone
-  Step,
-  Stutter, ///< the run has ended; its last state is read again
-};
-
-struct Move {
-  MoveKind kind = MoveKind::Start;
-  TransitionId transition = kNone;
-  std::uint32_t edge = 0; ///< of the location before
-};
-
-struct WatchNode {
-  StateId state = 0;
-  ZoneId zone = 0;
-  std::uint32_t location = 0;
-  bool instant = false; ///< no time passes: the monitor has to move on
-  NodeIndex parent = kNone;
-  Move move;
-  NodeIndex next = kNone; ///< in the list of the nodes of this state
-};
-
-struct Arc {
-  NodeIndex target = 0;
-  Move move;
-};
 
 class MonitorSearch {
 public:
@@ -48,6 +19,7 @@ public:
         liveVariables(live),
         errorsAsked(errorsAreAsked),
         cycles(with.looksForCycles()),
+        graph(with, cycles),
         limits(watch),
         enabling(of, dropped),
         timing(of, Extrapolation::LowerUpper),
@@ -64,12 +36,12 @@ public:
     constexpr NodeIndex kBetweenChecks = 256;
     NodeIndex next = 0;
     NodeIndex looked = 512; ///< nodes when cycles were last looked for
-    for (; next < nodes.size() && !done(); ++next) {
+    for (; next < graph.size() && !done(); ++next) {
       // A cycle of a part is one of the whole. Each time the part has doubled: the looks together
       // cost no more than one more at the end.
       if (cycles && next == 2 * looked) {
         looked = next;
-        findCycle();
+        lookForCycle();
         if (done()) break;
       }
       if (next % kBetweenChecks == 0) {
@@ -78,13 +50,13 @@ public:
       }
       expand(next);
     }
-    if (!done() && next == nodes.size() && cycles) findCycle();
+    if (!done() && next == graph.size() && cycles) lookForCycle();
     auto& statistics = result.statistics;
-    statistics.complete = next == nodes.size() && result.failure.empty();
+    statistics.complete = next == graph.size() && result.failure.empty();
     if (!statistics.complete && statistics.stopped.empty())
       statistics.stopped =
           result.failure.empty() ? "a violation was found" : "an error of the model";
-    statistics.classes = nodes.size();
+    statistics.classes = graph.size();
     statistics.markings = states.size();
     statistics.domains = zones.size();
     statistics.bytes = bytes();
@@ -93,13 +65,13 @@ public:
   }
 
 private:
+  void lookForCycle() { result.evidence = graph.evidenceOfCycle(); }
   [[nodiscard]] bool done() const { return result.evidence || !result.failure.empty(); }
   [[nodiscard]] std::uint64_t bytes() const {
-    return zones.bytes() + states.bytes() + timing.bytes() + nodes.capacity() * sizeof(WatchNode) +
-           arcs.capacity() * sizeof(std::vector<Arc>) + arcCount * sizeof(Arc);
+    return zones.bytes() + states.bytes() + timing.bytes() + graph.bytes();
   }
   [[nodiscard]] Progress progress(NodeIndex next) const {
-    return {nodes.size(), states.size(), nodes.size() - next, bytes(), limits.seconds()};
+    return {graph.size(), states.size(), graph.size() - next, bytes(), limits.seconds()};
   }
 
   [[nodiscard]] bool seenIn(NodeId condition, const std::vector<Word>& state) const {
@@ -140,7 +112,7 @@ private:
   /// A node for the monitor in `location` as the model has come to a state; `zone` is of that
   /// moment.
   void arrive(const std::vector<Word>& state, SignatureId signature, std::uint32_t location,
-              const Dbm& zone, NodeIndex parent, Move move) {
+              const Dbm& zone, NodeIndex parent, WatchMove move) {
     if (done()) return;
     const auto& at = monitor.locations[location];
     const bool stays = seenIn(at.stay, state);
@@ -157,25 +129,22 @@ private:
     }
     const ZoneId zoneId = zones.add(*made);
     const NodeIndex known = find(id, zoneId, location, !stays);
-    const auto index = known == kNone ? static_cast<NodeIndex>(nodes.size()) : known;
-    if (cycles && parent != kNone) {
-      arcs[parent].push_back({index, move});
-      ++arcCount;
-    }
+    const auto index = known == kNone ? static_cast<NodeIndex>(graph.size()) : known;
+    if (parent != kNone) graph.addArc(parent, index, move);
     if (known != kNone) return;
-    nodes.push_back({id, zoneId, location, !stays, parent, move, headOf[id]});
+    graph.addNode({id, zoneId, location, !stays, parent, move, headOf[id]});
     headOf[id] = index;
-    if (cycles) arcs.emplace_back();
-    if (at.error) result.evidence = evidence(pathTo(index), std::nullopt);
+    if (at.error) result.evidence = graph.evidenceTo(index);
   }
 
   /// A node that does for a new one; where cycles are looked for, only the very same.
   [[nodiscard]] NodeIndex find(StateId state, ZoneId zone, std::uint32_t location,
                                bool instant) const {
-    for (NodeIndex i = headOf[state]; i != kNone; i = nodes[i].next) {
-      if (nodes[i].location != location || nodes[i].instant != instant) continue;
-      if (nodes[i].zone == zone) return i;
-      if (!cycles && includes(zones.matrix(nodes[i].zone), zones.matrix(zone))) return i;
+    for (NodeIndex i = headOf[state]; i != kNone; i = graph.at(i).next) {
+      const WatchNode& known = graph.at(i);
+      if (known.location != location || known.instant != instant) continue;
+      if (known.zone == zone) return i;
+      if (!cycles && includes(zones.matrix(known.zone), zones.matrix(zone))) return i;
     }
     return kNone;
   }
@@ -196,7 +165,7 @@ private:
   }
 
   void expand(NodeIndex index) {
-    const WatchNode node = nodes[index];
+    const WatchNode node = graph.at(index);
     load(node);
     const SignatureId signature = signatureOf[node.state];
     const auto& location = monitor.locations[node.location];
@@ -291,97 +260,13 @@ private:
     }
   }
 
-  struct Way {
-    std::vector<Move> moves;
-    std::vector<std::uint32_t> locations; ///< before each move
-  };
-
-  [[nodiscard]] Way pathTo(NodeIndex index) const {
-    Way way;
-    for (; nodes[index].parent != kNone; index = nodes[index].parent) {
-      way.moves.push_back(nodes[index].move);
-      way.locations.push_back(nodes[nodes[index].parent].location);
-    }
-    std::ranges::reverse(way.moves);
-    std::ranges::reverse(way.locations);
-    return way;
-  }
-
-  /// \param loop how many moves are before the part that is repeated
-  [[nodiscard]] Evidence evidence(const Way& way, std::optional<std::size_t> loop) const {
-    Evidence made;
-    made.monitor = &monitor;
-    for (std::size_t i = 0; i < way.moves.size(); ++i) {
-      const Move& move = way.moves[i];
-      if (loop == i) made.loop = made.steps.size();
-      if (move.kind == MoveKind::Step) made.steps.push_back(move.transition);
-      if (move.kind == MoveKind::Stutter) continue;
-      made.marks.push_back({.after = made.steps.size(),
-                            .atStep = move.kind == MoveKind::Step,
-                            .location = way.locations[i],
-                            .edge = move.edge});
-    }
-    if (made.loop == made.steps.size()) made.loop.reset(); // the run ends; nothing is repeated
-    return made;
-  }
-
-  /// A cycle through an accepting location: every node of a component with a cycle is on one.
-  void findCycle() {
-    const auto component = graph::componentsOf(nodes.size(), [&](NodeIndex node, std::size_t i) {
-      return i < arcs[node].size() ? arcs[node][i].target : graph::kNoNode;
-    });
-    std::vector<NodeIndex> size(nodes.size());
-    for (auto id : component) ++size[id];
-    for (NodeIndex node = 0; node < nodes.size(); ++node) {
-      const bool goesRound =
-          size[component[node]] > 1 || std::ranges::count(arcs[node], node, &Arc::target) > 0;
-      if (!goesRound || !monitor.locations[nodes[node].location].accepting) continue;
-      const auto loop = cycleThrough(node, component);
-      if (!loop) continue;
-      Way way = pathTo(node);
-      const std::size_t stem = way.moves.size();
-      way.moves.insert(way.moves.end(), loop->moves.begin(), loop->moves.end());
-      way.locations.insert(way.locations.end(), loop->locations.begin(), loop->locations.end());
-      result.evidence = evidence(way, stem);
-      return;
-    }
-  }
-
-  /// The shortest way from a node to itself, breadth first within its component.
-  [[nodiscard]] std::optional<Way> cycleThrough(NodeIndex node,
-                                                const std::vector<NodeIndex>& component) const {
-    std::vector<std::pair<NodeIndex, std::size_t>> from(nodes.size(), {kNone, 0});
-    std::deque<NodeIndex> todo{node};
-    while (!todo.empty()) {
-      const NodeIndex at = todo.front();
-      todo.pop_front();
-      for (std::size_t i = 0; i < arcs[at].size(); ++i) {
-        const NodeIndex target = arcs[at][i].target;
-        if (component[target] != component[node] || from[target].first != kNone) continue;
-        from[target] = {at, i};
-        if (target != node) {
-          todo.push_back(target);
-          continue;
-        }
-        Way way;
-        for (NodeIndex back = node; way.moves.empty() || back != node; back = from[back].first) {
-          way.moves.push_back(arcs[from[back].first][from[back].second].move);
-          way.locations.push_back(nodes[from[back].first].location);
-        }
-        std::ranges::reverse(way.moves);
-        std::ranges::reverse(way.locations);
-        return way;
-      }
-    }
-    return std::nullopt;
-  }
-
   const System& system;
   const Monitor& monitor;
   const LiveVariables* liveVariables;
   bool errorsAsked;
   bool cycles;
   bool hasErrors = false;
+  MonitorGraph graph;
   LimitWatch& limits;
   std::int32_t most = 0; ///< the largest constant that the monitor's clock is compared with
   Enabling enabling;
@@ -390,9 +275,6 @@ private:
   ZoneStore zones;
   std::vector<SignatureId> signatureOf; ///< by state
   std::vector<NodeIndex> headOf;        ///< by state
-  std::vector<WatchNode> nodes;
-  std::vector<std::vector<Arc>> arcs; ///< by node, where cycles are looked for
-  std::uint64_t arcCount = 0;
   Watched result;
 
   StateId loadedState = kNone;

@@ -1,6 +1,6 @@
-#include "verify/compile/buchi.h"
+#include "verify/monitor/buchi.h"
 
-#include "verify/compile/unsupported.h"
+#include "verify/unsupported.h"
 
 #include <algorithm>
 #include <map>

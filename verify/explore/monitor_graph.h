@@ -1,0 +1,80 @@
+#pragma once
+
+#include "verify/explore/search.h"
+#include "verify/model/monitor.h"
+
+#include <optional>
+#include <vector>
+
+namespace proskill::verify {
+
+/// What a monitor did at a point of a run.
+enum class MoveKind : std::uint8_t {
+  Start,
+  Silent, ///< of the monitor alone
+  Step,
+  Stutter, ///< the run has ended; its last state is read again
+};
+
+struct WatchMove {
+  MoveKind kind = MoveKind::Start;
+  TransitionId transition = kNone;
+  std::uint32_t edge = 0; ///< of the location before
+};
+
+/// A state of the model and of its monitor, with the zone of the clocks of both.
+struct WatchNode {
+  StateId state = 0;
+  ZoneId zone = 0;
+  std::uint32_t location = 0;
+  bool instant = false; ///< no time passes: the monitor has to move on
+  NodeIndex parent = kNone;
+  WatchMove move;
+  NodeIndex next = kNone; ///< in the list of the nodes of this state
+};
+
+struct WatchArc {
+  NodeIndex target = 0;
+  WatchMove move;
+};
+
+/// The graph that a search with a monitor has found so far, and the runs in it.
+class MonitorGraph {
+public:
+  /// \param keepArcs whether cycles are looked for
+  MonitorGraph(const Monitor& of, bool keepArcs) : monitor(of), cycles(keepArcs) {}
+
+  [[nodiscard]] std::size_t size() const { return nodes.size(); }
+  [[nodiscard]] const WatchNode& at(NodeIndex node) const { return nodes[node]; }
+  [[nodiscard]] std::uint64_t bytes() const;
+
+  void addNode(const WatchNode& node);
+  /// Only where cycles are looked for.
+  void addArc(NodeIndex from, NodeIndex to, WatchMove move);
+
+  /// The run from the beginning to a node, in a location that is an error.
+  [[nodiscard]] Evidence evidenceTo(NodeIndex node) const;
+  /// A run that comes to a cycle through an accepting location, and repeats it; nothing where there
+  /// is none. Every node of a component with a cycle is on one.
+  [[nodiscard]] std::optional<Evidence> evidenceOfCycle() const;
+
+private:
+  struct Way {
+    std::vector<WatchMove> moves;
+    std::vector<std::uint32_t> locations; ///< before each move
+  };
+
+  [[nodiscard]] Way wayTo(NodeIndex node) const;
+  [[nodiscard]] std::optional<Way> cycleThrough(NodeIndex node,
+                                                const std::vector<NodeIndex>& component) const;
+  /// \param loop how many moves are before the part that is repeated
+  [[nodiscard]] Evidence evidenceOf(const Way& way, std::optional<std::size_t> loop) const;
+
+  const Monitor& monitor;
+  bool cycles;
+  std::vector<WatchNode> nodes;
+  std::vector<std::vector<WatchArc>> arcs; ///< by node
+  std::uint64_t arcCount = 0;
+};
+
+} // namespace proskill::verify
