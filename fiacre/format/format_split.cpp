@@ -1,10 +1,6 @@
-#include "fiacre/format/format_lines.h"
+#include "fiacre/format/line_builder.h"
 #include "fiacre/syntax/words.h"
 #include "fiacre/syntax/writer.h"
-
-#include <algorithm>
-#include <array>
-#include <optional>
 
 namespace proskill::fiacre {
 namespace {
@@ -16,17 +12,10 @@ constexpr auto kBeforeExpression =
     std::to_array<std::string_view>({":=", ",", "=", "<>", "!", "?", ":", "return", "on", "where",
                                      "not", "and", "or", "case", "if", "while", "elsif"});
 
-template <std::size_t N>
-bool isOneOf(std::string_view text, const std::array<std::string_view, N>& texts) {
-  return std::ranges::find(texts, text) != texts.end();
-}
-
-class Splitter {
+/// Ends lines where the structure of a model does.
+class Splitter final : LineBuilder {
 public:
-  Splitter(std::string_view read, const std::vector<Token>& tokens) : text(read), all(tokens) {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (!isComment(all[i])) words.push_back(i);
-  }
+  Splitter(std::string_view read, const std::vector<Token>& tokens) : LineBuilder(read, tokens) {}
 
   std::vector<FormatLine> run() {
     while (peek().kind != TokenKind::End) step();
@@ -41,23 +30,6 @@ private:
     Block block;
     std::size_t indent;
   };
-
-  // Tokens, the comments apart.
-  [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
-    return all[words[std::min(at + ahead, words.size() - 1)]];
-  }
-  [[nodiscard]] bool isAt(std::string_view wanted, std::size_t ahead = 0) const {
-    const Token& token = peek(ahead);
-    return token.text == wanted && token.kind != TokenKind::String;
-  }
-  [[nodiscard]] const Token* previous() const { return at == 0 ? nullptr : &all[words[at - 1]]; }
-  [[nodiscard]] bool commentsBefore() const {
-    return words[at] > 0 && isComment(all[words[at] - 1]);
-  }
-  /// The user has written the next token on the line of the one before.
-  [[nodiscard]] bool besidePrevious() const {
-    return previous() && !commentsBefore() && !isLineBreak(text, *previous(), peek());
-  }
 
   void step() {
     if (depth > 0) return take();
@@ -133,7 +105,7 @@ private:
   [[nodiscard]] bool isAtSection() const {
     constexpr auto kSections = std::to_array<std::string_view>(
         {"states", "var", "port", "priority", "init", "begin", "from", "par"});
-    return isOneOf(peek().text, kSections);
+    return isAmong(peek().text, kSections);
   }
 
   void section() {
@@ -225,14 +197,14 @@ private:
   }
 
   [[nodiscard]] bool isSeparator() const {
-    return previous() && !isOneOf(previous()->text, kBeforeExpression);
+    return previous() && !isAmong(previous()->text, kBeforeExpression);
   }
 
   /// Behind an `end`, the word may stand again that the block begins with.
   [[nodiscard]] bool isAtBlock(std::size_t ahead = 0) const {
     constexpr auto kBlocks =
         std::to_array<std::string_view>({"if", "case", "select", "while", "foreach"});
-    return isOneOf(peek(ahead).text, kBlocks);
+    return isAmong(peek(ahead).text, kBlocks);
   }
 
   void open(Block block, std::size_t indent) {
@@ -276,7 +248,7 @@ private:
       const auto word = peek(ahead).text;
       if (word == "|" || word == "end") return true;
       if (peek(ahead).kind == TokenKind::End || isComment(all[words[at + ahead] + 1])) return false;
-      if (isOneOf(word, std::to_array<std::string_view>(
+      if (isAmong(word, std::to_array<std::string_view>(
                             {";", "if", "select", "case", "while", "foreach"})))
         return false;
     }
@@ -317,92 +289,8 @@ private:
     for (auto left = blockLength(); left > 0; --left) take();
   }
 
-  // Lines.
-  void start(std::size_t indent, std::string_view lead = {}, std::size_t leadWidth = 0) {
-    ended = true;
-    takeComments();
-    ended = false;
-    FormatLine line{.indent = indent, .lead = std::string(lead), .leadWidth = leadWidth};
-    line.blank = blankBefore(words[at]);
-    lines.push_back(std::move(line));
-  }
-
-  /// Takes a token, an interval of time as a whole.
-  void take() {
-    if (ended && depth == 0 && previous()) start(lines.empty() ? 0 : lines.back().indent);
-    if (lines.empty()) start(0);
-    takeComments();
-    const bool interval = (isAt("[") || isAt("]")) && previous() && isBeforeInterval();
-    if (!interval) return takeOne();
-    while (!isAt(",")) takeOne();
-    while (!isAt("[") && !isAt("]")) takeOne();
-    takeOne();
-    depth = 0;
-  }
-
-  [[nodiscard]] bool isBeforeInterval() const {
-    return isOneOf(previous()->text,
-                   std::to_array<std::string_view>({"wait", "in", "within", "interval"}));
-  }
-
-  void takeOne() {
-    takeComments();
-    const Token& token = peek();
-    lines.back().tokens.push_back(token);
-    if (token.kind == TokenKind::Symbol) {
-      if (token.text == "(" || token.text == "[" || token.text == "{" || token.text == "{|")
-        ++depth;
-      if ((token.text == ")" || token.text == "]" || token.text == "}" || token.text == "|}") &&
-          depth > 0)
-        --depth;
-    }
-    ++at;
-  }
-
-  [[nodiscard]] std::size_t newlinesBefore(std::size_t index) const {
-    const auto from = index == 0 ? 0 : all[index - 1].end();
-    const auto gap = text.substr(from, all[index].begin - from);
-    return static_cast<std::size_t>(std::ranges::count(gap, '\n'));
-  }
-  [[nodiscard]] bool blankBefore(std::size_t index) const { return newlinesBefore(index) > 1; }
-
-  /// Of lines longer than any that people write, where from is all the same.
-  [[nodiscard]] std::size_t column(const Token& token) const {
-    constexpr std::size_t kFar = 1000;
-    const auto before = text.substr(token.begin - std::min<std::size_t>(token.begin, kFar),
-                                    std::min<std::size_t>(token.begin, kFar));
-    return before.size() - (before.rfind('\n') + 1); // npos + 1 is 0
-  }
-
-  /// The comments before the next token: those behind the last line's end stay there, the others
-  /// get lines. Where the line goes on, they are part of it.
-  void takeComments() {
-    for (auto i = at == 0 ? 0 : words[at - 1] + 1; i < words[at]; ++i) {
-      if (i < taken) continue;
-      taken = i + 1;
-      const bool trails = newlinesBefore(i) == 0 && !lines.empty();
-      if (!ended || (trails && lines.back().shape != Shape::Comment))
-        lines.back().tokens.push_back(all[i]);
-      else
-        lines.push_back({.shape = Shape::Comment,
-                         .indent = commentIndent(i),
-                         .blank = blankBefore(i),
-                         .tokens = {all[i]}});
-    }
-  }
-
-  /// The last of the comments that touch one another from this one on. They are looked at in their
-  /// order, so each once.
-  [[nodiscard]] std::size_t lastTouching(std::size_t i) {
-    if (touching && i <= *touching) return *touching;
-    auto last = i;
-    while (isComment(all[last + 1]) && newlinesBefore(last + 1) == 1) ++last;
-    touching = last;
-    return last;
-  }
-
   /// A comment belongs to what it touches; to what follows where it touches both or neither.
-  [[nodiscard]] std::size_t commentIndent(std::size_t i) {
+  [[nodiscard]] std::size_t commentIndent(std::size_t i) override {
     const Token& next = peek();
     const auto inComposition = compositions * Writer::kStep;
     const auto body = frames.empty() ? inComposition : frames.back().indent + Writer::kStep;
@@ -416,22 +304,6 @@ private:
     return body;
   }
 
-  /// An empty line before the line at hand, or before the comments that touch it.
-  void separate() {
-    auto line = lines.size() - 1;
-    while (line > 0 && !lines[line].blank && lines[line - 1].shape == Shape::Comment) --line;
-    lines[line].blank = true;
-  }
-
-  std::string_view text;
-  const std::vector<Token>& all;
-  std::vector<std::size_t> words;      ///< places in `all`
-  std::size_t at = 0;                  ///< in `words`
-  std::size_t taken = 0;               ///< comments before it are in lines
-  std::optional<std::size_t> touching; ///< the end of the comments at hand that touch one another
-  std::vector<FormatLine> lines;
-  bool ended = true; ///< the next token begins a line
-  std::size_t depth = 0;
   bool head = false;
   bool inFunction = false;
   bool attached = false;        ///< the line before is `observer > model`
@@ -440,10 +312,6 @@ private:
 };
 
 } // namespace
-
-bool isLineBreak(std::string_view text, const Token& before, const Token& after) {
-  return text.substr(before.end(), after.begin - before.end()).contains('\n');
-}
 
 std::vector<FormatLine> splitLines(std::string_view text, const std::vector<Token>& tokens) {
   return Splitter(text, tokens).run();

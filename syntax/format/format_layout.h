@@ -61,20 +61,23 @@ private:
   void list(Index at, Separator before, std::uint32_t after);
   void lines(Index at, Separator before, std::uint32_t after);
   void headed(Index at, Separator before, std::uint32_t after, bool filled);
-  void comment(Index at, std::uint32_t indent);
   void form(Index at, Separator before, std::uint32_t indent,
             const std::function<void(Index child, bool first)>& place);
 
+  // format_gaps.cpp: the white space before a token
+  void comment(Index at, std::uint32_t indent);
   void token(Range range, Separator before);
   void close(Index at, std::uint32_t indent);
   [[nodiscard]] std::uint32_t columnOf(Separator before) const;
   [[nodiscard]] std::uint32_t linesBefore(Offset token) const;
+  void alignTrailing();
+  [[nodiscard]] std::uint32_t columnIn(Offset at) const;
+
   [[nodiscard]] bool fits(Index at, Separator before, std::uint32_t after) const;
   [[nodiscard]] Index endOf(Index at) const { return at + (*boxes)[at].size; }
   [[nodiscard]] Index nextOf(Index child) const { return child + (*boxes)[child].size; }
   [[nodiscard]] std::uint32_t afterChild(Index parent, Index child, std::uint32_t after) const;
   [[nodiscard]] bool commentBelongsToNext(Index comment, Index parent) const;
-  void alignTrailing();
   void betterOf(const std::function<void()>& first, const std::function<void()>& second);
 
   std::string_view text;
