@@ -1,12 +1,11 @@
 #include "cli/commands/verify.h"
 
+#include "cli/commands/verify_arguments.h"
 #include "cli/output/checked_program.h"
 #include "cli/output/difference_report.h"
 #include "cli/output/graph_file.h"
 #include "cli/output/report.h"
 #include "cli/output/save_traces.h"
-#include "cli/output/tina_backend.h"
-#include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
@@ -18,9 +17,7 @@
 #include "report/render.h"
 #include "report/verify_report.h"
 #include "syntax/text/utf8.h"
-#include "verify/reduction_names.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,32 +32,6 @@ namespace {
 
 enum ExitCode { kGood = 0, kViolated = 1, kUsage = 2, kInconclusive = 3, kDiffer = 4 };
 
-enum class Format : std::uint8_t { Text, Json, JUnit, Sarif };
-
-struct Arguments {
-  std::string file;
-  std::string environment;
-  std::vector<std::string> added;
-  std::vector<std::string> properties;
-  std::string mainSkill;
-  Format format = Format::Text;
-  ShowTraces traces = ShowTraces::Failed;
-  ColourChoice colour = ColourChoice::Auto;
-  unsigned jobs = 1;
-  std::optional<double> timeLimit;
-  std::optional<std::uint64_t> memoryLimit; // MiB
-  std::optional<std::uint64_t> classLimit;
-  std::string saveTraces;
-  std::string report;
-  std::vector<std::string> reduce;
-  std::string graph;
-  verify::GraphKind graphOf = verify::GraphKind::Classes;
-  BackendArguments backend;
-  bool strict = false;
-  bool expanded = false;
-  codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
-};
-
 /// Set by the first Ctrl-C: what is decided is then reported. The second one kills as usual.
 std::atomic<bool> interrupted{false};
 
@@ -69,37 +40,9 @@ void onInterrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-std::string reductionNames() {
-  std::string names = "all|none";
-  for (const auto& it : verify::kReductionNames) names += "|" + std::string(it.name);
-  return names;
-}
-
-/// A former name becomes today's, with a hint. The error is empty where a name is known.
-std::string takeReduction(std::string& word) {
-  if (word == "all" || word == "none") return "";
-  for (const auto& it : verify::kReductionNames) {
-    if (word == it.name) return "";
-    if (it.formerName.empty() || word != it.formerName) continue;
-    std::cerr << "hint: the reduction `" << it.formerName << "` is called `" << it.name
-              << "` now; the next version takes only that\n";
-    word = it.name;
-    return "";
-  }
-  return "`" + word + "` is none of " + reductionNames();
-}
-
-std::set<verify::Reduction> reductions(const std::vector<std::string>& names) {
-  std::set<verify::Reduction> chosen;
-  for (const auto& it : verify::kReductionNames)
-    if (names.empty() || std::ranges::count(names, it.name) + std::ranges::count(names, "all") > 0)
-      chosen.insert(it.reduction);
-  return chosen;
-}
-
-verify::Options engineOptions(const Arguments& arguments, ProgressLine* progress) {
+verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* progress) {
   verify::Options options;
-  options.reductions = reductions(arguments.reduce);
+  options.reductions = chosenReductions(arguments.reduce);
   options.limits.seconds = arguments.timeLimit;
   if (arguments.memoryLimit) options.limits.bytes = *arguments.memoryLimit * 1024 * 1024;
   options.limits.classes = arguments.classLimit;
@@ -113,14 +56,14 @@ int failUnsupported(const verify::Unsupported& error) {
   return fail("this model cannot be explored: " + error.message);
 }
 
-void write(const Arguments& arguments, const VerifyReport& report) {
+void write(const VerifyArguments& arguments, const VerifyReport& report) {
   switch (arguments.format) {
-  case Format::Text:
+  case VerifyFormat::Text:
     return writeText(std::cout, report,
                      {wantsColour(arguments.colour, STDOUT_FILENO), arguments.traces});
-  case Format::Json: return writeJson(std::cout, report);
-  case Format::JUnit: return writeJUnit(std::cout, report);
-  case Format::Sarif: return writeSarif(std::cout, report);
+  case VerifyFormat::Json: return writeJson(std::cout, report);
+  case VerifyFormat::JUnit: return writeJUnit(std::cout, report);
+  case VerifyFormat::Sarif: return writeSarif(std::cout, report);
   }
 }
 
@@ -144,7 +87,7 @@ std::optional<std::string> unknownName(const codegen::Model& model,
 }
 
 /// Prints and saves a finished report. Returns the exit code.
-int deliver(const Arguments& arguments, const VerifyReport& report) {
+int deliver(const VerifyArguments& arguments, const VerifyReport& report) {
   write(arguments, report);
   if (!arguments.saveTraces.empty())
     if (auto error = saveTraces(arguments.saveTraces, report)) return fail(*error);
@@ -155,13 +98,13 @@ int deliver(const Arguments& arguments, const VerifyReport& report) {
   return exitCodeOf(report.result, arguments.strict);
 }
 
-std::expected<ide::VerificationReport, verify::Unsupported> askEngine(const Arguments& arguments,
-                                                                      const codegen::Model& model) {
+std::expected<ide::VerificationReport, verify::Unsupported>
+askEngine(const VerifyArguments& arguments, const codegen::Model& model) {
   ProgressLine progress;
   return ide::verifyModel(model, arguments.properties, engineOptions(arguments, &progress));
 }
 
-int verifyByTina(const Arguments& arguments, const analysis::Program& program,
+int verifyByTina(const VerifyArguments& arguments, const analysis::Program& program,
                  const codegen::Model& model) {
   const auto run =
       runTina(arguments.backend, model, arguments.properties, engineOptions(arguments, nullptr));
@@ -171,7 +114,7 @@ int verifyByTina(const Arguments& arguments, const analysis::Program& program,
 }
 
 /// What the engine says is the report; what Tina says beside it is a bug of one of them.
-int verifyByBoth(const Arguments& arguments, const analysis::Program& program,
+int verifyByBoth(const VerifyArguments& arguments, const analysis::Program& program,
                  const codegen::Model& model) {
   const auto options = engineOptions(arguments, nullptr);
   const auto run = runTina(arguments.backend, model, arguments.properties, options);
@@ -198,7 +141,7 @@ int verifyByBoth(const Arguments& arguments, const analysis::Program& program,
   return kDiffer;
 }
 
-int verifyProperties(const Arguments& arguments, const analysis::Program& program,
+int verifyProperties(const VerifyArguments& arguments, const analysis::Program& program,
                      const codegen::Model& model) {
   if (auto unknown = unknownName(model, arguments.properties))
     return fail(fmt::format("no property is called `{}`; `--list` shows their names", *unknown));
@@ -214,9 +157,9 @@ int verifyProperties(const Arguments& arguments, const analysis::Program& progra
   return deliver(arguments, {program, model, *result, model.mainSkill});
 }
 
-int runModel(const Arguments& arguments, bool list, const analysis::Program& program,
+int runModel(const VerifyArguments& arguments, const analysis::Program& program,
              const codegen::Model& model) {
-  if (list) {
+  if (arguments.list) {
     for (const auto& check : model.checks) fmt::print("{}\n", check.name);
     return kGood;
   }
@@ -231,7 +174,7 @@ int runModel(const Arguments& arguments, bool list, const analysis::Program& pro
 
 /// Reads what a user adds to a model. \return it is all right; else that was said
 template <class Add>
-bool add(const Arguments& arguments, const std::string& file, analysis::Program& program,
+bool add(const VerifyArguments& arguments, const std::string& file, analysis::Program& program,
          codegen::Model& model, Add addTo) {
   auto text = DiskFileSystem().read(file);
   if (!text) {
@@ -243,7 +186,7 @@ bool add(const Arguments& arguments, const std::string& file, analysis::Program&
   return diagnostics.empty();
 }
 
-bool addAll(const Arguments& arguments, analysis::Program& program, codegen::Model& model) {
+bool addAll(const VerifyArguments& arguments, analysis::Program& program, codegen::Model& model) {
   if (!arguments.environment.empty() &&
       !add(arguments, arguments.environment, program, model, ide::replaceEnvironment))
     return false;
@@ -253,7 +196,7 @@ bool addAll(const Arguments& arguments, analysis::Program& program, codegen::Mod
 }
 
 /// A model that was written by hand.
-int runFiacre(const Arguments& arguments, bool list) {
+int runFiacre(const VerifyArguments& arguments) {
   auto text = DiskFileSystem().read(arguments.file);
   if (!text) return fail(fmt::format("cannot read `{}`: {}", arguments.file, text.error()));
   if (!arguments.environment.empty())
@@ -268,17 +211,17 @@ int runFiacre(const Arguments& arguments, bool list) {
   if (!addAll(arguments, read.program, read.model)) return kUsage;
   if (read.model.checks.empty() && arguments.graph.empty())
     return fail("nothing is asserted: write `property p is deadlockfree` and `assert p`");
-  return runModel(arguments, list, read.program, read.model);
+  return runModel(arguments, read.program, read.model);
 }
 
 /// What goes to frac has to mean the same to it: see docs/semantics.md.
-codegen::Edition editionFor(const Arguments& arguments) {
+codegen::Edition editionFor(const VerifyArguments& arguments) {
   if (arguments.backend.backend != Backend::Engine) return codegen::Edition::Tina;
   return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
-int run(const Arguments& arguments, bool list) {
-  if (ide::isFiacre(arguments.file)) return runFiacre(arguments, list);
+int run(const VerifyArguments& arguments) {
+  if (ide::isFiacre(arguments.file)) return runFiacre(arguments);
   auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kUsage;
   codegen::Options options;
@@ -288,109 +231,15 @@ int run(const Arguments& arguments, bool list) {
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());
   if (!addAll(arguments, *program, *model)) return kUsage;
-  return runModel(arguments, list, *program, *model);
-}
-
-void addSubject(CLI::App& command, Arguments& arguments, bool& list) {
-  show(command.add_option("--property", arguments.properties,
-                          "Verify only this property, or all whose names begin with this word and "
-                          "a dot; may be repeated"),
-       group::kSubject, "PROPERTY");
-  show(command.add_flag("--list", list, "List the names of the properties, and stop"),
-       group::kSubject);
-  show(command.add_option("--properties", arguments.added,
-                          "Verify the properties of this file too: Fiacre, or one formula (.ltl)"),
-       group::kSubject, "FILE");
-  show(command.add_option("--environment", arguments.environment,
-                          "Replace the environment by the Fiacre process in this file"),
-       group::kSubject, "FILE");
-  show(command.add_option("--main", arguments.mainSkill,
-                          "The skill that is the mission, where several could be"),
-       group::kSubject, "SKILL");
-}
-
-void addOutput(CLI::App& command, Arguments& arguments) {
-  addChoice<Format>(command, "--format", arguments.format,
-                    {{"text", Format::Text},
-                     {"json", Format::Json},
-                     {"junit", Format::JUnit},
-                     {"sarif", Format::Sarif}},
-                    "How to print verdicts");
-  addChoice<ShowTraces>(
-      command, "--traces", arguments.traces,
-      {{"failed", ShowTraces::Failed}, {"all", ShowTraces::All}, {"none", ShowTraces::None}},
-      "Which traces to print as text: of failed properties, all, or none");
-  show(command.add_option("--save-traces", arguments.saveTraces,
-                          "Save every trace in this directory, as JSON and text"),
-       group::kOutput, "DIRECTORY");
-  show(command.add_option("--report", arguments.report,
-                          "Write a web page with verdicts, traces and pictures to this directory"),
-       group::kOutput, "DIRECTORY");
-  show(command.add_option("--graph", arguments.graph,
-                          "Write the state graph to this file (.aut or .txt), or print its size "
-                          "(counts)"),
-       group::kOutput, "FILE");
-  addChoice<verify::GraphKind>(command, "--graph-of", arguments.graphOf,
-                               {{"classes", verify::GraphKind::Classes},
-                                {"markings", verify::GraphKind::Markings},
-                                {"untimed", verify::GraphKind::Untimed}},
-                               "States of that graph: state classes, markings, or markings "
-                               "without time");
-  show(command.add_flag("--strict", arguments.strict, "Exit with 1 for warnings too"),
-       group::kOutput);
-  addColour(command, arguments.colour);
-}
-
-void addLimits(CLI::App& command, Arguments& arguments) {
-  show(command
-           .add_option("--time-limit", arguments.timeLimit,
-                       "Time limit in seconds; properties not decided by then are inconclusive")
-           ->check(positiveSeconds()),
-       group::kLimits, "SECONDS");
-  show(command.add_option("--memory-limit", arguments.memoryLimit, "Memory limit in MiB")
-           ->check(CLI::PositiveNumber),
-       group::kLimits, "MIB");
-  show(command.add_option("--class-limit", arguments.classLimit, "Limit of explored state classes")
-           ->check(CLI::PositiveNumber),
-       group::kLimits, "NUMBER");
-}
-
-void addAdvanced(CLI::App& command, Arguments& arguments) {
-  show(command
-           .add_option("--jobs", arguments.jobs, "Threads to explore with; this version uses one")
-           ->check(CLI::Range(1U, 256U)),
-       group::kAdvanced, "NUMBER");
-  show(command
-           .add_option("--reduce", arguments.reduce,
-                       "Reductions of the state space, separated by commas; verdicts do not depend "
-                       "on them")
-           ->delimiter(',')
-           ->transform(CLI::Validator(takeReduction, "")),
-       group::kAdvanced, reductionNames());
-  show(command.add_flag("--expanded", arguments.expanded,
-                        "Verify the expanded model, with one state per step of a skill"),
-       group::kAdvanced);
-  using codegen::StateVariableAutomata;
-  addChoice<StateVariableAutomata>(
-      command, "--sv-automata", arguments.automata,
-      {{"exact", StateVariableAutomata::Exact}, {"paper", StateVariableAutomata::Paper}},
-      "exact: detect every forbidden move of a state variable; paper: poll, as the paper does",
-      group::kAdvanced);
+  return runModel(arguments, *program, *model);
 }
 
 } // namespace
 
 void addVerify(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
-  auto list = std::make_shared<bool>(false);
+  auto arguments = std::make_shared<VerifyArguments>();
   auto* command = app.add_subcommand("verify", "Verify the properties of a program");
-  command->add_option("file", arguments->file, "Root file of the program, or a model (.fcr)")
-      ->required();
-  addSubject(*command, *arguments, *list);
-  addOutput(*command, *arguments);
-  addLimits(*command, *arguments);
-  addBackend(*command, arguments->backend);
-  addAdvanced(*command, *arguments);
+  addVerifyOptions(*command, *arguments);
   showBelow(*command,
             {"proskill verify mission.proskill",
              "proskill verify --property land --time-limit 60 mission.proskill",
@@ -400,7 +249,7 @@ void addVerify(CLI::App& app, int& exitCode) {
              {kUsage, "the program has errors, the command line is wrong, or Tina cannot be run"},
              {kInconclusive, "nothing is violated, but a limit left properties undecided"},
              {kDiffer, "with --backend both: the engine and Tina disagree"}});
-  command->callback([arguments, list, &exitCode] { exitCode = run(*arguments, *list); });
+  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 
 } // namespace proskill::cli

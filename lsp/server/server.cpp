@@ -6,8 +6,6 @@
 #include "lsp/protocol/convert.h"
 #include "report/uri.h"
 
-#include <fmt/format.h>
-
 #include <thread>
 
 namespace proskill::lsp {
@@ -17,27 +15,7 @@ namespace {
 /// A result longer than this is sent in parts, where the client takes them.
 constexpr std::size_t kPart = 200;
 
-/// So many edits are applied as one at most, that what comes behind them need not wait for long.
-constexpr unsigned kMostGathered = 1000;
-
 const Json& idOf(const Json& params) { return memberAt(params, {"id"}); }
-
-std::string uriOf(const Json& params) {
-  const Json& uri = memberAt(params, {"textDocument", "uri"});
-  return uri.is_string() ? uri.get<std::string>() : std::string();
-}
-
-bool isEdit(const Message& message) {
-  return message.kind == MessageKind::Notification && message.method == "textDocument/didChange" &&
-         memberAt(message.params, {"contentChanges"}).is_array() &&
-         memberAt(message.params, {"textDocument", "version"}).is_number_integer();
-}
-
-/// Whether this is the edit after that one.
-bool continues(const Message& next, const Message& edit) {
-  return isEdit(next) && uriOf(next.params) == uriOf(edit.params) &&
-         next.params["textDocument"]["version"] > edit.params["textDocument"]["version"];
-}
 
 /// Sends a list as parts; what is left for the answer is nothing. LSP 3.17: the answer of a request
 /// whose parts were sent is empty.
@@ -251,90 +229,6 @@ void Server::notified(Received& received) {
   if (!method.starts_with("$/")) log.write("a notification that is not served: " + method);
 }
 
-/// The edits that wait behind one of the same text become one with it: what lies between them
-/// nobody has asked about, and a text is parsed sooner once than often.
-void Server::gatherEdits(Message& edit) {
-  for (unsigned i = 0; i < kMostGathered; ++i) {
-    auto next = inbox.takeIf([&](const InboxEvent& event) {
-      const auto* received = std::get_if<Received>(&event);
-      return received && continues(received->message, edit);
-    });
-    if (!next) return;
-    auto& params = std::get<Received>(*next).message.params;
-    edit.params["textDocument"] = std::move(params["textDocument"]);
-    for (auto& change : params["contentChanges"])
-      edit.params["contentChanges"].push_back(std::move(change));
-  }
-}
-
-void Server::handleText(Received& received) {
-  Message& message = received.message;
-  if (isEdit(message)) gatherEdits(message);
-  Workspace::Outcome outcome;
-  auto before = workspace.snapshot();
-  if (message.method == "textDocument/didOpen")
-    outcome = workspace.open(message.params);
-  else if (message.method == "textDocument/didChange")
-    outcome = workspace.change(message.params);
-  else if (message.method == "textDocument/didClose")
-    outcome = workspace.close(message.params);
-  else if (message.method == "textDocument/didSave")
-    outcome = workspace.saved(message.params);
-  else
-    return log.write("a notification that is not served: " + message.method);
-  if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
-  if (message.method == "textDocument/didChange")
-    refuseStale(uriOf(message.params), received.order);
-  std::vector<Path> texts;
-  if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
-    texts.push_back(*path);
-  textsChanged(texts, std::move(before));
-}
-
-void Server::handleNotebook(const Received& received) {
-  const auto& [method, params] = std::tie(received.message.method, received.message.params);
-  auto before = workspace.snapshot();
-  Notebooks::Outcome outcome;
-  if (method == "notebookDocument/didOpen")
-    outcome = notebooks.open(params);
-  else if (method == "notebookDocument/didChange")
-    outcome = notebooks.change(params);
-  else if (method == "notebookDocument/didClose")
-    outcome = notebooks.close(params);
-  else if (method != "notebookDocument/didSave")
-    log.write("a notification that is not served: " + method);
-  for (const auto& problem : outcome.problems) {
-    log.write(fmt::format("{}: {}", method, problem));
-    announcer.show(Announcer::Kind::Error, problem);
-  }
-  for (const auto& path : outcome.changed)
-    if (auto text = before->open().find(path); text != before->open().end())
-      refuseStale(text->second.uri, received.order);
-  if (!outcome.changed.empty()) textsChanged(outcome.changed, std::move(before));
-}
-
-/// By the client; the last of them is in view.
-void Server::textsChanged(const std::vector<Path>& texts,
-                          std::shared_ptr<const ide::Snapshot> before) {
-  changed();
-  for (const auto& path : texts) refresher.changed(path, *before, debounce());
-  verification.textsChanged(workspace.snapshot(),
-                            texts.empty() ? std::nullopt : std::optional(texts.back()));
-  forget(std::move(before));
-}
-
-/// What was asked about the text before the edit, and is asked again by the client.
-void Server::refuseStale(const std::string& uri, std::uint64_t order) {
-  for (const auto& [id, method] : pending.about(uri, client.retried, order))
-    if (pending.cancel(id))
-      outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
-  static const std::set<std::string> kPulled{"textDocument/diagnostic"};
-  for (const auto& [id, method] : pending.about(uri, kPulled, order))
-    if (pending.cancel(id))
-      outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
-                                  Json{{"retriggerRequest", true}}}));
-}
-
 void Server::dispatch(Received& received, const Method& method) {
   auto& pool = method.priority == Priority::Long ? longWork : scheduler;
   pool.post(method.priority, [this, received = std::move(received), &method,
@@ -384,34 +278,11 @@ void Server::answer(const Message& message, const Method& method, const Request&
   reply(message, std::move(result), *request.progress);
 }
 
-/// Whole programs may go with old texts: not here, where an answer or the next edit would wait for
-/// it, unless edits come faster than they can be forgotten.
-template <class Old> void Server::forget(Old old) {
-  constexpr int kMostForgotten = 3;
-  if (forgotten.load() >= kMostForgotten) return;
-  ++forgotten;
-  scheduler.post(Priority::Background, [this, old = std::move(old)]() mutable {
-    scheduler.giveWay();
-    old = Old();
-    --forgotten;
-  });
-}
-
 void Server::reply(const Message& message, Answer result, Progress& progress) {
   if (!pending.finish(message.id)) return;
   progress.end();
   outbox.send(result ? lsp::reply(message.id, inParts(std::move(*result), progress))
                      : replyError(message.id, result.error()));
-}
-
-void Server::changed() {
-  if (!client.pullDiagnostics) publisher.changed(debounce());
-}
-
-/// Other texts than the one that a user edits.
-void Server::textsChanged() {
-  changed();
-  verification.textsChanged(workspace.snapshot(), std::nullopt);
 }
 
 /// The texts are as they were; what shows verdicts is told anew.

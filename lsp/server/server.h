@@ -62,21 +62,23 @@ private:
   void handleRequest(Received& received);
   bool handleNotification(Received& received);
   void notified(Received& received);
-  void gatherEdits(Message& edit);
-  void handleText(Received& received);
-  void handleNotebook(const Received& received);
-  void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
-  void refuseStale(const std::string& uri, std::uint64_t order);
   void dispatch(Received& received, const Method& method);
   [[nodiscard]] Answer execute(const Json& params);
   void answer(const Message& message, const Method& method, const Request& request);
   void reply(const Message& message, Answer result, Progress& progress);
   template <class Old> void forget(Old old);
-  void changed();
   [[nodiscard]] std::chrono::milliseconds debounce();
-  void textsChanged();
   void verdictsChanged();
   void findingsTold(const ide::Snapshot& snapshot);
+
+  // server_texts.cpp
+  void gatherEdits(Message& edit);
+  void handleText(Received& received);
+  void handleNotebook(const Received& received);
+  void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
+  void textsChanged();
+  void changed();
+  void refuseStale(const std::string& uri, std::uint64_t order);
 
   // server_lifecycle.cpp
   Json initialize(const Json& params);
@@ -117,5 +119,18 @@ private:
   Scheduler longWork{3}; ///< verifications
   Scheduler scheduler;
 };
+
+/// Whole programs may go with old texts: not here, where an answer or the next edit would wait for
+/// it, unless edits come faster than they can be forgotten.
+template <class Old> void Server::forget(Old old) {
+  constexpr int kMostForgotten = 3;
+  if (forgotten.load() >= kMostForgotten) return;
+  ++forgotten;
+  scheduler.post(Priority::Background, [this, old = std::move(old)]() mutable {
+    scheduler.giveWay();
+    old = Old();
+    --forgotten;
+  });
+}
 
 } // namespace proskill::lsp

@@ -1,0 +1,140 @@
+#include "cli/commands/verify_arguments.h"
+
+#include "cli/terminal/help.h"
+#include "verify/reduction_names.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace proskill::cli {
+
+namespace {
+
+std::string reductionNames() {
+  std::string names = "all|none";
+  for (const auto& it : verify::kReductionNames) names += "|" + std::string(it.name);
+  return names;
+}
+
+/// A former name becomes today's, with a hint. The error is empty where a name is known.
+std::string takeReduction(std::string& word) {
+  if (word == "all" || word == "none") return "";
+  for (const auto& it : verify::kReductionNames) {
+    if (word == it.name) return "";
+    if (it.formerName.empty() || word != it.formerName) continue;
+    std::cerr << "hint: the reduction `" << it.formerName << "` is called `" << it.name
+              << "` now; the next version takes only that\n";
+    word = it.name;
+    return "";
+  }
+  return "`" + word + "` is none of " + reductionNames();
+}
+
+void addSubject(CLI::App& command, VerifyArguments& arguments) {
+  show(command.add_option("--property", arguments.properties,
+                          "Verify only this property, or all whose names begin with this word and "
+                          "a dot; may be repeated"),
+       group::kSubject, "PROPERTY");
+  show(command.add_flag("--list", arguments.list, "List the names of the properties, and stop"),
+       group::kSubject);
+  show(command.add_option("--properties", arguments.added,
+                          "Verify the properties of this file too: Fiacre, or one formula (.ltl)"),
+       group::kSubject, "FILE");
+  show(command.add_option("--environment", arguments.environment,
+                          "Replace the environment by the Fiacre process in this file"),
+       group::kSubject, "FILE");
+  show(command.add_option("--main", arguments.mainSkill,
+                          "The skill that is the mission, where several could be"),
+       group::kSubject, "SKILL");
+}
+
+void addOutput(CLI::App& command, VerifyArguments& arguments) {
+  addChoice<VerifyFormat>(command, "--format", arguments.format,
+                          {{"text", VerifyFormat::Text},
+                           {"json", VerifyFormat::Json},
+                           {"junit", VerifyFormat::JUnit},
+                           {"sarif", VerifyFormat::Sarif}},
+                          "How to print verdicts");
+  addChoice<ShowTraces>(
+      command, "--traces", arguments.traces,
+      {{"failed", ShowTraces::Failed}, {"all", ShowTraces::All}, {"none", ShowTraces::None}},
+      "Which traces to print as text: of failed properties, all, or none");
+  show(command.add_option("--save-traces", arguments.saveTraces,
+                          "Save every trace in this directory, as JSON and text"),
+       group::kOutput, "DIRECTORY");
+  show(command.add_option("--report", arguments.report,
+                          "Write a web page with verdicts, traces and pictures to this directory"),
+       group::kOutput, "DIRECTORY");
+  show(command.add_option("--graph", arguments.graph,
+                          "Write the state graph to this file (.aut or .txt), or print its size "
+                          "(counts)"),
+       group::kOutput, "FILE");
+  addChoice<verify::GraphKind>(command, "--graph-of", arguments.graphOf,
+                               {{"classes", verify::GraphKind::Classes},
+                                {"markings", verify::GraphKind::Markings},
+                                {"untimed", verify::GraphKind::Untimed}},
+                               "States of that graph: state classes, markings, or markings "
+                               "without time");
+  show(command.add_flag("--strict", arguments.strict, "Exit with 1 for warnings too"),
+       group::kOutput);
+  addColour(command, arguments.colour);
+}
+
+void addLimits(CLI::App& command, VerifyArguments& arguments) {
+  show(command
+           .add_option("--time-limit", arguments.timeLimit,
+                       "Time limit in seconds; properties not decided by then are inconclusive")
+           ->check(positiveSeconds()),
+       group::kLimits, "SECONDS");
+  show(command.add_option("--memory-limit", arguments.memoryLimit, "Memory limit in MiB")
+           ->check(CLI::PositiveNumber),
+       group::kLimits, "MIB");
+  show(command.add_option("--class-limit", arguments.classLimit, "Limit of explored state classes")
+           ->check(CLI::PositiveNumber),
+       group::kLimits, "NUMBER");
+}
+
+void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
+  show(command
+           .add_option("--jobs", arguments.jobs, "Threads to explore with; this version uses one")
+           ->check(CLI::Range(1U, 256U)),
+       group::kAdvanced, "NUMBER");
+  show(command
+           .add_option("--reduce", arguments.reduce,
+                       "Reductions of the state space, separated by commas; verdicts do not depend "
+                       "on them")
+           ->delimiter(',')
+           ->transform(CLI::Validator(takeReduction, "")),
+       group::kAdvanced, reductionNames());
+  show(command.add_flag("--expanded", arguments.expanded,
+                        "Verify the expanded model, with one state per step of a skill"),
+       group::kAdvanced);
+  using codegen::StateVariableAutomata;
+  addChoice<StateVariableAutomata>(
+      command, "--sv-automata", arguments.automata,
+      {{"exact", StateVariableAutomata::Exact}, {"paper", StateVariableAutomata::Paper}},
+      "exact: detect every forbidden move of a state variable; paper: poll, as the paper does",
+      group::kAdvanced);
+}
+
+} // namespace
+
+std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names) {
+  std::set<verify::Reduction> chosen;
+  for (const auto& it : verify::kReductionNames)
+    if (names.empty() || std::ranges::count(names, it.name) + std::ranges::count(names, "all") > 0)
+      chosen.insert(it.reduction);
+  return chosen;
+}
+
+void addVerifyOptions(CLI::App& command, VerifyArguments& arguments) {
+  command.add_option("file", arguments.file, "Root file of the program, or a model (.fcr)")
+      ->required();
+  addSubject(command, arguments);
+  addOutput(command, arguments);
+  addLimits(command, arguments);
+  addBackend(command, arguments.backend);
+  addAdvanced(command, arguments);
+}
+
+} // namespace proskill::cli

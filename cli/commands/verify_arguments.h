@@ -1,0 +1,48 @@
+#pragma once
+
+#include "cli/output/tina_backend.h"
+#include "cli/terminal/choice.h"
+#include "cli/terminal/paint.h"
+#include "codegen/model.h"
+#include "report/verify_report.h"
+#include "verify/graph/state_graph.h"
+
+#include <set>
+
+namespace proskill::cli {
+
+enum class VerifyFormat : std::uint8_t { Text, Json, JUnit, Sarif };
+
+/// What a user says to `proskill verify`.
+struct VerifyArguments {
+  std::string file;
+  std::string environment;
+  std::vector<std::string> added;
+  std::vector<std::string> properties;
+  std::string mainSkill;
+  VerifyFormat format = VerifyFormat::Text;
+  ShowTraces traces = ShowTraces::Failed;
+  ColourChoice colour = ColourChoice::Auto;
+  unsigned jobs = 1;
+  std::optional<double> timeLimit;
+  std::optional<std::uint64_t> memoryLimit; // MiB
+  std::optional<std::uint64_t> classLimit;
+  std::string saveTraces;
+  std::string report;
+  std::vector<std::string> reduce;
+  std::string graph;
+  verify::GraphKind graphOf = verify::GraphKind::Classes;
+  BackendArguments backend;
+  bool list = false; ///< the names of the properties alone
+  bool strict = false;
+  bool expanded = false;
+  codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
+};
+
+/// The command's options, and what its help says of them; `arguments` has to outlive the command.
+void addVerifyOptions(CLI::App& command, VerifyArguments& arguments);
+
+/// The reductions of the names that were given; all without any.
+[[nodiscard]] std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names);
+
+} // namespace proskill::cli
