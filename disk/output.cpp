@@ -1,13 +1,15 @@
 #include "disk/output.h"
 
+#include "disk/descriptor.h"
+
 #include <fmt/format.h>
 
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <fcntl.h>
+#include <fstream>
 #include <iostream>
-#include <streambuf>
+#include <sstream>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -23,57 +25,6 @@ constexpr int kMostLinks = 40;
 std::string failure(std::string_view where, int error) {
   return fmt::format("{} cannot be written: {}", where, std::generic_category().message(error));
 }
-
-/// A descriptor that is closed with its owner, and what is written to it.
-class Descriptor : public std::streambuf {
-public:
-  explicit Descriptor(int opened) : descriptor(opened), failed(opened < 0 ? errno : 0) { rewind(); }
-  ~Descriptor() override { (void)finish(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  /// The system's number of the first error, 0 where there is none.
-  [[nodiscard]] int error() const { return failed; }
-  /// Some errors are known only when a file is closed. \return error()
-  [[nodiscard]] int finish() {
-    if (descriptor < 0) return failed;
-    sync();
-    if (close(std::exchange(descriptor, -1)) != 0 && failed == 0) failed = errno;
-    return failed;
-  }
-  /// As an earlier file was, as far as the system allows.
-  void resemble(const struct stat& earlier) const {
-    if (fchown(descriptor, earlier.st_uid, earlier.st_gid) != 0) errno = 0;
-    if (fchmod(descriptor, earlier.st_mode & 07777) != 0) errno = 0;
-  }
-
-protected:
-  int_type overflow(int_type byte) override {
-    if (sync() != 0) return traits_type::eof();
-    if (!traits_type::eq_int_type(byte, traits_type::eof())) sputc(traits_type::to_char_type(byte));
-    return traits_type::not_eof(byte);
-  }
-
-  int sync() override {
-    const char* from = pbase();
-    while (failed == 0 && from < pptr()) {
-      const auto count = ::write(descriptor, from, static_cast<std::size_t>(pptr() - from));
-      if (count >= 0)
-        from += count;
-      else if (errno != EINTR)
-        failed = errno;
-    }
-    rewind();
-    return failed == 0 ? 0 : -1;
-  }
-
-private:
-  void rewind() { setp(buffer.data(), buffer.data() + buffer.size()); }
-
-  std::array<char, std::size_t{1} << 16> buffer;
-  int descriptor;
-  int failed;
-};
 
 /// \return the system's number of what went wrong, or 0
 int writeThrough(Descriptor& to, const WriteTo& write) {
@@ -110,21 +61,76 @@ fs::path nameBeside(const fs::path& target) {
   return name;
 }
 
+/// Whether a new file got the owner, group and permissions of an earlier one.
+bool giveTo(int file, const struct stat& earlier) {
+  return fchown(file, earlier.st_uid, earlier.st_gid) == 0 &&
+         fchmod(file, earlier.st_mode & 07777) == 0;
+}
+
+/// The new content is written beside the file and renamed.
 /// \return the system's number of what went wrong, or 0
-int replaceFile(const fs::path& path, const WriteTo& write) {
-  const auto target = followLinks(path);
-  struct stat earlier {};
-  const bool exists = stat(target.c_str(), &earlier) == 0;
-  if (exists && access(target.c_str(), W_OK) != 0) return errno;
+int replaceFile(const fs::path& target, const struct stat* earlier, const WriteTo& write) {
   const auto fresh = nameBeside(target);
-  const mode_t mode = exists ? earlier.st_mode & 0777 : 0666;
+  const mode_t mode = earlier ? earlier->st_mode & 0777 : 0666;
   Descriptor file(open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
   if (file.error() != 0) return file.error();
-  if (exists) file.resemble(earlier);
-  int error = writeThrough(file, write);
+  int error = earlier && !giveTo(file.number(), *earlier) ? EPERM : writeThrough(file, write);
   if (error == 0 && rename(fresh.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) unlink(fresh.c_str());
   return error;
+}
+
+std::string contentOf(const fs::path& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+/// Bytes from the beginning of a file on, and nothing behind them.
+/// \return the system's number of what went wrong, or 0
+int fill(const fs::path& target, std::string_view bytes) {
+  Descriptor file(open(target.c_str(), O_WRONLY | O_CLOEXEC));
+  std::ostream(&file) << bytes << std::flush;
+  if (file.error() == 0 && ftruncate(file.number(), std::ssize(bytes)) != 0) return errno;
+  return file.finish();
+}
+
+/// \return the system's number of what went wrong, or 0
+int reserve(const fs::path& target, off_t size) {
+  const Descriptor file(open(target.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.error() != 0 || size == 0) return file.error();
+  return posix_fallocate(file.number(), 0, size);
+}
+
+/// The file itself gets the new content. Room for all of it is reserved before a byte of the old
+/// content is lost, which comes back where writing fails all the same.
+/// \return the system's number of what went wrong, or 0
+int overwriteFile(const fs::path& target, const WriteTo& write) {
+  std::ostringstream content;
+  write(content);
+  const auto old = contentOf(target);
+  int error = reserve(target, std::ssize(content.view()));
+  if (error == 0) error = fill(target, content.view());
+  if (error != 0 && access(target.c_str(), R_OK) == 0) (void)fill(target, old);
+  return error;
+}
+
+/// Whether a file cannot be replaced by another, though it may be written: its directory or its
+/// owner is another's, or it is mounted by itself.
+bool forbidsReplacing(int error) {
+  return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
+}
+
+/// A file of several names keeps them all.
+/// \return the system's number of what went wrong, or 0
+int writeRegularFile(const fs::path& target, const WriteTo& write) {
+  struct stat earlier {};
+  if (stat(target.c_str(), &earlier) != 0)
+    return errno == ENOENT ? replaceFile(target, nullptr, write) : errno;
+  if (access(target.c_str(), W_OK) != 0) return errno;
+  if (earlier.st_nlink > 1) return overwriteFile(target, write);
+  const int error = replaceFile(target, &earlier, write);
+  return forbidsReplacing(error) ? overwriteFile(target, write) : error;
 }
 
 } // namespace
@@ -140,7 +146,7 @@ std::optional<std::string> writeFile(const fs::path& path, const WriteTo& write)
     Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
     error = writeThrough(device, write);
   } else {
-    error = replaceFile(path, write);
+    error = writeRegularFile(followLinks(path), write);
   }
   return error == 0 ? std::nullopt : std::optional(failure(path.string(), error));
 }

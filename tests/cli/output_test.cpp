@@ -40,6 +40,28 @@ Finished onFullDisk(const std::string& words) {
   return runWords(words, "ulimit -f 1; trap '' XFSZ; exec");
 }
 
+/// What a shell needs before a command so that permissions hold for root, too.
+std::string withoutPrivileges() {
+  return geteuid() == 0 ? "exec setpriv --bounding-set -dac_override --inh-caps -dac_override"
+                        : "exec";
+}
+
+std::uintmax_t namesOf(const std::string& path) { return fs::hard_link_count(path); }
+
+/// A directory in which nothing can be created, until the end.
+class ReadOnlyDirectory {
+public:
+  explicit ReadOnlyDirectory(std::string directory) : path(std::move(directory)) {
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_exec);
+  }
+  ~ReadOnlyDirectory() { fs::permissions(path, fs::perms::owner_all); }
+  ReadOnlyDirectory(const ReadOnlyDirectory&) = delete;
+  ReadOnlyDirectory& operator=(const ReadOnlyDirectory&) = delete;
+
+private:
+  std::string path;
+};
+
 /// A program that is laid out badly, longer than the full disk has room for.
 std::string untidy() {
   std::string text;
@@ -141,8 +163,55 @@ TEST_CASE("a file that may not be written is not replaced either") {
   const TemporaryDirectory files;
   const auto file = files.write("model.fcr", kOld);
   fs::permissions(file, fs::perms::owner_read);
-  if (access(file.c_str(), W_OK) == 0) return; // root may write everything
-  const auto done = runWords("emit fiacre -o " + file + " " + kDock);
+  const auto done = runWords("emit fiacre -o " + file + " " + kDock, withoutPrivileges());
   CHECK(done.exitCode == 2);
   CHECK(contentOf(file) == kOld);
+}
+
+TEST_CASE("a file is written in place where nothing can be created beside it") {
+  const TemporaryDirectory files;
+  const auto model = runWords("emit fiacre " + kDock).out;
+  for (const auto& old : {kOld, std::string(2 * model.size(), 'x')}) {
+    fs::create_directory(files.path("locked"));
+    const auto file = files.write("locked/model.fcr", old);
+    {
+      const ReadOnlyDirectory locked(files.path("locked"));
+      const auto emit = "emit fiacre -o " + file + " " + kDock;
+      const auto full = runWords(emit, "ulimit -f 1; trap '' XFSZ; " + withoutPrivileges());
+      CHECK(full.exitCode == 2);
+      CHECK(full.err.find(" cannot be written: ") != std::string::npos);
+      CHECK(contentOf(file) == old);
+      CHECK(runWords(emit, withoutPrivileges()).exitCode == 0);
+      CHECK(contentOf(file) == model);
+      const auto other = "emit fiacre -o " + files.path("locked/new.fcr") + " " + kDock;
+      CHECK(runWords(other, withoutPrivileges()).exitCode == 2);
+      CHECK(filesIn(files.path("locked")) == 1);
+    }
+    fs::remove_all(files.path("locked"));
+  }
+}
+
+TEST_CASE("a file of several names keeps them, and its content on a full disk") {
+  const TemporaryDirectory files;
+  const auto file = files.write("main.proskill", untidy());
+  const auto other = files.path("other.proskill");
+  fs::create_hard_link(file, other);
+  CHECK(onFullDisk("fmt " + file).exitCode == 2);
+  CHECK(contentOf(other) == untidy());
+  CHECK(runWords("fmt " + file).exitCode == 0);
+  CHECK(contentOf(other) == contentOf(file));
+  CHECK(contentOf(other).find("(defevent event_number_0)") != std::string::npos);
+  CHECK(namesOf(file) == 2);
+  CHECK(filesIn(files.path()) == 2);
+}
+
+TEST_CASE("an output that is a link to itself is refused, and stays") {
+  const TemporaryDirectory files;
+  const auto link = files.path("round.fcr");
+  fs::create_symlink("round.fcr", link);
+  const auto done = runWords("emit fiacre -o " + link + " " + kDock);
+  CHECK(done.exitCode == 2);
+  CHECK(done.err.find(link + " cannot be written: ") != std::string::npos);
+  CHECK(fs::is_symlink(link));
+  CHECK(filesIn(files.path()) == 1);
 }
