@@ -18,7 +18,7 @@ constexpr Check kChecks[] = {
     {checkSkills, true},         {checkBodies, true},      {checkControl, true},
     {checkProperties, true},     {checkDuplicates, false}, {checkFields, true},
     {checkIntervals, true},      {checkRecursion, false},  {checkParallel, false},
-    {checkStart, false}};
+    {checkStart, false},         {checkReserved, true}};
 
 Analysis analyse(const Program& program, const Earlier* earlier) {
   SymbolTable symbols =

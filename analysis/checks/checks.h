@@ -20,5 +20,6 @@ void checkIntervals(Context& context);
 void checkRecursion(Context& context);
 void checkParallel(Context& context);
 void checkStart(Context& context);
+void checkReserved(Context& context);
 
 } // namespace proskill::analysis

@@ -185,6 +185,17 @@ TEST_CASE("names inside of a definition are told when they come twice") {
   CHECK(findings(mission("(label a) (// ((label a)) ((^ 1)))")) == "PS0221 a");
 }
 
+TEST_CASE("no tag is called as the absence of one") {
+  CHECK(findings("(defskill s :action (s) :success no_result)") == "PS0222 no_result");
+  CHECK(findings("(defskill s :action (s) :failure (lost no_result))") == "PS0222 no_result");
+  CHECK(findings(kWorld + "(defskill s :action (s) :invariant (no_result (:guard (level 1))))") ==
+        "PS0222 no_result");
+  CHECK(findings("(defskill m :success no_result :body ((success no_result)))") ==
+        "PS0222 no_result, PS0222 no_result");
+  CHECK(findings("(defskill s :action (s)) (defskill m :body ((s) (^ (= s.res no_result))))") ==
+        "");
+}
+
 TEST_CASE("an unknown name is not reported again by what depends on it") {
   CHECK(findings(mission("(^ (= wind Strong))")) == "PS0202 wind");
   CHECK(findings(mission("(^ (and (wind Strong) (> (+ wind 1) level)))")) == "PS0202 wind");
