@@ -43,6 +43,7 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
     ++comparison.questions;
     const auto& answer = result->answers[i];
     if (answer.truth == (*expected ? verify::Truth::True : verify::Truth::False)) continue;
+    comparison.kind = check.kind + ", engine " + wordOf(answer.truth) + " " + answer.reason;
     comparison.disagreement =
         fmt::format("{} ({})\n  engine:      {} {}\n  interpreter: {}", check.name, check.words,
                     wordOf(answer.truth), answer.reason, *expected);

@@ -17,6 +17,7 @@ struct Comparison {
   std::size_t situations = 0;
   std::optional<std::string> refusal; ///< the engine cannot run it
   std::optional<std::string> disagreement;
+  std::string kind; ///< of the disagreement: which question, and what the engine says
 };
 
 /// Asks the engine and the interpreter of programs the same questions.

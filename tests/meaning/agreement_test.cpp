@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <map>
 
 using namespace proskill;
 
@@ -16,7 +17,15 @@ struct Tally {
   std::uint64_t tooLarge = 0;
   std::uint64_t questions = 0;
   std::uint64_t situations = 0;
+  std::map<std::string, std::uint64_t> disagreements; ///< by kind
 };
+
+/// The first of each kind is shown, as small as can be.
+void note(Tally& tally, std::uint64_t seed, const std::string& kind,
+          const std::vector<test::Form>& program) {
+  if (++tally.disagreements[kind] == 1)
+    UNSCOPED_INFO("seed " << seed << ", " << kind << "\n" << meaning::smallest(program, kLimit));
+}
 
 /// `PROSKILL_MEANING_SEEDS=FIRST:COUNT` compares others than those of every day.
 std::pair<std::uint64_t, std::uint64_t> seeds(std::uint64_t first, std::uint64_t count) {
@@ -34,13 +43,18 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
     const auto program = test::randomProgram(seed, size);
     const auto comparison = meaning::compare(program, kLimit);
     if (comparison.refusal) FAIL("seed " << seed << ": " << *comparison.refusal);
-    if (comparison.disagreement)
-      FAIL("seed " << seed << "\n" << meaning::smallest(program, kLimit));
+    if (comparison.disagreement) note(tally, seed, comparison.kind, program);
     ++tally.programs;
     tally.tooLarge += comparison.tooLarge ? 1 : 0;
     tally.questions += comparison.questions;
     tally.situations += comparison.situations;
   }
+  std::string found;
+  for (const auto& [kind, times] : tally.disagreements)
+    found += "\n  " + kind + ": " + std::to_string(times);
+  WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
+                      << " questions, " << tally.situations << " situations" << found);
+  CHECK(tally.disagreements.empty());
   return tally;
 }
 
@@ -48,8 +62,6 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
 
 TEST_CASE("the engine's verdicts are those of an interpreter of programs") {
   const auto tally = compareAll(0, 2500, {.properties = 4});
-  WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
-                      << " questions, " << tally.situations << " situations");
   CHECK(tally.tooLarge < tally.programs / 3);
   CHECK(tally.questions > tally.programs * 10);
 }
@@ -64,7 +76,5 @@ TEST_CASE("so they are with several callers, resources and an environment") {
                                  .seconds = 2,
                                  .halves = 0,
                                  .environment = 80});
-  WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
-                      << " questions, " << tally.situations << " situations");
   CHECK(tally.tooLarge < tally.programs * 2 / 3);
 }

@@ -47,14 +47,14 @@ Interval interval(RandomSource& random) {
 }
 
 Pattern pattern(RandomSource& random, const fiacre::Program& program) {
-  static const std::vector<PatternKind> kKinds{PatternKind::LeadsTo,  PatternKind::LeadsTo,
-                                               PatternKind::Present,  PatternKind::Absent,
-                                               PatternKind::Always,   PatternKind::Present,
-                                               PatternKind::Precedes, PatternKind::InfinitelyOften};
+  static const std::vector<PatternKind> kKinds{
+      PatternKind::LeadsTo,  PatternKind::LeadsTo,         PatternKind::Present,
+      PatternKind::Absent,   PatternKind::Always,          PatternKind::Present,
+      PatternKind::Precedes, PatternKind::InfinitelyOften, PatternKind::Mortal};
   Pattern made{.kind = random.pick(kKinds), .operands = {observable(random, program)}};
   const bool two = made.kind == PatternKind::LeadsTo || made.kind == PatternKind::Precedes;
   if (two) made.operands.push_back(observable(random, program));
-  if (made.kind == PatternKind::InfinitelyOften) return made;
+  if (made.kind == PatternKind::InfinitelyOften || made.kind == PatternKind::Mortal) return made;
   const auto scope = random.below(6);
   if (scope == 0 || scope > 3) made.after = observable(random, program);
   if (scope > 3) made.until = observable(random, program);

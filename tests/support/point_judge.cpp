@@ -158,6 +158,41 @@ private:
     return std::ranges::any_of(start, [&](const Point& point) { return alive.contains(point); });
   }
 
+  /// Whether a run sees `wanted` again and again: there where it ends, or on a cycle with a step.
+  /// Strikes off, until nothing changes, what can not come to `wanted` with more to come.
+  [[nodiscard]] bool canRepeat(const Predicate& wanted) const {
+    Points alive = until({{0, {}}}, anything(), anything());
+    const auto rests = [&](const Point& point) {
+      return !point.edge && wanted(point) &&
+             graph.discrete(graph.nodes()[point.node].discrete).firings.empty();
+    };
+    for (bool changed = true; changed;) {
+      const auto recurs = [&](const Point& point) {
+        if (rests(point)) return true;
+        if (!wanted(point)) return false;
+        const auto after = next(point);
+        return std::ranges::any_of(after, [&](const Point& each) { return alive.contains(each); });
+      };
+      std::map<Point, std::vector<Point>> before;
+      std::vector<Point> todo;
+      Points fed;
+      for (const auto& point : alive) {
+        for (const auto& each : next(point)) before[each].push_back(point);
+        if (recurs(point)) todo.push_back(point);
+      }
+      fed.insert(todo.begin(), todo.end());
+      while (!todo.empty()) {
+        const Point point = todo.back();
+        todo.pop_back();
+        for (const auto& source : before[point])
+          if (alive.contains(source) && fed.insert(source).second) todo.push_back(source);
+      }
+      changed = fed.size() != alive.size();
+      alive = std::move(fed);
+    }
+    return alive.contains({0, {}});
+  }
+
   [[nodiscard]] std::optional<Interval> times() const {
     if (pattern.forDuration || pattern.lasting) return std::nullopt;
     return pattern.within ? *pattern.within : pattern.forInterval.value_or(Interval{});
@@ -203,6 +238,7 @@ private:
     case PatternKind::Precedes: return !until(start, negation(a), both(b, negation(a))).empty();
     case PatternKind::InfinitelyOften:
       return canStay(until(start, anything(), negation(a)), negation(a));
+    case PatternKind::Mortal: return canRepeat(a);
     default: return std::nullopt;
     }
   }

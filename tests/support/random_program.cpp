@@ -167,8 +167,29 @@ private:
     static const std::vector<std::string> heads{"always", "never", "reachable", "absent",
                                                 "present"};
     Form body{"deadlockfree"};
-    if (!random.chance(15)) body = {random.pick(heads), phrase.proposition(2)};
+    if (random.chance(30))
+      body = ofRuns();
+    else if (!random.chance(15))
+      body = {random.pick(heads), phrase.proposition(2)};
     program.push_back({"defproperty", "wish" + std::to_string(number), body});
+  }
+
+  Form ofRuns() {
+    if (random.chance(40)) return {"infinitelyoften", phrase.proposition(1)};
+    if (random.chance(40))
+      return {random.chance(50) ? "leadsto" : "precedes", phrase.proposition(1),
+              phrase.proposition(1)};
+    return {"ltl", formula(2)};
+  }
+
+  Form formula(std::size_t depth) {
+    if (depth == 0) return phrase.proposition(1);
+    switch (random.below(4)) {
+    case 0: return {"[]", formula(depth - 1)};
+    case 1: return {"<>", formula(depth - 1)};
+    case 2: return {"until", formula(depth - 1), formula(depth - 1)};
+    default: return {random.chance(50) ? "=>" : "or", formula(depth - 1), formula(depth - 1)};
+    }
   }
 
   RandomSource random;

@@ -33,6 +33,17 @@ TEST_CASE("A cycle of urgent steps that can be left does not stop time") {
   CHECK_FALSE(model.isFalse(kProgress));
 }
 
+TEST_CASE("That time stops is shown where more is possible than a replay can go through") {
+  std::vector<std::string> states;
+  std::vector<fiacre::From> transitions;
+  for (int i = 0; i < 30; ++i) states.push_back("s" + std::to_string(i));
+  for (int i = 0; i < 30; ++i)
+    transitions.push_back(from(states[i], {now(), to(states[(i + 1) % 30])}));
+  Model model;
+  for (const char* name : {"p", "q", "r"}) model.add(process(name, states, transitions));
+  CHECK(model.isFalse(kProgress));
+}
+
 TEST_CASE("A deadlock does not stop time") {
   CHECK_FALSE(oneProcess({"a", "b"}, {from("a", {to("b")})}).isFalse(kProgress));
 }

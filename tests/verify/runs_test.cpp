@@ -105,6 +105,20 @@ TEST_CASE("`precedes`, `infinitelyoften` and `mortal`") {
   CHECK(ends.isTrue("infinitelyoften main/1/state b")); // the last state is for ever
 }
 
+TEST_CASE("a run that ends is judged by its last state, with what the question leaves out") {
+  const Text ends("process P is states s0, s1 from s0 to s1\ncomponent main is par * in P end");
+  CHECK(ends.isFalse("mortal main/1/state s1"));
+  CHECK(ends.isFalse("infinitelyoften main/1/state s0"));
+  CHECK(ends.trace("mortal main/1/state s1").steps.size() == 1);
+  const Text beside("process P is states s0, s1 from s0 to s1\n"
+                    "process Late is states a, b, c from a wait [2,...[; to b "
+                    "from b wait [0,0]; to c\n"
+                    "component main is par * in P || Late end");
+  CHECK(beside.isFalse("mortal main/1/state s1"));
+  CHECK(beside.isFalse("infinitelyoften main/1/state s0"));
+  CHECK(beside.isFalse("present main/1/value false"));
+}
+
 TEST_CASE("LTL looks at states with the step that leaves them") {
   CHECK(dialogue().isTrue("ltl [] ((main/1/state asked) => <> (main/1/state answered))"));
   CHECK(dialogue().isTrue("ltl [] ((main/1/state quiet) => () (main/1/state asked))"));

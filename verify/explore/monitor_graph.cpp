@@ -91,17 +91,24 @@ MonitorGraph::Way MonitorGraph::wayTo(NodeIndex index) const {
 Evidence MonitorGraph::evidenceOf(const Way& way, std::optional<std::size_t> loop) const {
   Evidence made;
   made.monitor = &monitor;
+  std::size_t marksBefore = 0;
   for (std::size_t i = 0; i < way.moves.size(); ++i) {
     const WatchMove& move = way.moves[i];
-    if (loop == i) made.loop = made.steps.size();
+    if (loop == i) {
+      made.loop = made.steps.size();
+      marksBefore = made.marks.size();
+    }
     if (move.kind == MoveKind::Step) made.steps.push_back(move.transition);
-    if (move.kind == MoveKind::Stutter) continue;
     made.marks.push_back({.after = made.steps.size(),
+                          .until = made.steps.size(),
                           .atStep = move.kind == MoveKind::Step,
+                          .atEnd = move.kind == MoveKind::Stutter,
                           .location = way.locations[i],
                           .edge = move.edge});
   }
-  if (made.loop == made.steps.size()) made.loop.reset(); // the run ends; nothing is repeated
+  if (made.loop != made.steps.size()) return made;
+  made.loop.reset(); // the run ends; only the monitor goes on
+  made.rest = marksBefore;
   return made;
 }
 

@@ -8,7 +8,9 @@ namespace proskill::verify {
 /// A move of a monitor along the steps: with a step, or at a date between two.
 struct MonitorMove {
   std::size_t after = 0; ///< how many steps were taken, that of the move included
+  std::size_t until = 0; ///< how many may have been taken, at most, when it comes between two
   bool atStep = false;
+  bool atEnd = false;         ///< the run has ended; its last state is read again
   std::uint32_t location = 0; ///< of the monitor, before
   std::uint32_t edge = 0;
 };
@@ -20,6 +22,8 @@ struct Evidence {
   const Monitor* monitor = nullptr; ///< that accepts the run, by these moves
   std::vector<MonitorMove> marks;
   std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
+  /// The run ends, and the monitor repeats its moves from this one on for ever.
+  std::optional<std::size_t> rest;
 };
 
 struct SearchResult {

@@ -89,7 +89,7 @@ private:
       if (before != date) all.push_back({before, date, kZero}); // in this order
       if (mark.after != date) {
         all.push_back({mark.after, date, kZero});
-        all.push_back({date, mark.after + 1, kZero});
+        all.push_back({date, mark.until + 1, kZero});
       }
       before = date;
       if (evidence.monitor->locations[mark.location].timed) {

@@ -3,6 +3,7 @@
 #include "verify/state/evaluate.h"
 #include "verify/trace/simulator.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace proskill::verify {
@@ -47,7 +48,8 @@ public:
     }
     if (monitor.locations[location].error) return {};
     if (evidence.loop) return goesRound(location) ? "" : "what is repeated is no violation";
-    return ended ? "" : "the end does not show what was asked for";
+    if (!ended) return "something is still possible at the end";
+    return staysBad(location) ? "" : "the end is no violation";
   }
 
 private:
@@ -69,6 +71,17 @@ private:
     return false;
   }
 
+  /// Whether the monitor, which alone goes on, comes by an accepting location again and again.
+  [[nodiscard]] bool staysBad(std::uint32_t last) const {
+    if (!evidence.rest || visited[*evidence.rest].location != last) return false;
+    const auto from = static_cast<std::ptrdiff_t>(*evidence.rest);
+    const bool goesOn = std::any_of(evidence.marks.begin() + from, evidence.marks.end(),
+                                    [](const MonitorMove& mark) { return mark.atEnd; });
+    return goesOn && std::any_of(visited.begin() + from, visited.end(), [&](const Visit& visit) {
+             return monitor.locations[visit.location].accepting;
+           });
+  }
+
   [[nodiscard]] bool fits(const ClockGuard& guard, std::int64_t age) const {
     const auto within = [&](std::int64_t value, Bound limit) {
       const std::int64_t most = constantOf(limit) * dating.scale;
@@ -80,10 +93,14 @@ private:
   [[nodiscard]] bool isSeen(const MonitorMove& mark, NodeId condition,
                             const std::vector<Concrete>& states,
                             const std::vector<std::vector<EventId>>& events) const {
-    const Word* here = states[mark.after].state.data();
-    if (!mark.atStep) return holdsAt(system, condition, {here, nullptr, nullptr});
+    if (!mark.atStep) {
+      for (std::size_t i = mark.after; i <= mark.until; ++i)
+        if (!holdsAt(system, condition, {states[i].state.data(), nullptr, nullptr})) return false;
+      return true;
+    }
     Bits all;
     for (auto event : events[mark.after - 1]) all.insert(event);
+    const Word* here = states[mark.after].state.data();
     return holdsAt(system, condition, {states[mark.after - 1].state.data(), here, &all});
   }
 

@@ -103,7 +103,8 @@ bool Simulator::canGoOn(const Concrete& now, std::int64_t date) const {
   while (!todo.empty()) {
     Concrete at = std::move(todo.back());
     todo.pop_back();
-    if (mayWaitALittle(at, date) || seen.size() > kWidest) return true;
+    if (mayWaitALittle(at, date)) return true;
+    if (seen.size() > kWidest) return false;
     for (const auto& [id, _] : at.since) {
       if (!isRipe(at, id, date)) continue;
       auto next = take(at, id, date, log);

@@ -43,8 +43,8 @@ public:
   /// The step itself; what it passes is in `log`. Nothing where it fails.
   [[nodiscard]] std::optional<Concrete> take(const Concrete& now, TransitionId id,
                                              std::int64_t date, StepLog& log) const;
-  /// Whether time can pass now, or after steps that take none. Gives up, with true, in a search
-  /// that is too wide.
+  /// Whether time is seen to pass now, or after steps that take none. Gives up, with false, where
+  /// these are too many to look at each: it cannot use the reductions of a search.
   [[nodiscard]] bool canGoOn(const Concrete& now, std::int64_t date) const;
 
 private:

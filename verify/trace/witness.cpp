@@ -118,13 +118,16 @@ Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidenc
     made.push_back(id);
     return fire(system, id, state.data(), log) == Outcome::Done;
   };
+  const auto takeOne = [&](bool urgent) {
+    bool moved = false;
+    dropped.each([&](TransitionId id) {
+      if (moved || system.transitions[id].urgent != urgent) return;
+      moved = isEnabled(system, id, state.data()) && take(id);
+    });
+    return moved;
+  };
   const auto settle = [&](bool alsoLater) {
-    for (bool moved = true; moved;) {
-      moved = false;
-      dropped.each([&](TransitionId id) {
-        if (moved || (!system.transitions[id].urgent && !alsoLater)) return;
-        moved = isEnabled(system, id, state.data()) && take(id);
-      });
+    while (takeOne(true) || (alsoLater && takeOne(false))) {
     }
   };
   // A monitor moves in a state when all that has to happen at once has happened.
@@ -138,9 +141,14 @@ Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidenc
     if (evidence.monitor) settle(false);
     places.push_back(made.size());
   }
-  for (auto& mark : evidence.marks) mark.after = (mark.atStep ? ownPlaces : places)[mark.after];
+  const std::size_t last = steps.size();
+  if (goal.kind == GoalKind::Deadlock || evidence.rest) settle(true);
+  for (auto& mark : evidence.marks) {
+    const bool mayBeLater = evidence.rest && !mark.atStep && mark.after == last;
+    mark.after = (mark.atStep ? ownPlaces : places)[mark.after];
+    mark.until = mayBeLater ? made.size() : mark.after;
+  }
   if (evidence.loop) evidence.loop = places[*evidence.loop];
-  if (goal.kind == GoalKind::Deadlock) settle(true);
   return made;
 }
 
