@@ -8,7 +8,7 @@ import { join, resolve } from 'node:path';
 import { bench, Missing } from './bench.mjs';
 import { CodeServer } from './code_server.mjs';
 import { Editor } from './editor.mjs';
-import { scenarios } from './scenarios.mjs';
+import { scenarios } from './scenarios/scenarios.mjs';
 
 const tree = resolve(import.meta.dirname, '../..');
 const [proskill, out, ...only] = process.argv.slice(2);

@@ -2,7 +2,7 @@ import * as vscode from 'vscode';
 import { subjectOf } from './arguments';
 import { AutomatonPreview } from './automaton';
 import { Client } from './client';
-import { Debugging } from './debug';
+import { Debugging } from './trace/debug';
 import { FiacreView } from './model';
 import { currentText, isVerified } from './places';
 import { Programs } from './programs';
@@ -10,7 +10,7 @@ import * as protocol from './protocol';
 import { showReferences } from './show_references';
 import { Status } from './status';
 import { Testing } from './testing';
-import { TraceView } from './trace';
+import { TraceView } from './trace/trace';
 import { Typing } from './typing';
 import { verify } from './verify_command';
 

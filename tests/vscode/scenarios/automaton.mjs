@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
+import { equal, expect } from '../expect.mjs';
 
 /** The line, from 1, of the first occurrence. */
 const lineOf = (root, path, text) =>

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
-import { failing } from './scenario_verification.mjs';
+import { equal, expect } from '../expect.mjs';
+import { failing } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
 const lineOf = (root, path, text) =>

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
+import { equal, expect } from '../expect.mjs';
 
 /** Milliseconds from the last key of a mistake to its squiggle, as the browser sees both. */
 async function typeAndWait(page, key) {

@@ -1,6 +1,6 @@
 // What can be done in the automaton's panel. It shows the mission, as `automaton` has left it.
-import { equal, expect } from './expect.mjs';
-import { choose, saved } from './panel.mjs';
+import { equal, expect } from '../expect.mjs';
+import { choose, saved } from '../panel.mjs';
 
 const nodes = (frame) => frame.locator('.stage g.node').count();
 const folded = (frame) => frame.locator('.stage g.role-folded');

@@ -1,8 +1,8 @@
 // The Testing view over time: results of an older text, runs that are cancelled, results that come by themselves.
 import { readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
-import { expand, row } from './scenario_verification.mjs';
+import { equal, expect } from '../expect.mjs';
+import { expand, row } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
 const kSettings = '.vscode/settings.json';

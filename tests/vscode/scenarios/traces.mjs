@@ -2,9 +2,9 @@
 import { execFileSync } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
-import { choose, saved } from './panel.mjs';
-import { failing, verified } from './scenario_verification.mjs';
+import { equal, expect } from '../expect.mjs';
+import { choose, saved } from '../panel.mjs';
+import { failing, verified } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
 /** Of those above the mission, of which alone ten properties are bad. */

@@ -1,4 +1,4 @@
-import { equal, expect } from './expect.mjs';
+import { equal, expect } from '../expect.mjs';
 
 export const scenarios = {
   async untrusted({ editor, server }) {

@@ -1,7 +1,7 @@
 // Typing while a trace is open: the text, the caret and the tabs are the user's.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
+import { equal, expect } from '../expect.mjs';
 
 const kFile = 'lift/bug.proskill';
 const kProperty = 'doors_closed_when_moving';

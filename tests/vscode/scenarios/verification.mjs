@@ -1,6 +1,6 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
-import { equal, expect } from './expect.mjs';
+import { equal, expect } from '../expect.mjs';
 
 /** What `proskill verify` says of a property; the editor has to agree with it. */
 export function verified({ proskill, root }, program, name) {

@@ -1,4 +1,4 @@
-import { equal, expect } from './expect.mjs';
+import { equal, expect } from '../expect.mjs';
 
 export const scenarios = {
   /** From the list of walkthroughs; every step shows its text or its picture. */

@@ -1,6 +1,6 @@
 import * as vscode from 'vscode';
-import type { Programs } from './programs';
-import type { panel } from './protocol';
+import type { Programs } from '../programs';
+import type { panel } from '../protocol';
 
 interface Entry extends vscode.QuickPickItem {
   name?: string;

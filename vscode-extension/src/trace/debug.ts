@@ -1,8 +1,8 @@
 import * as vscode from 'vscode';
 import { chooseTrace } from './choose_trace';
-import type { Client } from './client';
-import { currentText } from './places';
-import type { Programs } from './programs';
+import type { Client } from '../client';
+import { currentText } from '../places';
+import type { Programs } from '../programs';
 
 /** A configuration of `launch.json`; see docs/vscode.md. */
 interface Launch extends vscode.DebugConfiguration {

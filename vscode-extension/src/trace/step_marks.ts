@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
-import { decimal } from '../../panel/src/model/time';
-import { rangeOf, sameUri } from './places';
-import type { panel } from './protocol';
+import { decimal } from '../../../panel/src/model/time';
+import { rangeOf, sameUri } from '../places';
+import type { panel } from '../protocol';
 
 /** The current step of a trace in the editors: its range, and the values that it leaves. */
 export class StepMarks implements vscode.Disposable {

@@ -1,14 +1,14 @@
 import * as vscode from 'vscode';
 import { chooseTrace } from './choose_trace';
-import type { Client } from './client';
-import type { FiacreView } from './model';
-import { PanelHost } from './panel_host';
-import { currentText } from './places';
-import type { Programs } from './programs';
-import type { panel } from './protocol';
+import type { Client } from '../client';
+import type { FiacreView } from '../model';
+import { PanelHost } from '../panel_host';
+import { currentText } from '../places';
+import type { Programs } from '../programs';
+import type { panel } from '../protocol';
 import { StepMarks } from './step_marks';
 import { readTrace } from './trace_file';
-import type { Typing } from './typing';
+import type { Typing } from '../typing';
 
 /** The trace view: one for each window; the editors and the Fiacre text go with its current step. */
 export class TraceView implements vscode.Disposable {

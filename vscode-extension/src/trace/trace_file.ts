@@ -1,9 +1,9 @@
 import { existsSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import * as vscode from 'vscode';
-import { open } from '../../panel/src/model/parse';
-import { currentText } from './places';
-import type { panel } from './protocol';
+import { open } from '../../../panel/src/model/parse';
+import { currentText } from '../places';
+import type { panel } from '../protocol';
 
 interface Read {
   trace: panel.Trace;
