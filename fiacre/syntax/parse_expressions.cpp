@@ -23,9 +23,6 @@ const std::array<std::vector<Operator>, 6> kLevels{{
     {{"*", Op::Multiply}, {"/", Op::Divide}, {"%", Op::Modulo}},
 }};
 
-/// What associates to the left is as deep as it is long, and the stack bounds that.
-constexpr std::size_t kLongestChain = 5'000;
-
 constexpr auto kPrefixes = std::to_array<Operator>({{"not", Op::Not},
                                                     {"-", Op::Negate},
                                                     {"$", Op::Coerce},
@@ -40,25 +37,33 @@ Expr Parser::expr() {
   const Deeper deeper(*this);
   Expr condition = binary(0);
   if (!accept("?")) return condition;
+  Height height(*this);
+  height.addPart();
   Expr result{.kind = ExprKind::Conditional};
   result.operands.push_back(std::move(condition));
   result.operands.push_back(expr());
+  height.addPart();
   expect(":");
   result.operands.push_back(expr());
+  height.addPart();
+  height.addNode();
   return result;
 }
 
 Expr Parser::binary(std::size_t level) {
   if (level == kLevels.size()) return prefix();
   Expr left = binary(level + 1);
-  for (std::size_t length = 0;; ++length) {
+  Height height(*this);
+  for (;;) {
+    height.addPart();
     const Operator* found = nullptr;
     for (const auto& each : kLevels[level])
       if (isAt(each.first)) found = &each;
     if (!found) return left;
-    if (length == kLongestChain) fail("this expression has too many operators in a row");
     ++at;
     Expr right = binary(level + 1);
+    height.addPart();
+    height.addNode();
     left = Expr{.kind = ExprKind::Binary,
                 .op = found->second,
                 .operands = operandsOf(std::move(left), std::move(right))};
@@ -70,6 +75,9 @@ Expr Parser::prefix() {
   for (const auto& [word, op] : kPrefixes) {
     if (!accept(word)) continue;
     Expr operand = prefix();
+    Height height(*this);
+    height.addPart();
+    height.addNode();
     if (op == Op::Negate && operand.kind == ExprKind::Number && operand.number > 0) {
       operand.number = -operand.number;
       return operand;
@@ -81,8 +89,9 @@ Expr Parser::prefix() {
 
 Expr Parser::postfix() {
   Expr result = primary();
-  for (std::size_t length = 0;; ++length) {
-    if (length == kLongestChain) fail("this expression has too many operators in a row");
+  Height height(*this);
+  for (;; height.addNode()) {
+    height.addPart();
     if (constantsOnly) return result;
     if (accept(".")) {
       result = Expr{.kind = ExprKind::Field,
@@ -101,6 +110,7 @@ Expr Parser::postfix() {
 }
 
 Expr Parser::primary() {
+  height = 0;
   if (peek().kind == TokenKind::Number) return number();
   if (accept("true")) return {.kind = ExprKind::Bool, .number = 1};
   if (accept("false")) return {.kind = ExprKind::Bool, .number = 0};
@@ -137,12 +147,15 @@ Expr Parser::parenthesised() {
 
 Expr Parser::record() {
   Expr result{.kind = ExprKind::Record};
+  Height height(*this);
   do {
     result.fields.push_back(name("the name of a field", NameKind::Field));
     expect("=");
     result.operands.push_back(expr());
+    height.addPart();
   } while (accept(","));
   expect("}");
+  height.addNode();
   return result;
 }
 
@@ -151,11 +164,17 @@ Expr Parser::call(const std::string& callee) {
   return {.kind = ExprKind::Construct, .name = callee, .operands = exprs(")")};
 }
 
-/// Up to the closing sign; none is fine.
+/// The operands of a node, up to the closing sign; none is fine.
 std::vector<Expr> Parser::exprs(std::string_view close) {
   if (accept(close)) return {};
-  auto all = list(",", [&] { return expr(); });
+  Height height(*this);
+  auto all = list(",", [&] {
+    Expr operand = expr();
+    height.addPart();
+    return operand;
+  });
   expect(close);
+  height.addNode();
   return all;
 }
 

@@ -67,6 +67,33 @@ std::optional<Ltl> ofRuns(const Pattern& pattern) {
   std::unreachable();
 }
 
+/// The levels and the nodes of a tree of formulas.
+struct Extent {
+  std::size_t height = 0;
+  std::size_t nodes = 1;
+
+  void addPart(const Extent& part) {
+    height = std::max(height, part.height + 1);
+    nodes += part.nodes;
+  }
+};
+
+Extent extentOf(const Observable& observable) {
+  Extent result;
+  for (const auto& operand : observable.operands) result.addPart(extentOf(operand));
+  return result;
+}
+
+Extent extentOf(const Ltl& formula) {
+  Extent result = extentOf(formula.atom);
+  for (const auto& operand : formula.operands) result.addPart(extentOf(operand));
+  return result;
+}
+
+/// Nodes of formulas that stand in a text by their names. Each use is a copy, and names of names
+/// could make it grow without end.
+constexpr std::size_t kMostNamed = 200'000;
+
 } // namespace
 
 Ltl Parser::formula() {
@@ -78,31 +105,52 @@ Ltl Parser::formula() {
 Ltl Parser::formulaChain(std::size_t level) {
   if (level == kConnectives.size()) return formulaUntil();
   const auto& connective = kConnectives[level];
-  std::vector<Ltl> operands{formulaChain(level + 1)};
+  Height height(*this);
+  auto operands = operandsOf(formulaChain(level + 1));
+  height.addPart();
   const bool toTheRight = connective.ltl == LtlKind::Implies;
   while (connective.word != separator && accept(connective.word)) {
+    const Deeper deeper(*this);
     operands.push_back(formulaChain(toTheRight ? level : level + 1));
+    height.addPart();
     if (toTheRight) break;
   }
-  return operands.size() == 1 ? std::move(operands[0]) : joined(connective, std::move(operands));
+  if (operands.size() == 1) return std::move(operands[0]);
+  height.addNode();
+  return joined(connective, std::move(operands));
 }
 
 /// `a until b until c` is `a until (b until c)`; `a release b` is `not (not a until not b)`.
 Ltl Parser::formulaUntil() {
+  Height height(*this);
   Ltl left = formulaPrefix();
-  if (separator != "until" && (accept("until") || accept("U")))
-    return of(LtlKind::Until, {std::move(left), formulaUntil()});
-  if (accept("release"))
-    return negated(of(LtlKind::Until, {negated(std::move(left)), negated(formulaUntil())}));
-  return left;
+  height.addPart();
+  const bool until = separator != "until" && (accept("until") || accept("U"));
+  if (!until && !accept("release")) return left;
+  const Deeper deeper(*this);
+  Ltl right = formulaUntil();
+  height.addPart();
+  height.addNode();
+  if (until) return of(LtlKind::Until, operandsOf(std::move(left), std::move(right)));
+  height.addNode();
+  height.addNode();
+  return negated(
+      of(LtlKind::Until, operandsOf(negated(std::move(left)), negated(std::move(right)))));
 }
 
 Ltl Parser::formulaPrefix() {
   const Deeper deeper(*this);
-  if (accept("not")) return negated(formulaPrefix());
+  const auto operand = [&] {
+    Height above(*this);
+    Ltl read = formulaPrefix();
+    above.addPart();
+    above.addNode();
+    return read;
+  };
+  if (accept("not")) return negated(operand());
   const auto temporal = [&](LtlKind kind, std::size_t tokens) {
     at += tokens;
-    return Ltl{.kind = kind, .operands = operandsOf(formulaPrefix())};
+    return Ltl{.kind = kind, .operands = operandsOf(operand())};
   };
   if (isAtPair("[", "]")) return temporal(LtlKind::Globally, 2);
   if (isAtPair("(", ")")) return temporal(LtlKind::Next, 2);
@@ -110,7 +158,7 @@ Ltl Parser::formulaPrefix() {
   for (auto [word, kind] :
        {std::pair{"enter", ObservableKind::Enter}, {"leave", ObservableKind::Leave}}) {
     if (!accept(word)) continue;
-    Ltl inner = formulaPrefix();
+    Ltl inner = operand();
     if (!isAtom(inner)) fail(fmt::format("`{}` takes no formula of time", word));
     return {.kind = LtlKind::Atom,
             .atom = {.kind = kind, .operands = operandsOf(std::move(inner.atom))}};
@@ -133,12 +181,21 @@ Ltl Parser::formulaPrimary() {
   if (isAtName() && !isAt("/", 1)) {
     if (const auto named = formulas.find(peek().text); named != formulas.end()) {
       mention(NameKind::Property);
-      ++at;
-      return named->second;
+      return namedFormula(named->second);
     }
     fail(fmt::format("`{}` is the name of no formula; a path begins `NAME/`", peek().text));
   }
   return {.kind = LtlKind::Atom, .atom = atom()};
+}
+
+/// \pre a name is at hand; it is read, too
+Ltl Parser::namedFormula(const Ltl& formula) {
+  const auto [levels, nodes] = extentOf(formula);
+  copied += nodes;
+  if (copied > kMostNamed) fail("the formulas that are used by their names become too large");
+  ++at;
+  height = levels;
+  return formula;
 }
 
 /// A formula of one moment.
@@ -178,6 +235,7 @@ std::optional<std::uint32_t> Parser::step() {
 
 /// `main/1/2/state idle`
 Observable Parser::atom() {
+  height = 0;
   const Token first = peek();
   Observable result;
   result.observer = name("a path such as `main/1/state idle`", NameKind::Component);
@@ -239,7 +297,10 @@ Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
   const Pattern read = begun ? betweenTwo(momentary(std::move(*begun), first)) : pattern();
   joinsPatterns = outside;
   hasPatterns = true;
-  if (auto formula = ofRuns(read)) return *formula;
+  if (auto formula = ofRuns(read)) {
+    height += 3; // which it has at most above its operands
+    return *formula;
+  }
   report("this pattern is not joined to others: assert it by itself, or write it as `ltl`", first);
   throw CannotRead();
 }

@@ -136,6 +136,7 @@ private:
   Ltl formulaUntil();
   Ltl formulaPrefix();
   Ltl formulaPrimary();
+  Ltl namedFormula(const Ltl& formula);
   Observable observable();
   Observable observableUpTo(std::string_view word);
   Observable momentary(Ltl formula, const Token& first);
@@ -144,12 +145,15 @@ private:
 
   /// Counts how deep constructs are within each other, which the stack bounds.
   class Deeper;
+  /// The height of a tree from those of its parts.
+  class Height;
   class Within;
 
   std::string_view text;
   std::vector<Token> tokens;
   std::size_t at = 0;
   std::size_t depth = 0;
+  std::size_t height = 0;     ///< of the expression or formula that was read last; 0: a leaf
   bool constantsOnly = false; ///< a `[` ends an interval's bound, and indexes nothing
   Parsed parsed;
   std::uint32_t path = 0; ///< of the atom that is read
@@ -162,6 +166,7 @@ private:
   std::map<std::string, Port, std::less<>> channels;
   /// Formulas that are properties by themselves; others name them.
   std::map<std::string, Ltl, std::less<>> formulas;
+  std::size_t copied = 0;                           ///< nodes of those that others named
   std::vector<std::pair<std::string, Token>> paths; ///< names that paths begin with
 };
 
@@ -184,6 +189,19 @@ public:
 
 private:
   Parser& parser;
+};
+
+class Parser::Height {
+public:
+  explicit Height(Parser& in) : parser(in) {}
+  /// The tree that was read last is a part.
+  void addPart() { tallest = std::max(tallest, parser.height); }
+  /// The parts so far are below one node, which may become a part in turn.
+  void addNode();
+
+private:
+  Parser& parser;
+  std::size_t tallest = 0;
 };
 
 /// While it lives, names are looked for where a path leads.

@@ -131,3 +131,87 @@ TEST_CASE(
   CHECK(soon({"check", "--format", "short", files.write("chain.fcr", chain)})
             .out.find("too many operators in a row") != std::string::npos);
 }
+
+namespace {
+
+/// A model of one step and one property.
+std::string modelOf(const std::string& statement, const std::string& property) {
+  return "process p is\nstates s0, s1\nvar x : nat := 0, b : bool := false\nfrom s0 " + statement +
+         "; to s1\ncomponent main is par p end\n" +
+         (property.empty() ? "" : "property q is " + property + "\n") + "main\n";
+}
+
+std::string times(std::size_t count, const std::string& part) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += part;
+  return text;
+}
+
+/// Chains of operators within chains: `deep` of them, each `long` operators.
+std::string chains(std::size_t deep, std::size_t length, const std::string& operand,
+                   const std::string& sign) {
+  return times(deep, "(") + operand + times(deep, times(length, sign + operand) + ")");
+}
+
+/// Expressions and formulas, each higher by one with each of `count` operators.
+std::vector<std::string> towers(std::size_t count) {
+  const std::string here = "(main/1/state s0)";
+  std::string named = "property q0 is ltl " + here + "\n";
+  for (std::size_t i = 1; i < std::min<std::size_t>(count, 600); ++i)
+    named += "property q" + std::to_string(i) + " is ltl [] q" + std::to_string(i - 1) + "\n";
+  return {modelOf("x := " + chains(1, count, "x", " + "), ""),
+          modelOf("x := " + chains(count / 10, 10, "x", " + "), ""),
+          modelOf("on " + chains(1, count, "b", " and "), ""),
+          modelOf("b := " + times(count / 2, "not ") + "b", ""),
+          modelOf("x := " + times(count / 10, "(1 + ") + "x" + times(count / 10, ")"), ""),
+          modelOf("x := 0", "absent (main/1/value x" + times(count, " + 1") + " = 3)"),
+          modelOf("x := 0", "ltl " + times(count / 2, here + " => ") + here),
+          modelOf("x := 0", "ltl " + times(count / 2, here + " until ") + here),
+          modelOf("x := 0", "ltl " + times(count / 2, here + " release ") + here),
+          modelOf("x := 0", "ltl " + times(count / 2, "[] ") + here),
+          modelOf("x := 0", "") + named,
+          "const c : int is " + chains(1, count, "1", " + ") + "\n" + modelOf("x := 0", "")};
+}
+
+/// On threads' and the main thread's stack as most systems have it.
+Finished onUsualStack(const std::string& command, const std::string& path) {
+  return test::run(
+      {"/bin/sh", "-c",
+       "ulimit -s 8192; exec timeout 60 " PROSKILL_PROGRAM " " + command + " " + path});
+}
+
+} // namespace
+
+TEST_CASE("an expression of any height is read within the stack, or refused with a place") {
+  const test::TemporaryDirectory files;
+  for (const std::size_t count : {1'900, 2'100, 100'000})
+    for (const auto& text : towers(count)) {
+      INFO(count << " in " << text.substr(0, 200));
+      const auto path = files.write("tower.fcr", text);
+      for (const char* command : {"check", "fmt --check", "verify --time-limit 1"})
+        CHECK(onUsualStack(command, path).exitCode <= 3);
+    }
+}
+
+TEST_CASE("long chains within each other are as high as they are together") {
+  const test::TemporaryDirectory files;
+  for (const std::size_t deep : {4, 40, 200}) {
+    const auto path =
+        files.write("chains.fcr", modelOf("x := " + chains(deep, 999, "x", " + "), ""));
+    const auto done = onUsualStack("check --format short", path);
+    CHECK(done.exitCode == 1);
+    CHECK(done.out.find("too many operators in a row") != std::string::npos);
+  }
+}
+
+TEST_CASE("formulas that are named cannot double without end") {
+  const test::TemporaryDirectory files;
+  std::string text = modelOf("x := 0", "") + "property q0 is ltl (main/1/state s0)\n";
+  for (int i = 1; i < 60; ++i) {
+    const auto before = "q" + std::to_string(i - 1);
+    text += "property q" + std::to_string(i) + " is ltl " + before + " and " + before + "\n";
+  }
+  const auto done = onUsualStack("check --format short", files.write("double.fcr", text));
+  CHECK(done.exitCode == 1);
+  CHECK(done.out.find("become too large") != std::string::npos);
+}
