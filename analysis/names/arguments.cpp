@@ -51,6 +51,8 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::And:
   case ExprKind::Or:
   case ExprKind::Not:
+  case ExprKind::Implies:
+  case ExprKind::Equivalent:
   case ExprKind::Add:
   case ExprKind::Subtract:
   case ExprKind::Running:
@@ -62,8 +64,7 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until:
-  case ExprKind::Implies: break;
+  case ExprKind::Until: break;
   }
   context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
   return {};

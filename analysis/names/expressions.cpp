@@ -36,11 +36,12 @@ void Expressions::condition(const Expr& expr) {
   case ExprKind::And:
   case ExprKind::Or:
   case ExprKind::Not:
+  case ExprKind::Implies:
+  case ExprKind::Equivalent:
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
   case ExprKind::Until:
-  case ExprKind::Implies:
     for (const Expr& each : expr.operands) condition(each);
     return;
   case ExprKind::Test: return test(expr);
@@ -151,6 +152,8 @@ Type Expressions::operand(const Expr& expr, Type expected) {
   case ExprKind::And:
   case ExprKind::Or:
   case ExprKind::Not:
+  case ExprKind::Implies:
+  case ExprKind::Equivalent:
   case ExprKind::Running:
   case ExprKind::Called:
   case ExprKind::Ended:
@@ -160,8 +163,7 @@ Type Expressions::operand(const Expr& expr, Type expected) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until:
-  case ExprKind::Implies: condition(expr); return {TypeKind::Boolean, kNoSymbol};
+  case ExprKind::Until: condition(expr); return {TypeKind::Boolean, kNoSymbol};
   }
   std::unreachable();
 }

@@ -82,6 +82,7 @@ Observable Observer::condition(const syntax::Expr& expr) {
   case ExprKind::Or: return compound(ObservableKind::Or, expr);
   case ExprKind::Not: return compound(ObservableKind::Not, expr);
   case ExprKind::Implies: return compound(ObservableKind::Implies, expr);
+  case ExprKind::Equivalent: return bothWays(expr);
   case ExprKind::Running: return running(expr.name.text);
   case ExprKind::Called: return called(expr.name.text);
   case ExprKind::Ended: return ended(expr);
@@ -119,6 +120,21 @@ Observable Observer::event(std::string_view name) const {
   observable.kind = ObservableKind::Event;
   observable.name = context.names.event(name);
   return observable;
+}
+
+Observable Observer::bothWays(const syntax::Expr& equivalence) {
+  const auto& a = equivalence.operands[0];
+  const auto& b = equivalence.operands[1];
+  const auto implies = [this](const syntax::Expr& from, const syntax::Expr& to) {
+    Observable one;
+    one.kind = ObservableKind::Implies;
+    one.operands = {condition(from), condition(to)};
+    return one;
+  };
+  Observable both;
+  both.kind = ObservableKind::And;
+  both.operands = {implies(a, b), implies(b, a)};
+  return both;
 }
 
 Observable Observer::compound(ObservableKind kind, const syntax::Expr& expr) {

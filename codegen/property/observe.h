@@ -20,6 +20,7 @@ public:
   [[nodiscard]] bool hasTag(const std::string& tag) const { return tags.contains(tag); }
 
 private:
+  [[nodiscard]] fiacre::Observable bothWays(const syntax::Expr& equivalence);
   [[nodiscard]] fiacre::Observable compound(fiacre::ObservableKind kind, const syntax::Expr& expr);
   [[nodiscard]] fiacre::Observable event(std::string_view name) const;
   [[nodiscard]] fiacre::Observable running(std::string_view skill) const;

@@ -40,6 +40,7 @@ LtlKind kindOf(ExprKind kind) {
   case ExprKind::And: return LtlKind::And;
   case ExprKind::Or: return LtlKind::Or;
   case ExprKind::Implies: return LtlKind::Implies;
+  case ExprKind::Equivalent: return LtlKind::And; // of both implications
   case ExprKind::Missing:
   case ExprKind::True:
   case ExprKind::False:
@@ -75,6 +76,16 @@ bool isTemporal(const syntax::Expr& expr) {
          std::ranges::any_of(expr.operands, isTemporal);
 }
 
+std::vector<fiacre::Ltl> bothWays(std::vector<fiacre::Ltl> sides) {
+  fiacre::Ltl there;
+  there.kind = LtlKind::Implies;
+  there.operands = sides;
+  fiacre::Ltl back;
+  back.kind = LtlKind::Implies;
+  back.operands = {std::move(sides[1]), std::move(sides[0])};
+  return {std::move(there), std::move(back)};
+}
+
 fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
   fiacre::Ltl ltl;
   if (!isTemporal(expr)) {
@@ -83,6 +94,7 @@ fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
   }
   ltl.kind = kindOf(expr.kind);
   for (const auto& operand : expr.operands) ltl.operands.push_back(formula(observer, operand));
+  if (expr.kind == ExprKind::Equivalent) ltl.operands = bothWays(std::move(ltl.operands));
   return ltl;
 }
 

@@ -133,6 +133,8 @@ fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
   case ExprKind::Implies:
     return disjunction(
         {negation(condition(context, expr.operands[0])), condition(context, expr.operands[1])});
+  case ExprKind::Equivalent:
+    return equal(condition(context, expr.operands[0]), condition(context, expr.operands[1]));
   case ExprKind::Test:
   case ExprKind::Value: return hasValue(context, expr.name, expr.operands[0]);
   case ExprKind::Equal: return equality(context, expr.operands[0], expr.operands[1]);

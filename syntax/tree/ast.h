@@ -50,6 +50,8 @@ enum class ExprKind : std::uint8_t {
   And,
   Or,
   Not,
+  Implies,
+  Equivalent,
   Add,
   Subtract,
   // In properties only.
@@ -63,7 +65,6 @@ enum class ExprKind : std::uint8_t {
   Finally,
   Next,
   Until,
-  Implies,
 };
 
 /// A condition, a value, or an argument.

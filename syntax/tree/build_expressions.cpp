@@ -22,13 +22,14 @@ Arity arityOf(ExprKind kind) {
   case ExprKind::And:
   case ExprKind::Or: return {1, kAny, "at least one condition"};
   case ExprKind::Not: return {1, 1, "one condition"};
+  case ExprKind::Implies:
+  case ExprKind::Equivalent: return {2, 2, "two conditions"};
   case ExprKind::Add:
   case ExprKind::Subtract: return {2, kAny, "two or more numbers"};
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next: return {1, 1, "one formula"};
-  case ExprKind::Until:
-  case ExprKind::Implies: return {2, 2, "two formulas"};
+  case ExprKind::Until: return {2, 2, "two formulas"};
   default: return {2, 2, "two operands"};
   }
 }
@@ -42,12 +43,13 @@ ExprKind kindOfOperator(const Node& node, std::string_view head) {
   case NodeKind::Conjunction: return ExprKind::And;
   case NodeKind::Disjunction: return ExprKind::Or;
   case NodeKind::Negation: return ExprKind::Not;
+  case NodeKind::Implication: return ExprKind::Implies;
+  case NodeKind::Equivalence: return ExprKind::Equivalent;
   case NodeKind::Arithmetic: return head == "+" ? ExprKind::Add : ExprKind::Subtract;
   case NodeKind::Globally: return ExprKind::Globally;
   case NodeKind::Finally: return ExprKind::Finally;
   case NodeKind::Next: return ExprKind::Next;
   case NodeKind::Until: return ExprKind::Until;
-  case NodeKind::Implication: return ExprKind::Implies;
   default: break;
   }
   if (head == "=") return ExprKind::Equal;
@@ -133,7 +135,8 @@ std::string_view hintFor(std::string_view head) {
   if (head == "||") return "write `(or ...)`";
   if (head == "!") return "write `(not ...)`";
   if (head == "=<") return "write `<=`";
-  if (head == "=>" || head == "->") return "write `(or (not a) b)` for an implication";
+  if (head == "->" || head == "implies") return "write `(=> a b)` for an implication";
+  if (head == "<->" || head == "iff") return "write `(<=> a b)` for an equivalence";
   return "it begins with no operator and no name";
 }
 
@@ -184,12 +187,13 @@ Expr expressionOf(Builder& builder, const Node& node, Context context) {
   case NodeKind::Conjunction:
   case NodeKind::Disjunction:
   case NodeKind::Negation:
+  case NodeKind::Implication:
+  case NodeKind::Equivalence:
   case NodeKind::Arithmetic:
   case NodeKind::Globally:
   case NodeKind::Finally:
   case NodeKind::Next:
-  case NodeKind::Until:
-  case NodeKind::Implication: readOperation(builder, node, expression, context); break;
+  case NodeKind::Until: readOperation(builder, node, expression, context); break;
   case NodeKind::Running: readObservation(builder, node, expression, ExprKind::Running); break;
   case NodeKind::Called: readObservation(builder, node, expression, ExprKind::Called); break;
   case NodeKind::Ended: readObservation(builder, node, expression, ExprKind::Ended); break;

@@ -28,6 +28,7 @@ bool Look::holds(const Expr& condition, int thread) const {
   case ExprKind::Or: return std::ranges::any_of(parts, part);
   case ExprKind::Not: return !part(parts[0]);
   case ExprKind::Implies: return !part(parts[0]) || part(parts[1]);
+  case ExprKind::Equivalent: return part(parts[0]) == part(parts[1]);
   case ExprKind::Test:
   case ExprKind::Value: return hasValue(condition.name.text, parts[0]);
   case ExprKind::Equal: return equal(parts[0], parts[1], thread);

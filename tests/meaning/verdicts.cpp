@@ -84,6 +84,7 @@ bool Verdicts::isTrueAt(const syntax::Expr& wish, const Situation& now,
   case ExprKind::Or: return std::ranges::any_of(parts, part);
   case ExprKind::Not: return !part(parts[0]);
   case ExprKind::Implies: return !part(parts[0]) || part(parts[1]);
+  case ExprKind::Equivalent: return part(parts[0]) == part(parts[1]);
   case ExprKind::Running: return isKnown && stateOf().phase == Phase::Running;
   case ExprKind::Called: return isKnown && stateOf().caller != kNobody;
   case ExprKind::Ended:

@@ -213,7 +213,7 @@ Form Phrases::observation() {
 Form Phrases::connect(bool widened, std::size_t depth) {
   auto part = [&] { return widened ? proposition(depth - 1) : condition(depth - 1); };
   if (random.chance(35)) return {random.chance(50) ? "not" : "~", part()};
-  static const std::vector<std::string> operators{"and", "&", "or", "|"};
+  static const std::vector<std::string> operators{"and", "&", "or", "|", "=>", "<=>"};
   return {random.pick(operators), part(), part()};
 }
 

@@ -51,6 +51,14 @@ TEST_CASE("connectives in words and in signs") {
   CHECK(Condition("(~ (a B))")->head.text == "~");
 }
 
+TEST_CASE("implication and equivalence stand in all conditions") {
+  CHECK(Condition("(=> (a B) (c D))")->kind == ExprKind::Implies);
+  CHECK(Condition("(<=> (a B) (c D))")->kind == ExprKind::Equivalent);
+  CHECK(Condition("(=> (a B) (c D))").codes() == "");
+  CHECK(Condition("(=> (a B))").codes() == "PS0118");
+  CHECK(Condition("(<=> (a B) (c D) true)").codes() == "PS0118");
+}
+
 TEST_CASE("comparisons and sums") {
   CHECK(Condition("(= a b)")->kind == ExprKind::Equal);
   CHECK(Condition("(/= a b)")->kind == ExprKind::NotEqual);

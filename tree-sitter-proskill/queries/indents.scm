@@ -76,6 +76,8 @@
   (conjunction)
   (disjunction)
   (negation)
+  (implication)
+  (equivalence)
   (arithmetic)
   (always)
   (never)
@@ -90,7 +92,6 @@
   (finally)
   (next)
   (until)
-  (implication)
 ] @indent.align
 
 ; Lists.

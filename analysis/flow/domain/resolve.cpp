@@ -185,6 +185,11 @@ Condition Resolver::connective(Condition::Kind kind, const Expr& expr, const Slo
   return result;
 }
 
+Condition Resolver::implication(const Expr& from, const Expr& to, const Slots& slots) const {
+  Condition fails{.kind = Condition::Kind::Not, .operands = {condition(from, slots)}};
+  return {.kind = Condition::Kind::Or, .operands = {std::move(fails), condition(to, slots)}};
+}
+
 Condition Resolver::condition(const Expr& expr, const Slots& slots) const {
   if (auto comparison = comparisonOf(expr.kind)) {
     if (expr.operands.size() != 2) return {};
@@ -203,6 +208,14 @@ Condition Resolver::condition(const Expr& expr, const Slots& slots) const {
   case ExprKind::Not:
     if (expr.operands.size() != 1) return {};
     return connective(Condition::Kind::Not, expr, slots);
+  case ExprKind::Implies:
+    if (expr.operands.size() != 2) return {};
+    return implication(expr.operands[0], expr.operands[1], slots);
+  case ExprKind::Equivalent:
+    if (expr.operands.size() != 2) return {};
+    return {.kind = Condition::Kind::And,
+            .operands = {implication(expr.operands[0], expr.operands[1], slots),
+                         implication(expr.operands[1], expr.operands[0], slots)}};
   case ExprKind::Missing:
   case ExprKind::Number:
   case ExprKind::Symbol:
@@ -226,8 +239,7 @@ Condition Resolver::condition(const Expr& expr, const Slots& slots) const {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until:
-  case ExprKind::Implies: return {};
+  case ExprKind::Until: return {};
   }
   std::unreachable();
 }

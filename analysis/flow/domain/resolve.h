@@ -28,6 +28,8 @@ private:
   [[nodiscard]] Term term(const syntax::Expr& expr, const Domain* beside, const Slots& slots) const;
   [[nodiscard]] Condition compare(Comparison comparison, const syntax::Expr& left,
                                   const syntax::Expr& right, const Slots& slots) const;
+  [[nodiscard]] Condition implication(const syntax::Expr& from, const syntax::Expr& to,
+                                      const Slots& slots) const;
   [[nodiscard]] Condition connective(Condition::Kind kind, const syntax::Expr& expr,
                                      const Slots& slots) const;
 
