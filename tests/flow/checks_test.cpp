@@ -185,6 +185,30 @@ TEST_CASE("Loops with known counts take as long as all their rounds") {
   CHECK(told("[4,8]").empty());
 }
 
+TEST_CASE("A skill that is stopped earlier is not told that it never ends in time") {
+  const std::string mission = "(defskill m :body ((a)))";
+  const std::string body = " :time_interval [0,60] :body ((^ 100)))";
+  CHECK(codes("(defskill a" + body + mission) == "PS1002");
+  CHECK(codes("(defskill a :interrupt ()" + body + mission) == "PS1003");
+  CHECK(codes("(defsv v :states (A B) :init A) (defevent e :effects (v B))"
+              "(defskill a :invariant (i (:guard (v A)))" +
+              body + mission) == "PS1003");
+}
+
+TEST_CASE("What can never hold says whether it is so by itself") {
+  const auto told = [](const std::string& guards) {
+    const std::string text = "(defsv v :states (A B) :init A)(defevent e :effects (v B))"
+                             "(defevent f :effects (v A))(defskill a :invariant (" +
+                             guards + ") :action (a)) (defskill m :body ((a)))";
+    for (const auto& it : analysis::flow::inspect(test::programOfText(text), {}))
+      if (it.code == syntax::Code::ContradictoryInvariants) return it.message;
+    return std::string();
+  };
+  CHECK(told("i (:guard (and (v A) (v B)))") == "the invariant `i` of `a` can never hold");
+  CHECK(told("i (:guard (v A)) j (:guard (v B))") ==
+        "the invariant `j` of `a` can never hold together with those before it");
+}
+
 TEST_CASE("A count that somebody else changes is not known") {
   const std::string mission =
       "(defskill m :time_interval [1,3] :body ((while (< n 4) (^ 2) (set (n 4)))))";

@@ -37,9 +37,11 @@ bool reportConflict(Report& report, Code code, const Definition<syntax::Skill>& 
                     const std::vector<Condition>& conditions) {
   std::size_t conflict = firstConflict(state, conditions);
   if (conflict == conditions.size()) return false;
+  const bool alone = !mayHold(state, conditions[conflict]);
+  const std::string_view together = alone ? "" : " together with those before it";
   Finding finding = report.findings.report(code, skill.at(parts[conflict].range),
-                                           parts[conflict].tag.text, skill.name());
-  if (!mayHold(state, conditions[conflict])) return true;
+                                           parts[conflict].tag.text, skill.name(), together);
+  if (alone) return true;
   for (std::size_t i = 0; i < conflict; ++i)
     finding.related(skill.at(parts[i].range), "does not go together with this one");
   return true;

@@ -75,11 +75,11 @@ void Durations::compute(ProcessId process) {
 }
 
 /// Its callee may be refused, stopped, or fail an invariant at any time.
-bool Durations::mayEndEarly(ProcessId callee) const {
-  if (solver.mayBeInterrupted(callee)) return true;
-  const Graph& graph = *system[callee].graph;
+bool Durations::mayEndEarly(ProcessId skill) const {
+  if (solver.mayBeInterrupted(skill)) return true;
+  const Graph& graph = *system[skill].graph;
   for (NodeId node = 0; node < graph.nodes.size(); ++node)
-    if (graph[node].kind == NodeKind::InvariantFailure && solver.reachable(callee, node))
+    if (graph[node].kind == NodeKind::InvariantFailure && solver.reachable(skill, node))
       return true;
   return false;
 }

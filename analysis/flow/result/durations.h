@@ -27,6 +27,8 @@ public:
   /// From the start to the end of a process in runs that nobody stops; nothing where it cannot end.
   /// `least` is never too large; `most` is never too small, over stopped runs too.
   [[nodiscard]] std::optional<Duration> of(ProcessId process);
+  /// Somebody may interrupt it, or a guard of its own may fail.
+  [[nodiscard]] bool mayEndEarly(ProcessId skill) const;
   /// Once at a node: until it goes on.
   [[nodiscard]] Duration ofNode(ProcessId process, NodeId node);
 
@@ -37,7 +39,6 @@ private:
   [[nodiscard]] bool isReady(ProcessId process, std::vector<ProcessId>& needed) const;
   [[nodiscard]] Duration ofCall(ProcessId process, NodeId node);
   [[nodiscard]] Duration ofFork(ProcessId process, NodeId node);
-  [[nodiscard]] bool mayEndEarly(ProcessId callee) const;
   [[nodiscard]] bool mayBeAwaited(ProcessId caller, ProcessId callee) const;
   [[nodiscard]] static Date earliestEnd(const Unrolled& ways, const std::vector<Duration>& times);
   [[nodiscard]] static Date latestExit(const Unrolled& ways, const std::vector<Duration>& times);
