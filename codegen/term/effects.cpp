@@ -36,10 +36,12 @@ fiacre::Expr forbiddenMove(Context& context, const syntax::StateVariable& variab
 Assignment enumerationAssignment(Context& context, const syntax::Effect& effect,
                                  const syntax::StateVariable& variable) {
   const auto word = effect.value.name.text;
-  const bool isSeen =
-      context.options.automata == StateVariableAutomata::Exact && word != variable.name.text;
+  // A value may be called as its variable is; else that name is the value that there is already.
+  const bool isValue =
+      std::ranges::any_of(variable.states, [&](const auto& it) { return it.text == word; });
+  const bool isMove = context.options.automata == StateVariableAutomata::Exact && isValue;
   return {.effect = &effect,
-          .forbidden = isSeen ? forbiddenMove(context, variable, word) : boolean(false),
+          .forbidden = isMove ? forbiddenMove(context, variable, word) : boolean(false),
           .target = context.names.variable(variable.name.text),
           .value = enumerationValue(context, variable.name.text, word)};
 }

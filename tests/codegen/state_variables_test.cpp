@@ -135,6 +135,15 @@ TEST_CASE("effects are set at once: what is read is what was there before") {
              Contains("a := b;\n    b := 0;"));
 }
 
+TEST_CASE("a value may be called as its variable is, and moves to it are tested") {
+  const std::string door = "(defsv door :states (door Open Closed) :init Open"
+                           "  :transitions ((Open door) (door Closed)))";
+  const std::string mission = "(defskill m :body ((set (door Closed)) (set (door door))))";
+  CHECK(test::verdictsOf(door + mission).at("door.no_forbidden_transition") == "violated");
+  CHECK(test::verdictsOf(door + "(defskill m :body ((set (door door)) (set (door Closed))))")
+            .at("door.no_forbidden_transition") == "holds");
+}
+
 TEST_CASE("verdicts tell forbidden moves, exact and as the paper polls for them") {
   // Two moves at one instant: the polling automaton may see only where they lead.
   const std::string twoSteps = R"(

@@ -23,8 +23,9 @@ struct Tally {
 /// The first of each kind is shown, as small as can be.
 void note(Tally& tally, std::uint64_t seed, const std::string& kind,
           const std::vector<test::Form>& program) {
-  if (++tally.disagreements[kind] == 1)
-    UNSCOPED_INFO("seed " << seed << ", " << kind << "\n" << meaning::smallest(program, kLimit));
+  if (++tally.disagreements[kind] > 1) return;
+  WARN("seed " << seed << ", " << kind);
+  UNSCOPED_INFO("seed " << seed << ", " << kind << "\n" << meaning::smallest(program, kLimit));
 }
 
 /// `PROSKILL_MEANING_SEEDS=FIRST:COUNT` compares others than those of every day.

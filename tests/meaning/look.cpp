@@ -82,7 +82,8 @@ std::int64_t Look::stateOf(int variable, std::string_view word) const {
   for (std::size_t i = 0; i < states.size(); ++i)
     if (states[i].text == word) return static_cast<std::int64_t>(i);
   const int other = script.variable(word);
-  if (other == kNobody || other == variable) return -1;
+  if (other == variable) return now.values[variable];
+  if (other == kNobody) return -1;
   return stateOf(variable, script.variables[other]->states[now.values[other]].text);
 }
 

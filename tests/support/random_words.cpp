@@ -37,7 +37,18 @@ std::vector<std::string> tags(RandomSource& random, const std::string& stem, std
   std::vector<std::string> all;
   std::size_t count = random.below(atMost + 1);
   for (std::size_t i = 0; i < count; ++i) all.push_back(stem + std::to_string(i));
-  if (!all.empty() && random.chance(8)) all[0] = random.chance(50) ? "idle" : "start";
+  static const std::vector<std::string> awkward{"idle",       "start",
+                                                "success",    "failure",
+                                                "no_status",  "no_tag",
+                                                "None",       "root",
+                                                "stopped",    "int",
+                                                "nat",        "state",
+                                                "skill",      "interrupted",
+                                                "failed_inv", "return",
+                                                "main",       "_x",
+                                                "s0_idle",    "skill_none",
+                                                "over",       "most_general_caller"};
+  if (!all.empty() && random.chance(12)) all[0] = random.pick(awkward);
   return all;
 }
 
@@ -47,7 +58,11 @@ VariableWords enumeration(RandomSource& random, std::string name) {
   std::size_t count = 2 + random.below(2);
   std::size_t shift = random.below(2); // variables share some values
   for (std::size_t i = 0; i < count; ++i) variable.values.push_back(pool[i + shift]);
-  if (random.chance(8)) variable.values[0] = random.chance(50) ? "none" : "union";
+  static const std::vector<std::string> awkward{
+      "none", "union", "None",        "root",  "success", "no_result", "no_status", "failure",
+      "idle", "state", "interrupted", "skill", "start",   "int",       "double",    "v0",
+      "case", "dead",  "stopping",    "over",  "_x",      "ret_val",   "undershoot"};
+  if (random.chance(12)) variable.values[0] = random.pick(awkward);
   return variable;
 }
 
@@ -57,7 +72,9 @@ SkillWords skill(RandomSource& random, std::string name, const Words& words) {
   result.interruptible = random.chance(40);
   result.successes = tags(random, "done", 2);
   result.failures = tags(random, "broken", 2);
-  if (!result.failures.empty() && result.failures[0] == "start") result.failures[0] = "lost";
+  if (!result.failures.empty() && !result.successes.empty() &&
+      result.failures[0] == result.successes[0])
+    result.failures[0] = "lost";
   static const std::vector<std::string> types{"int", "nat", "float", "bool", "string"};
   while (random.chance(20)) {
     bool known = random.chance(20) && !words.variables.empty();
