@@ -3,6 +3,9 @@ import { equal, expect } from '../expect.mjs';
 import { choose, saved } from '../panel.mjs';
 
 const nodes = (frame) => frame.locator('.stage g.node').count();
+/** How many kinds of lines the boxes of the legend are drawn with. */
+const legendLines = (frame) => frame.locator('.stage g.graph > polygon:not(:first-of-type)').evaluateAll((boxes) =>
+  new Set(boxes.map((box) => getComputedStyle(box).stroke)).size);
 const folded = (frame) => frame.locator('.stage g.role-folded');
 const caretLine = async (page) => Number(await page.locator('.monaco-editor[data-uri$="drone.proskill"] .active-line-number').first().textContent());
 
@@ -97,6 +100,7 @@ export const scenarios = {
       await expect('a picture for this ground', () => frame.evaluate((wanted) =>
         document.documentElement.dataset.theme === wanted, name === 'light' ? 'light' : 'dark'));
       await expect('the picture', async () => (await nodes(frame)) > 10);
+      await expect('a legend whose boxes differ', async () => (await legendLines(frame)) > 4);
       await editor.picture(`themes-${name}`);
     }
     await editor.theme('Dark Modern');
