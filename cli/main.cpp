@@ -24,12 +24,29 @@
 #include <exception>
 #include <iostream>
 
+#include <fcntl.h>
+
 namespace {
 
 /// What sysexits.h calls EX_SOFTWARE: our own mistake, not the user's.
 constexpr int kInternalError = 70;
 constexpr int kOutOfMemory = 71; ///< EX_OSERR
 constexpr int kUsage = 2;
+
+/// What is closed at the beginning stays unusable: no file that is opened later gets its number,
+/// and with that what is printed, or is read as a client's messages.
+void occupyStandardDescriptors() {
+  for (int descriptor = 0; descriptor <= 2; ++descriptor)
+    if (fcntl(descriptor, F_GETFD) == -1)
+      (void)open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
+}
+
+/// An output that was lost is a failure of a command that has none otherwise.
+int checkOutput(int exitCode) {
+  std::cout.flush();
+  return std::cout || exitCode != 0 ? exitCode
+                                    : proskill::cli::fail("standard output cannot be written");
+}
 
 std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
   const auto* command = app;
@@ -66,6 +83,7 @@ int failUnknown(const CLI::App& app, const std::string& word) {
 
 int main(int argc, char** argv) {
   using namespace proskill::cli;
+  occupyStandardDescriptors();
   int exitCode = 0;
   CLI::App app{"Language tools and verifier for ProSkill, a language for the skills of robots",
                "proskill"};
@@ -82,7 +100,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kUsage;
+    return checkOutput(app.exit(error) == 0 ? 0 : kUsage);
   } catch (const std::bad_alloc&) {
     std::cerr << "error: out of memory; `--memory-limit` of `proskill verify` ends an exploration "
                  "before that, with what is decided by then\n";
@@ -91,5 +109,5 @@ int main(int argc, char** argv) {
     std::cerr << "proskill: internal error: " << error.what() << '\n';
     return kInternalError;
   }
-  return exitCode;
+  return checkOutput(exitCode);
 }
