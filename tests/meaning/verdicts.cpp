@@ -1,6 +1,7 @@
 #include "tests/meaning/verdicts.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace proskill::meaning {
 
@@ -60,12 +61,13 @@ std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
   case PropertyKind::Never:
   case PropertyKind::Absent:
   case PropertyKind::Reachable: return !sometimes(property.operands[0], true);
-  case PropertyKind::Present: return !canAvoid(property.operands[0]);
+  case PropertyKind::Present: return !avoiding(property.operands[0])[0];
+  case PropertyKind::InfinitelyOften:
+    return std::ranges::none_of(avoiding(property.operands[0]), std::identity{});
+  case PropertyKind::LeadsTo: return !canMiss(property.operands[0], property.operands[1]);
+  case PropertyKind::Precedes: return !canPrecede(property.operands[1], property.operands[0]);
   case PropertyKind::DeadlockFree: return !runs.canStop();
   case PropertyKind::Missing:
-  case PropertyKind::InfinitelyOften:
-  case PropertyKind::LeadsTo:
-  case PropertyKind::Precedes:
   case PropertyKind::Ltl: return std::nullopt;
   }
   return std::nullopt;
@@ -121,43 +123,72 @@ bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
   });
 }
 
-/// Some run never sees it: one that comes to a stop, or one that goes on for ever.
-bool Verdicts::canAvoid(const syntax::Expr& wish) const {
+/// From which situations some run never sees it: one that comes to a stop, or goes on for ever.
+/// Strikes off, until nothing changes, those whose every way on is struck off.
+std::vector<bool> Verdicts::avoiding(const syntax::Expr& wish) const {
   const auto& nodes = runs.nodes();
-  std::vector<bool> free(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) free[i] = !isTrueAt(wish, nodes[i].situation, {});
-  enum Mark : std::uint8_t { New, Open, Done };
-  struct Task {
-    std::size_t node;
-    std::size_t next;
-  };
-  std::vector<Mark> marks(nodes.size(), New);
-  if (!free[0]) return false;
-  std::vector<Task> path{{0, 0}};
-  marks[0] = Open;
-  while (!path.empty()) {
-    auto& task = path.back();
-    const auto& node = nodes[task.node];
-    if (node.edges.empty() && !node.later) return true;
-    std::optional<std::size_t> target;
-    if (task.next == 0) {
-      target = node.later;
-    } else if (task.next <= node.edges.size()) {
-      const auto& edge = node.edges[task.next - 1];
-      if (!isTrueAt(wish, node.situation, edge.facts)) target = edge.target;
-    } else {
-      marks[task.node] = Done;
-      path.pop_back();
-      continue;
+  std::vector<bool> alive(nodes.size());
+  std::vector<std::vector<std::size_t>> ways(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    alive[i] = !isTrueAt(wish, nodes[i].situation, {});
+    for (const auto& edge : nodes[i].edges)
+      if (!isTrueAt(wish, nodes[i].situation, edge.facts)) ways[i].push_back(edge.target);
+    if (nodes[i].later) ways[i].push_back(*nodes[i].later); // time alone makes no circle
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      const bool stops = nodes[i].edges.empty() && !nodes[i].later;
+      const auto goesOn = [&](std::size_t target) { return alive[target]; };
+      if (!alive[i] || stops || std::ranges::any_of(ways[i], goesOn)) continue;
+      alive[i] = false;
+      changed = true;
     }
-    ++task.next;
-    if (!target || !free[*target]) continue;
-    if (marks[*target] == Open) return true; // time alone makes no circle
-    if (marks[*target] != New) continue;
-    marks[*target] = Open;
-    path.push_back({*target, 0});
+  }
+  return alive;
+}
+
+/// Whether `cause` is seen at some point, and from there on, that point included, no `wish`.
+bool Verdicts::canMiss(const syntax::Expr& cause, const syntax::Expr& wish) const {
+  const auto& nodes = runs.nodes();
+  const auto alive = avoiding(wish);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto& now = nodes[i].situation;
+    if (alive[i] && isTrueAt(cause, now, {})) return true;
+    const bool misses = std::ranges::any_of(nodes[i].edges, [&](const Edge& edge) {
+      return alive[edge.target] && isTrueAt(cause, now, edge.facts) &&
+             !isTrueAt(wish, now, edge.facts);
+    });
+    if (misses) return true;
   }
   return false;
+}
+
+/// Whether some run sees `late` before it has seen `early`.
+bool Verdicts::canPrecede(const syntax::Expr& late, const syntax::Expr& early) const {
+  const auto& nodes = runs.nodes();
+  std::vector<bool> seen(nodes.size());
+  std::vector<std::size_t> todo;
+  bool found = false;
+  const auto visit = [&](std::size_t node) {
+    const auto& now = nodes[node].situation;
+    if (seen[node] || isTrueAt(early, now, {})) return;
+    seen[node] = true;
+    found = found || isTrueAt(late, now, {});
+    todo.push_back(node);
+  };
+  visit(0);
+  while (!todo.empty() && !found) {
+    const auto& node = nodes[todo.back()];
+    todo.pop_back();
+    if (node.later) visit(*node.later);
+    for (const auto& edge : node.edges) {
+      if (isTrueAt(early, node.situation, edge.facts)) continue;
+      found = found || isTrueAt(late, node.situation, edge.facts);
+      visit(edge.target);
+    }
+  }
+  return found;
 }
 
 } // namespace proskill::meaning
