@@ -85,6 +85,7 @@ def bash_kind(option):
 def bash(data):
     names = [it["name"] for it in data["commands"]]
     values, options, kinds = [], [], []
+    endings = [f"    {name}) echo '{words.replace('|', ' ')}' ;;" for name, words in PROGRAM_FILES.items()]
     for command in data["commands"]:
         options.append(f"    {command['name']}) echo '{' '.join(it.long for it in plain(command))}' ;;")
         for option in plain(command):
@@ -97,7 +98,7 @@ def bash(data):
             if option.positional and option.words:
                 values.append(f"    '{command['name']} {command['name']}') echo '{' '.join(option.words)}' ;;")
     text = (HERE / "proskill.bash.in").read_text()
-    for mark, lines in (("VALUES", values), ("KINDS", kinds), ("OPTIONS", options), ("COMMANDS", [" ".join(names)])):
+    for mark, lines in (("VALUES", values), ("KINDS", kinds), ("ENDINGS", endings), ("OPTIONS", options), ("COMMANDS", [" ".join(names)])):
         text = text.replace(f"@{mark}@", "\n".join(lines).strip() if mark == "COMMANDS" else "\n".join(lines))
     return text
 

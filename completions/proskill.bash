@@ -50,6 +50,20 @@ _proskill_kinds() {
   esac
 }
 
+# How the names of the files end that a command reads.
+_proskill_endings() {
+  case "$1" in
+    view) echo 'proskill json' ;;
+    *) echo 'proskill fcr' ;;
+  esac
+}
+
+_proskill_files() {
+  local ending
+  for ending in $(_proskill_endings "$1"); do compgen -f -X "!*.$ending" -- "$2"; done
+  compgen -d -S / -- "$2"
+}
+
 _proskill_options() {
   case "$1" in
     check) echo '--help --fragment --style --fix --format --color' ;;
@@ -92,7 +106,7 @@ _proskill() {
   if [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
   else
-    mapfile -t COMPREPLY < <(compgen -f -X '!*.proskill' -- "$current"; compgen -d -S / -- "$current")
+    mapfile -t COMPREPLY < <(_proskill_files "$command" "$current")
     compopt -o nospace
   fi
 }
