@@ -58,6 +58,35 @@ VerdictRow row(const codegen::Check& check, const verify::Answer& answer,
   return result;
 }
 
+// --- Time that does not pass
+
+bool isProgress(const codegen::Check& check) { return check.kind == "time_progress"; }
+
+/// Whether the answer depends on how much time passes.
+bool isBounded(const codegen::Model& model, const codegen::Check& check) {
+  if (check.kind == "no_undershoot" || check.kind == "no_overshoot") return true;
+  const auto& pattern = model.fiacre.properties[check.property].pattern;
+  return pattern.within || pattern.forInterval || pattern.lasting;
+}
+
+/// The question whether time can go on, where verdicts on bounds are asked for without it.
+std::optional<verify::Question> progressBeside(const codegen::Model& model, const Asked& asked) {
+  const auto bounded = [&](const auto* check) { return isBounded(model, *check); };
+  const auto progress = [](const auto* check) { return isProgress(*check); };
+  if (std::ranges::none_of(asked.checks, bounded) || std::ranges::any_of(asked.checks, progress))
+    return std::nullopt;
+  const auto found = std::ranges::find_if(model.checks, isProgress);
+  if (found == model.checks.end()) return std::nullopt;
+  return verify::Question{found->property};
+}
+
+/// A run in which time stands still breaks no bound, so it must be said that it does not count.
+void sayTimePasses(const codegen::Model& model, VerificationReport& report) {
+  for (auto& row : report.rows)
+    if (row.verdict == Verdict::Holds && isBounded(model, *row.check))
+      row.reason = "of runs in which time goes on: `program.time_progress` is violated";
+}
+
 } // namespace
 
 syntax::Rational seconds(std::int64_t units, std::int64_t scale, Rational unit) {
@@ -131,9 +160,16 @@ std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
             const verify::Options& options) {
   const auto asked = askedOf(model, names);
-  auto result = verify::verify(model.fiacre, model.provenance, asked.questions, options);
+  auto questions = asked.questions;
+  if (const auto beside = progressBeside(model, asked)) questions.push_back(*beside);
+  auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
-  return reportOf(model, asked, *result);
+  auto report = reportOf(model, asked, *result);
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const bool progress = i >= asked.checks.size() || isProgress(*asked.checks[i]);
+    if (progress && result->answers[i].truth == verify::Truth::False) sayTimePasses(model, report);
+  }
+  return report;
 }
 
 } // namespace proskill::ide

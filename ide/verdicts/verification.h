@@ -58,7 +58,8 @@ struct VerdictRow {
   Verdict verdict = Verdict::Inconclusive;
   std::optional<analysis::Location> location;
   std::optional<Trace> trace;
-  std::string reason; ///< where inconclusive
+  std::string
+      reason; ///< why inconclusive; else what the verdict rests on, if not on the model alone
 
   /// Whether this is what one hopes for. An inconclusive verdict is neither good nor bad.
   [[nodiscard]] bool good() const;

@@ -18,6 +18,14 @@ bool isLate(const Step& step, const std::vector<Age>& ages) {
          isPast(ages[when.clock], *when.upper, when.upperOpen);
 }
 
+/// Whether the step cannot be put off any longer.
+bool hasToHappen(const Step& step, const std::vector<Age>& ages) {
+  const auto& when = step.when;
+  if (when.isUrgent()) return true;
+  return when.clock != kNobody && when.upper && !when.upperOpen &&
+         reaches(ages[when.clock], *when.upper, false);
+}
+
 /// What is at a whole number gets a fraction; else the one with the greatest becomes whole.
 std::vector<Age> later(std::vector<Age> ages) {
   const bool someWhole = std::ranges::any_of(
@@ -87,7 +95,7 @@ void Runs::expand(std::size_t node) {
   for (const auto& step : steps) {
     if (!isDue(step.when, all[node].situation.ages)) continue;
     found.insert(step.facts.begin(), step.facts.end());
-    edges.push_back({add(step.after), step.facts});
+    edges.push_back({add(step.after), step.facts, hasToHappen(step, all[node].situation.ages)});
   }
   all[node].edges = std::move(edges);
   letTimePass(node, steps);
@@ -144,7 +152,8 @@ bool Runs::timeCanGoOn() const {
   std::vector<std::size_t> todo;
   std::vector<bool> good(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const auto& edge : all[i].edges) before[edge.target].push_back(i);
+    for (const auto& edge : all[i].edges)
+      if (edge.due) before[edge.target].push_back(i);
     good[i] = all[i].timePasses;
     if (good[i]) todo.push_back(i);
   }

@@ -9,6 +9,7 @@ namespace proskill::meaning {
 struct Edge {
   std::size_t target = 0;
   std::vector<Fact> facts;
+  bool due = false; ///< it has to happen now
 };
 
 struct Node {
@@ -30,7 +31,7 @@ public:
   /// What happens in some run.
   [[nodiscard]] const std::set<Fact>& facts() const { return found; }
   [[nodiscard]] bool canStop() const;
-  /// In every situation time can go on, now or after some steps.
+  /// In every situation time can go on, now or after some steps that have to happen.
   [[nodiscard]] bool timeCanGoOn() const;
 
 private:

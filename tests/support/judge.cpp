@@ -62,7 +62,8 @@ bool timeCanAlwaysPass(const RegionGraph& graph) {
   std::vector<std::size_t> todo;
   std::vector<bool> good(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (const auto& edge : nodes[i].edges) before[edge.target].push_back(i);
+    for (const auto& edge : nodes[i].edges)
+      if (edge.due) before[edge.target].push_back(i);
     good[i] = nodes[i].timePasses;
     if (good[i]) todo.push_back(i);
   }

@@ -26,6 +26,15 @@ bool withinUpper(const Age& age, const Interval& interval) {
   return age.whole == *interval.upper && age.rank == 0 && !interval.upperOpen;
 }
 
+/// Whether time cannot pass before it.
+bool isDue(const Region& region, const Firing& firing) {
+  if (isImmediate(firing.interval)) return true;
+  const auto age = std::ranges::find(region, firing.clock, &Age::clock);
+  const auto& upper = firing.interval.upper;
+  return age != region.end() && upper && !age->beyond && age->whole == *upper && age->rank == 0 &&
+         !firing.interval.upperOpen;
+}
+
 /// Ranks without gaps, in the same order.
 void spread(Region& region) {
   std::set<std::uint32_t> used{0};
@@ -97,6 +106,9 @@ std::size_t RegionGraph::addNode(std::size_t discrete, Region region) {
 
 void RegionGraph::expand(std::size_t index) {
   const std::size_t count = states[all[index].discrete].firings.size();
+  std::vector<std::size_t> awaited;
+  for (std::size_t i = 0; i < count; ++i)
+    if (isDue(all[index].region, states[all[index].discrete].firings[i])) awaited.push_back(i);
   for (std::size_t i = 0; i < count; ++i) {
     Firing firing = states[all[index].discrete].firings[i];
     auto age = std::ranges::find(all[index].region, firing.clock, &Age::clock);
@@ -108,9 +120,13 @@ void RegionGraph::expand(std::size_t index) {
       return its == all[index].region.end() || reachedLower(*its, other.interval);
     });
     if (blocked) continue;
+    const bool due =
+        isDue(all[index].region, firing) || std::ranges::any_of(awaited, [&](std::size_t other) {
+          return model.goesBefore(firing, others[other]);
+        });
     std::size_t discrete = addDiscrete(firing.after);
     std::size_t target = addNode(discrete, after(all[index], firing, states[discrete]));
-    all[index].edges.push_back({i, target});
+    all[index].edges.push_back({i, target, due});
   }
   letTimePass(index);
   if (!watch) return;

@@ -40,6 +40,7 @@ struct DiscreteState {
 struct Edge {
   std::size_t firing = 0; ///< of the discrete state
   std::size_t target = 0; ///< node
+  bool due = false;       ///< time waits for it, or for one that it goes before
 };
 
 struct Node {

@@ -74,3 +74,18 @@ TEST_CASE("That time stops is shown by a trace") {
   REQUIRE_FALSE(answer.trace->steps.empty());
   CHECK(answer.trace->steps[0].earliest.value == 3);
 }
+
+TEST_CASE("What need not happen does not help time on") {
+  const auto model = [](fiacre::Interval window) {
+    Model made;
+    made.variable("way", boolean(), truth(false));
+    made.add(process("p", {"a", "b"},
+                     {from("a", {now(), on(equals(name("way"), truth(false))), to("a")})}));
+    made.add(process("helper", {"a", "b"},
+                     {from("a", {waitIn(window), assign(name("way"), truth(true)), to("b")})}));
+    return made;
+  };
+  CHECK(model({}).isFalse(kProgress));
+  CHECK(model({0, 2}).isFalse(kProgress));
+  CHECK_FALSE(model({0, 0}).isFalse(kProgress));
+}

@@ -1,6 +1,8 @@
 #include "verify/explore/progress_check.h"
 
+#include "verify/reduce/free_inputs.h"
 #include "verify/reduce/live_variables.h"
+#include "verify/reduce/recurrent_steps.h"
 
 #include <algorithm>
 
@@ -10,6 +12,10 @@ namespace {
 
 constexpr std::size_t kLevelsPerWord = 8;
 
+std::size_t wordsOfLevels(const System& system) {
+  return (system.clocks.size() + kLevelsPerWord - 1) / kLevelsPerWord;
+}
+
 } // namespace
 
 ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ZoneGraph& explored,
@@ -18,8 +24,9 @@ ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ZoneGraph
       reductions(with),
       graph(explored),
       limits(watch),
-      moments(static_cast<std::uint32_t>(of.storedWords + (of.clocks.size() + kLevelsPerWord - 1) /
-                                                              kLevelsPerWord)) {}
+      recurrent(recurrentSteps(of, with.dropped)),
+      levelsFrom(with.freeInputs ? of.storedWords * 2 : of.storedWords),
+      moments(static_cast<std::uint32_t>(levelsFrom + wordsOfLevels(of))) {}
 
 const std::vector<ProgressCheck::Thresholds>& ProgressCheck::thresholds(SignatureId id) {
   if (id < known.size() && known[id].size() == graph.timing.at(id).clocks.size()) return known[id];
@@ -47,6 +54,7 @@ const std::vector<ProgressCheck::Thresholds>& ProgressCheck::thresholds(Signatur
 }
 
 std::optional<StuckMoment> ProgressCheck::find() {
+  if (std::ranges::all_of(recurrent, [](Word bits) { return bits == 0; })) return std::nullopt;
   // In an urgent state it is plain to see that time has stopped; elsewhere it does so at a bound.
   if (auto found = findAmong(true)) return found;
   return findAmong(false);
@@ -58,24 +66,28 @@ std::optional<StuckMoment> ProgressCheck::findAmong(bool urgent) {
   for (NodeIndex i = 0; i < graph.nodes.size() && !isStopped(); ++i) {
     const ZoneNode& node = graph.nodes[i];
     if (node.covered || graph.timing.at(graph.signatureOf[node.state]).urgent != urgent) continue;
-    if (node.state != loaded) {
-      moment.state.assign(system.words, 0);
-      std::copy_n(graph.states.at(node.state), system.storedWords, moment.state.begin());
-      graph.enabling.compute(moment.state.data(), moment.enabled);
-      moment.signature = graph.signatureOf[node.state];
-      loaded = node.state;
-    }
+    if (node.state != loaded) loadNode(node.state, moment);
+    loaded = node.state;
     moment.levels.assign(graph.timing.at(moment.signature).clocks.size(), 0);
     if (split(graph.timing.zones().zone(node.zone), 0, moment))
-      return StuckMoment{i, ranges(moment)};
+      return StuckMoment{i, ranges(moment), moment.state};
   }
   return std::nullopt;
+}
+
+void ProgressCheck::loadNode(StateId state, Moment& moment) {
+  moment.state.assign(system.words, 0);
+  std::copy_n(graph.states.at(state), system.storedWords, moment.state.begin());
+  if (reductions.freeInputs)
+    moment.unknown = reductions.freeInputs->chosenBits(moment.state.data());
+  graph.enabling.compute(moment.state.data(), moment.enabled);
+  moment.signature = graph.signatureOf[state];
 }
 
 /// Goes through the kinds of moments of a zone, clock by clock. True when a bad one was found; it
 /// is then in `moment`.
 bool ProgressCheck::split(const Dbm& zone, std::size_t clock, Moment& moment) {
-  if (clock == moment.levels.size()) return !letsTimePass(moment) && !isGood(moment);
+  if (clock == moment.levels.size()) return hasStuckChoice(moment);
   const auto at = static_cast<std::uint32_t>(clock + 1);
   const auto limits = thresholds(moment.signature)[clock].lower;
   for (std::size_t level = 0; level <= limits.size(); ++level) {
@@ -103,15 +115,70 @@ bool ProgressCheck::isStopped() {
   return !stoppedBy.empty();
 }
 
-bool ProgressCheck::letsTimePass(const Moment& moment) {
-  bool fails = false; // the run ends here; that is another question
-  eachIn(moment.enabled, [&](TransitionId id) { fails = fails || system.transitions[id].fails; });
-  if (fails) return true;
-  if (graph.timing.at(moment.signature).urgent) return false;
-  const auto& all = thresholds(moment.signature);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].endsAtUpper && moment.levels[i] == all[i].lower.size()) return false;
-  return true;
+/// Whether time has stopped for some values of the free inputs; these are then set in `moment`.
+bool ProgressCheck::hasStuckChoice(Moment& moment) {
+  const Found found = search(moment);
+  if (found.verdict != Verdict::Unknown) return found.verdict == Verdict::Bad;
+  const auto& input = reductions.freeInputs->all()[found.open];
+  const Cell& cell = system.cells[input.cell];
+  for (std::uint32_t value = 0; value < input.values.size(); ++value) {
+    Moment part = moment;
+    reductions.freeInputs->set(found.open, value, part.state.data());
+    part.unknown[cell.word] &= ~cell.mask;
+    graph.enabling.compute(part.state.data(), part.enabled);
+    if (!hasStuckChoice(part)) continue;
+    moment = std::move(part);
+    return true;
+  }
+  return false;
+}
+
+ProgressCheck::Outlook ProgressCheck::outlook(const Moment& moment) {
+  Outlook found;
+  const FreeInputs* inputs = reductions.freeInputs;
+  const auto consider = [&](TransitionId id) {
+    found.settled = found.settled || system.transitions[id].fails;
+    if (found.settled || !isAwaited(moment, id)) return;
+    const bool again = contains(recurrent, id);
+    BitField undecided;
+    const auto known = inputs ? inputs->truth(id, moment.state.data(), moment.unknown, undecided)
+                              : PartialTruth::True;
+    if (known == PartialTruth::Unknown)
+      (again ? found.open : found.openOther) = inputs->variableAt(undecided);
+    if (known == PartialTruth::True && again) found.due.push_back(id);
+    found.settled = found.settled || (known == PartialTruth::True && !again);
+  };
+  eachIn(inputs ? inputs->candidates(moment.state.data(), moment.enabled) : moment.enabled,
+         consider);
+  return found;
+}
+
+bool ProgressCheck::isAtUpperBound(const Moment& moment, TransitionId transition) {
+  const auto& of = system.transitions[transition];
+  if (of.clock == kNone || !of.interval.upper) return false;
+  const Signature& signature = graph.timing.at(moment.signature);
+  const auto at = static_cast<std::size_t>(std::ranges::lower_bound(signature.clocks, of.clock) -
+                                           signature.clocks.begin());
+  const Thresholds& reached = thresholds(moment.signature)[at];
+  return reached.endsAtUpper && moment.levels[at] == reached.lower.size() &&
+         upperBound(of.interval) == signature.invariants[at];
+}
+
+/// Whether time waits for the transition, or for one that has to let it go first.
+bool ProgressCheck::isAwaited(const Moment& moment, TransitionId transition) {
+  const auto waits = [&](TransitionId id) {
+    return system.transitions[id].urgent || isAtUpperBound(moment, id);
+  };
+  if (waits(transition)) return true;
+  if (!system.hasPriorities) return false;
+  bool goesFirst = false;
+  eachIn(moment.enabled, [&](TransitionId id) {
+    const auto& of = system.transitions[id];
+    const auto has = [&](const auto& all) { return std::ranges::count(all, transition) > 0; };
+    const bool lets = has(of.blockers) || has(of.laterBlockers);
+    goesFirst = goesFirst || (lets && waits(id));
+  });
+  return goesFirst;
 }
 
 bool ProgressCheck::canFire(const Moment& moment, TransitionId transition) {
@@ -136,6 +203,7 @@ bool ProgressCheck::isBlocked(const Moment& moment, TransitionId transition) {
 
 bool ProgressCheck::fireFrom(const Moment& moment, TransitionId transition, Moment& next) {
   next.state = moment.state;
+  next.unknown = moment.unknown;
   next.enabled = moment.enabled;
   log.clear();
   if (fire(system, transition, next.state.data(), log) != Outcome::Done) return false;
@@ -154,11 +222,16 @@ bool ProgressCheck::fireFrom(const Moment& moment, TransitionId transition, Mome
 }
 
 StateId ProgressCheck::number(Moment& moment) {
-  key.assign(system.storedWords + (system.clocks.size() + kLevelsPerWord - 1) / kLevelsPerWord, 0);
+  key.assign(levelsFrom + wordsOfLevels(system), 0);
   std::copy_n(moment.state.begin(), system.storedWords, key.begin());
+  if (reductions.freeInputs) {
+    for (std::size_t i = 0; i < system.storedWords; ++i) {
+      key[i] &= ~moment.unknown[i];
+      key[system.storedWords + i] = moment.unknown[i];
+    }
+  }
   for (std::size_t i = 0; i < moment.levels.size(); ++i)
-    key[system.storedWords + i / kLevelsPerWord] |= Word{moment.levels[i]}
-                                                    << (i % kLevelsPerWord * 8);
+    key[levelsFrom + i / kLevelsPerWord] |= Word{moment.levels[i]} << (i % kLevelsPerWord * 8);
   auto [id, isNew] = moments.add(key.data());
   if (isNew) verdicts.push_back(Verdict::Unknown);
   if (isNew) metIn.push_back(0);
@@ -169,60 +242,68 @@ void ProgressCheck::load(StateId id, Moment& moment) {
   const Word* stored = moments.at(id);
   moment.state.assign(system.words, 0);
   std::copy_n(stored, system.storedWords, moment.state.begin());
+  if (reductions.freeInputs) {
+    moment.unknown.assign(system.words, 0);
+    std::copy_n(stored + system.storedWords, system.storedWords, moment.unknown.begin());
+  }
   graph.enabling.compute(moment.state.data(), moment.enabled);
   moment.signature = graph.enabling.signature(moment.enabled, graph.timing);
   moment.levels.resize(graph.timing.at(moment.signature).clocks.size());
   for (std::size_t i = 0; i < moment.levels.size(); ++i)
-    moment.levels[i] = static_cast<std::uint8_t>(stored[system.storedWords + i / kLevelsPerWord] >>
+    moment.levels[i] = static_cast<std::uint8_t>(stored[levelsFrom + i / kLevelsPerWord] >>
                                                  (i % kLevelsPerWord * 8));
 }
 
-/// Whether steps without time lead from the moment to one where time passes. Depth first, urgent
-/// steps before others, since they are what time waits for. What lies on the way to a good moment
-/// is good, and where there is no way all that was seen is bad.
-bool ProgressCheck::isGood(const Moment& first) {
+/// Whether due steps lead from the moment to one where time passes, whatever the unknown free
+/// inputs are; where that depends on one, it says which. What lies on the way to a good moment is
+/// good, and where there is no way all that was seen is bad.
+ProgressCheck::Found ProgressCheck::search(const Moment& first) {
   Moment moment = first;
-  const StateId start = number(moment);
-  if (verdicts[start] != Verdict::Unknown) return verdicts[start] == Verdict::Good;
   struct Seen {
     StateId moment;
     StateId from; ///< the place of the predecessor
   };
-  struct Task {
-    StateId place;
-    bool urgentSteps;
-  };
-  std::vector<Seen> seen{{start, kNone}};
-  std::vector<Task> todo{{0, false}, {0, true}};
-  metIn[start] = ++searches;
+  std::vector<Seen> seen{{number(moment), kNone}};
+  std::vector<StateId> todo{0};
+  metIn[seen[0].moment] = ++searches;
+  std::optional<std::uint32_t> open;
+  std::optional<std::uint32_t> openOther;
   Moment next;
   while (!todo.empty()) {
-    if (isStopped()) return true; // not known; the search ends
-    const auto [place, urgentSteps] = todo.back();
+    if (isStopped()) return {Verdict::Good}; // not known; the search ends
+    const StateId place = todo.back();
     todo.pop_back();
-    load(seen[place].moment, moment);
-    bool good = false;
-    eachIn(moment.enabled, [&](TransitionId transition) {
-      if (good || system.transitions[transition].urgent != urgentSteps) return;
-      if (!canFire(moment, transition) || isBlocked(moment, transition)) return;
-      if (!fireFrom(moment, transition, next)) return;
+    const StateId here = seen[place].moment;
+    if (verdicts[here] == Verdict::Bad) continue;
+    load(here, moment);
+    const Outlook ahead = verdicts[here] == Verdict::Good ? Outlook{} : outlook(moment);
+    if (ahead.isFine()) {
+      for (StateId at = place; at != kNone; at = seen[at].from)
+        verdicts[seen[at].moment] = Verdict::Good;
+      return {Verdict::Good};
+    }
+    if (ahead.open) open = ahead.open;
+    if (ahead.openOther) openOther = ahead.openOther;
+    for (auto transition : ahead.due) {
+      if (!canFire(moment, transition) || isBlocked(moment, transition)) continue;
+      if (reductions.freeInputs) {
+        if (auto touched = reductions.freeInputs->touchedBy(transition, moment.unknown)) {
+          open = touched;
+          continue;
+        }
+      }
+      if (!fireFrom(moment, transition, next)) continue;
       const StateId id = number(next);
-      if (letsTimePass(next)) verdicts[id] = Verdict::Good;
-      good = verdicts[id] == Verdict::Good;
-      if (good || metIn[id] == searches) return;
+      if (metIn[id] == searches) continue;
       metIn[id] = searches;
-      const auto added = static_cast<StateId>(seen.size());
+      todo.push_back(static_cast<StateId>(seen.size()));
       seen.push_back({id, place});
-      todo.push_back({added, false});
-      todo.push_back({added, true});
-    });
-    if (!good) continue;
-    for (StateId at = place; at != kNone; at = seen[at].from)
-      verdicts[seen[at].moment] = Verdict::Good;
-    return true;
+    }
   }
+  if (!open) open = openOther;
+  if (open) return {Verdict::Unknown, *open};
   for (const auto& one : seen) verdicts[one.moment] = Verdict::Bad;
-  return false;
+  return {Verdict::Bad};
 }
 
 std::vector<ClockRange> ProgressCheck::ranges(const Moment& moment) {

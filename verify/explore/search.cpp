@@ -1,5 +1,6 @@
 #include "verify/explore/search.h"
 
+#include "verify/reduce/free_inputs.h"
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
@@ -45,7 +46,14 @@ std::optional<Evidence> findStuck(const System& system, const Reductions& reduct
   auto stuck = check.find();
   stopped = check.stopped();
   if (!stuck) return std::nullopt;
-  return Evidence{explorer.pathTo(stuck->node), stuck->clocks};
+  const ZoneGraph& graph = explorer.explored();
+  Evidence evidence{explorer.pathTo(stuck->node), stuck->clocks};
+  if (!reductions.freeInputs) return evidence;
+  std::vector<Word> stored(system.words);
+  std::copy_n(graph.states.at(graph.nodes[stuck->node].state), system.storedWords, stored.begin());
+  const auto inputs = reductions.freeInputs->between(stored.data(), stuck->state.data());
+  evidence.steps.insert(evidence.steps.end(), inputs.begin(), inputs.end());
+  return evidence;
 }
 
 } // namespace

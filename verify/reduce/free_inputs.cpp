@@ -229,6 +229,24 @@ TransitionSet FreeInputs::candidates(const Word* state, const TransitionSet& ena
   return all;
 }
 
+std::vector<Word> FreeInputs::chosenBits(const Word* state) const {
+  std::vector<std::uint32_t> all(variables.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return unknownIn(all, state);
+}
+
+std::optional<std::uint32_t> FreeInputs::touchedBy(TransitionId id,
+                                                   const std::vector<Word>& unknown) const {
+  const Transition& transition = system->transitions[id];
+  for (std::uint32_t v = 0; v < variables.size(); ++v) {
+    const Cell& cell = system->cells[variables[v].cell];
+    const bool touched = transition.reads.contains(variables[v].cell) ||
+                         transition.writes.contains(variables[v].cell);
+    if (touched && (unknown[cell.word] & cell.mask) != 0) return v;
+  }
+  return std::nullopt;
+}
+
 bool FreeInputs::calm(Word* state, const TransitionSet& enabled) const {
   for (std::size_t k = 0; k < enabled.size(); ++k)
     if ((enabled[k] & urgent[k] & ~guarded[k]) != 0) return false;

@@ -71,6 +71,18 @@ public:
   /// Whether time may pass for some choice of values; the choice is then set in the state.
   [[nodiscard]] bool calm(Word* state, const TransitionSet& enabled) const;
 
+  /// The bits of all variables that have a value which the environment chooses.
+  [[nodiscard]] std::vector<Word> chosenBits(const Word* state) const;
+  /// Whether the transition is enabled, where some bits are unknown. \param undecided where that is
+  /// unknown: bits on which it depends
+  [[nodiscard]] PartialTruth truth(TransitionId id, const Word* state,
+                                   const std::vector<Word>& unknown, BitField& undecided) const;
+  /// The variable that these bits belong to.
+  [[nodiscard]] std::uint32_t variableAt(const BitField& bits) const;
+  /// An unknown variable that the transition's code reads or writes.
+  [[nodiscard]] std::optional<std::uint32_t> touchedBy(TransitionId id,
+                                                       const std::vector<Word>& unknown) const;
+
 private:
   template <class Visit>
   bool eachOf(std::span<const std::uint32_t> which, TransitionId id, Word* state,
@@ -111,11 +123,8 @@ private:
 
   [[nodiscard]] std::vector<Word> unknownIn(std::span<const std::uint32_t> which,
                                             const Word* state) const;
-  [[nodiscard]] PartialTruth truth(TransitionId id, const Word* state,
-                                   const std::vector<Word>& unknown, BitField& undecided) const;
   bool satisfy(TransitionId id, Word* state, std::vector<Word>& unknown) const;
   bool disable(std::span<const TransitionId> all, Word* state, std::vector<Word>& unknown) const;
-  [[nodiscard]] std::uint32_t variableAt(const BitField& bits) const;
   void findReads(const Bits& dropped);
   void findPlaces(const Bits& dropped);
   /// Calls `visit` with each transition that a free input guards and whose first instance is

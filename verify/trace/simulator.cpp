@@ -106,12 +106,27 @@ bool Simulator::canGoOn(const Concrete& now, std::int64_t date) const {
     if (mayWaitALittle(at, date)) return true;
     if (seen.size() > kWidest) return false;
     for (const auto& [id, _] : at.since) {
-      if (!isRipe(at, id, date)) continue;
+      if (!isAwaited(at, id, date) || !isRipe(at, id, date)) continue;
       auto next = take(at, id, date, log);
       if (next && seen.insert(*next).second) todo.push_back(std::move(*next));
     }
   }
   return false;
+}
+
+/// Whether it has to happen at this date, or to go before something that has to.
+bool Simulator::isAwaited(const Concrete& now, TransitionId id, std::int64_t date) const {
+  const auto waits = [&](TransitionId other) {
+    const auto& interval = system.transitions[other].interval;
+    return interval.upper && !interval.upperOpen &&
+           date - now.since.at(other) >= *interval.upper * scale;
+  };
+  const auto letsItGoFirst = [&](const auto& entry) {
+    const auto has = [&](const auto& all) { return std::ranges::count(all, id) > 0; };
+    const auto& of = system.transitions[entry.first];
+    return waits(entry.first) && (has(of.blockers) || has(of.laterBlockers));
+  };
+  return waits(id) || (system.hasPriorities && std::ranges::any_of(now.since, letsItGoFirst));
 }
 
 std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) const {

@@ -43,8 +43,8 @@ public:
   /// The step itself; what it passes is in `log`. Nothing where it fails.
   [[nodiscard]] std::optional<Concrete> take(const Concrete& now, TransitionId id,
                                              std::int64_t date, StepLog& log) const;
-  /// Whether time is seen to pass now, or after steps that take none. Gives up, with false, where
-  /// these are too many to look at each: it cannot use the reductions of a search.
+  /// Whether time is seen to pass now, or after steps that have to happen now. Gives up, with
+  /// false, where these are too many to look at each: it cannot use the reductions of a search.
   [[nodiscard]] bool canGoOn(const Concrete& now, std::int64_t date) const;
 
 private:
@@ -53,6 +53,7 @@ private:
   [[nodiscard]] bool isBlocked(const Concrete& now, TransitionId id) const;
   [[nodiscard]] TransitionId withoutObservers(TransitionId id) const;
   [[nodiscard]] bool disturbs(TransitionId fired, TransitionId other) const;
+  [[nodiscard]] bool isAwaited(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool mayWaitALittle(const Concrete& now, std::int64_t date) const;
 
   const System& system;

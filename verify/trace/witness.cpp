@@ -66,7 +66,7 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
   if (!open) return whole;
   std::optional<Dating> dating;
   Evidence better{.clocks = evidence.clocks};
-  better.steps = completed(goal, lazily(evidence.steps), better);
+  better.steps = completed(goal, lazily(evidence.steps, goal.kind == GoalKind::Stuck), better);
   if (!check(goal, better, dating).empty()) return whole;
   constexpr std::size_t kLong = 400;
   for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
@@ -79,8 +79,9 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
 }
 
 /// The search sets open variables before each step and back after it. Here they are set only when a
-/// step reads them, or when time may have to pass and could not as they are.
-Steps Witness::lazily(const Steps& steps) const {
+/// step reads them, when time may have to pass and could not as they are, and where asked for at
+/// the end.
+Steps Witness::lazily(const Steps& steps, bool valuesAtEnd) const {
   Steps made;
   StepLog log;
   std::vector<Word> there = initialState(system); // as the search had it
@@ -96,7 +97,7 @@ Steps Witness::lazily(const Steps& steps) const {
   };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TransitionId step = steps[i];
-    if (open->isSetter(step) && i + 1 < steps.size()) {
+    if (open->isSetter(step) && (valuesAtEnd || i + 1 < steps.size())) {
       if (fire(system, step, there.data(), log) != Outcome::Done) return steps;
     } else {
       for (auto setter : open->between(here.data(), there.data(), open->readBy(step))) take(setter);
@@ -105,6 +106,8 @@ Steps Witness::lazily(const Steps& steps) const {
     if (urgent(here) && !urgent(there))
       for (auto setter : open->between(here.data(), there.data())) take(setter);
   }
+  if (valuesAtEnd)
+    for (auto setter : open->between(here.data(), there.data())) take(setter);
   return made;
 }
 

@@ -20,7 +20,7 @@ private:
   [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
                                   std::optional<Dating>& dating) const;
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
-  [[nodiscard]] Steps lazily(const Steps& steps) const;
+  [[nodiscard]] Steps lazily(const Steps& steps, bool valuesAtEnd) const;
   [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps, Evidence& evidence) const;
 
   const System& system;
