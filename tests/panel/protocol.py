@@ -224,7 +224,10 @@ class Load(unittest.TestCase):
         limited = View(LIFT, before=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (40, 40)))
         limited.verified()
         held = [socket.create_connection(("127.0.0.1", limited.port), timeout=30) for _ in range(60)]
-        time.sleep(0.3)  # until all descriptors are taken
+        deadline = time.monotonic() + 30
+        while len(os.listdir(f"/proc/{limited.process.pid}/fd")) < 40:
+            self.assertLess(time.monotonic(), deadline, "some descriptors are still free")
+            time.sleep(0.01)
         before = cpu_seconds(limited.process.pid)
         time.sleep(2)
         self.assertLess(cpu_seconds(limited.process.pid) - before, 0.2)
