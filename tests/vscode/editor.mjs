@@ -26,18 +26,23 @@ export class Editor {
     return this.page.locator('.quick-input-widget:visible');
   }
 
-  /** A line of what Ctrl+P or F1 offers, by its label; again, where something has taken the keyboard away. */
+  /**
+   * A line of what Ctrl+P or F1 offers, by its label; again, where something has taken the keyboard away, and each time with more
+   * patience: a busy machine takes longer for the list than an idle one for all of it.
+   */
   async pick(key, text, row, after = ', ') {
+    let patience = 1500;
     await expect(`${row} in the list of ${key}`, async () => {
+      patience *= 2;
       await this.press('Escape', key);
       const input = this.quickInput().locator('input.input');
-      await input.waitFor({ timeout: 2000 });
+      await input.waitFor({ timeout: patience });
       await input.fill(text);
       const found = this.quickInput().locator(`.monaco-list-row[aria-label="${row}"], .monaco-list-row[aria-label^="${row}${after}"]`).first();
-      await found.click({ timeout: 5000 });
-      await found.waitFor({ state: 'hidden', timeout: 2000 });
+      await found.click({ timeout: 2 * patience });
+      await found.waitFor({ state: 'hidden', timeout: patience });
       return true;
-    });
+    }, 90_000);
   }
 
   /** A command of the palette, by its full name. */
@@ -66,9 +71,9 @@ export class Editor {
       const open = this.page.locator('.tab').filter({ hasText: name });
       if (await open.count()) await open.first().click();
       else await this.pick('Control+p', path, name, ' ');
-      await this.tab(name).first().waitFor({ timeout: 5000 });
+      await this.tab(name).first().waitFor({ timeout: 10_000 });
       return true;
-    }, 30_000);
+    }, 90_000);
     await this.page.locator(`.monaco-editor[data-uri$="${path}"] .view-line`).first().waitFor();
   }
 

@@ -1,5 +1,5 @@
 /** Asks until it is so; what a person would do who waits for it. */
-export async function expect(what, ask, timeout = 40_000) {
+export async function expect(what, ask, timeout = 90_000) {
   const end = Date.now() + timeout;
   let last;
   do {

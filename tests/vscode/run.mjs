@@ -77,7 +77,7 @@ async function main() {
   const server = await CodeServer.start(folder, vsix);
   const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] });
-  page.setDefaultTimeout(40_000);
+  page.setDefaultTimeout(90_000);
   const consoleLines = [];
   page.on('console', (message) => consoleLines.push(`${message.type()}: ${message.text()}`));
   try {
