@@ -76,8 +76,9 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
                                         const fiacre::Provenance& provenance, const Judged& judged,
                                         const std::pair<std::string, Options>& setting,
                                         std::size_t* decided) {
-  std::vector<verify::Question> questions;
-  for (std::size_t i = 0; i < program.properties.size(); ++i) questions.push_back({i});
+  std::vector<verify::Question> questions; // those that the oracle has judged
+  for (std::size_t i = 0; i < program.properties.size(); ++i)
+    if (judged.truths[i]) questions.push_back({i});
   Options options = setting.second;
   // Without extrapolation a model may have zones without end; what was decided until then must
   // still be right. With it every question is decided.
@@ -86,9 +87,9 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
   auto result = verify::verify(program, provenance, questions, options);
   if (!result) return "the engine cannot run it: " + result.error().message;
   Interpreter model(program);
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const auto& answer = result->answers[i];
-    if (!judged.truths[i]) continue;
+  for (std::size_t each = 0; each < questions.size(); ++each) {
+    const auto& answer = result->answers[each];
+    const std::size_t i = questions[each].property;
     std::string expected = *judged.truths[i] ? "true" : "false";
     bool open = mayStayOpen && answer.truth == Truth::Unknown && !result->exploration.complete;
     if (decided && answer.truth != Truth::Unknown) ++*decided;
