@@ -13,8 +13,6 @@ namespace proskill::dap {
 
 namespace {
 
-using lsp::Json;
-
 constexpr std::string_view kNotLaunched = "nothing is launched yet";
 
 std::string commandOf(const Json& message) {
@@ -49,7 +47,7 @@ std::string_view reasonOf(Stop why) {
 
 } // namespace
 
-Adapter::Adapter(lsp::Connection& with, const analysis::FileSystem& files, AdapterOptions chosen)
+Adapter::Adapter(rpc::Connection& with, const analysis::FileSystem& files, AdapterOptions chosen)
     : connection(with), disk(files), options(std::move(chosen)), outbox(with) {}
 
 int Adapter::run() {
@@ -64,7 +62,7 @@ int Adapter::run() {
 }
 
 void Adapter::readStream() {
-  lsp::FrameReader frames;
+  rpc::FrameReader frames;
   for (auto bytes = connection.read(); !bytes.empty(); bytes = connection.read()) {
     frames.feed(bytes);
     while (auto next = frames.next()) {

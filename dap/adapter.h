@@ -23,13 +23,12 @@ struct AdapterOptions {
 /// ours is in docs/dap.md. A thread reads, so that a verification can be given up.
 class Adapter {
 public:
-  Adapter(lsp::Connection& connection, const analysis::FileSystem& disk, AdapterOptions options);
+  Adapter(rpc::Connection& connection, const analysis::FileSystem& disk, AdapterOptions options);
 
   /// Serves until the client disconnects: 0; or is gone: 1.
   int run();
 
 private:
-  using Json = lsp::Json;
   using Answer = std::expected<Json, std::string>;
   using Handler = Answer (Adapter::*)(const Json& arguments);
 
@@ -81,17 +80,17 @@ private:
     return fromOne - (columnsFromOne ? 0 : 1);
   }
 
-  lsp::Connection& connection;
+  rpc::Connection& connection;
   const analysis::FileSystem& disk;
   AdapterOptions options;
-  lsp::Outbox outbox;
+  rpc::Outbox outbox;
   long long lastSent = 0;
 
   std::mutex mutex; ///< of the queue
   std::condition_variable wake;
   std::deque<Json> queue;
   bool streamEnded = false;
-  lsp::Cancellation cancellation; ///< of what `launch` does
+  rpc::Cancellation cancellation; ///< of what `launch` does
 
   bool linesFromOne = true;
   bool columnsFromOne = true;

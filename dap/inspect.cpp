@@ -11,8 +11,6 @@ namespace proskill::dap {
 
 namespace {
 
-using lsp::Json;
-
 /// What a frame's identifier says: whose it is, how many steps had been taken, and whether it shows
 /// the last of these or the one that is about to happen.
 struct FrameKey {

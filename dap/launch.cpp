@@ -1,5 +1,7 @@
 #include "dap/launch.h"
 
+#include "report/ordered_json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +10,6 @@ namespace proskill::dap {
 
 namespace {
 
-using lsp::Json;
-using lsp::OrderedJson;
 using Source = std::expected<std::unique_ptr<StepSource>, std::string>;
 
 std::string textIn(const Json& json, const char* name) {
@@ -126,11 +126,11 @@ Source openSource(const LaunchArguments& arguments, const LaunchContext& around)
   auto program = programOf(arguments, around.disk);
   if (!program) return std::unexpected(program.error());
   if (arguments.simulate) return simulated(std::move(*program), arguments.mainSkill);
-  auto job = lsp::jobFor(*program);
+  auto job = worker::jobFor(*program);
   if (!arguments.property.empty()) job.names = {arguments.property};
   job.mainSkill = arguments.mainSkill;
   job.budget = arguments.budget;
-  auto report = lsp::runWorker(around.worker, job, around.cancellation, around.progress);
+  auto report = worker::runWorker(around.worker, job, around.cancellation, around.progress);
   if (!report) return std::unexpected(report.error().message);
   return sourceIn(*report, arguments.property, {});
 }

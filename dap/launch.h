@@ -16,17 +16,17 @@ struct LaunchArguments {
   std::string mainSkill;
   std::filesystem::path directory; ///< what relative paths are relative to
   bool stopOnEntry = true;
-  lsp::Budget budget;
+  worker::Budget budget;
 };
 
 /// What is wrong with them is in words.
-[[nodiscard]] std::expected<LaunchArguments, std::string> readLaunch(const lsp::Json& json);
+[[nodiscard]] std::expected<LaunchArguments, std::string> readLaunch(const Json& json);
 
 struct LaunchContext {
   const analysis::FileSystem& disk;
   const std::vector<std::string>& worker; ///< the command that runs `lsp::runVerifyWorker`
-  lsp::Cancellation cancellation;
-  std::function<void(const lsp::WorkerProgress&)> progress;
+  rpc::Cancellation cancellation;
+  std::function<void(const worker::WorkerProgress&)> progress;
 };
 
 /// Where the session's steps come from: a file with a trace, a simulation, or the verification of a

@@ -12,9 +12,7 @@ namespace proskill::dap {
 
 namespace {
 
-using lsp::Json;
-
-std::string wordsOf(const lsp::WorkerProgress& now) {
+std::string wordsOf(const worker::WorkerProgress& now) {
   return fmt::format("{} of {} decided, {} states, {:.0f} a second", now.decided, now.total,
                      now.classes, now.rate());
 }

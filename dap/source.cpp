@@ -45,7 +45,7 @@ public:
 
   [[nodiscard]] std::vector<Step> choices() const override {
     const ide::Trace all{{}, ide::inWords(simulation.choices(), *model, dates.back())};
-    auto read = readTrace(lsp::traceJson(*program, all), {});
+    auto read = readTrace(report::traceJson(*program, all), {});
     return read ? std::move(read->steps) : std::vector<Step>();
   }
 

@@ -8,8 +8,6 @@ namespace proskill::dap {
 
 namespace {
 
-using lsp::OrderedJson;
-
 /// As the reports have places: file, begin and end, counted from 1.
 Place placeInReport(const OrderedJson& json, const std::filesystem::path& base) {
   const auto& begin = json.at("begin");
@@ -21,7 +19,7 @@ Place placeInReport(const OrderedJson& json, const std::filesystem::path& base) 
 
 /// As the language server has them, counted from 0.
 std::optional<Place> placeOfProtocol(const OrderedJson& json) {
-  const auto path = lsp::toPath(json.at("uri").get<std::string>());
+  const auto path = report::toPath(json.at("uri").get<std::string>());
   if (!path) return std::nullopt;
   const auto& begin = json.at("range").at("start");
   const auto& end = json.at("range").at("end");

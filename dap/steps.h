@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/ordered_json.h"
 #include "report/report_json.h"
 #include "verify/verify.h"
 
@@ -45,7 +46,7 @@ struct Trace {
 /// Reads a trace: as `proskill verify` saves it, as a property of its JSON report has it, or as the
 /// language server's `proskill/trace` gives it. What is wrong with it is in words.
 /// \param base what relative paths in it are relative to
-[[nodiscard]] std::expected<Trace, std::string> readTrace(const lsp::OrderedJson& json,
+[[nodiscard]] std::expected<Trace, std::string> readTrace(const OrderedJson& json,
                                                           const std::filesystem::path& base);
 
 /// When a step may happen: `[2 s, 5 s]`, `]0 s, …[`.

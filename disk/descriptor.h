@@ -6,7 +6,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace proskill::cli {
+namespace proskill::disk {
 
 /// A descriptor that is closed with its owner, and what is written to it.
 class Descriptor : public std::streambuf {
@@ -56,4 +56,4 @@ private:
   int failed;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::disk

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace proskill::cli {
+namespace proskill::disk {
 
 namespace fs = std::filesystem;
 
@@ -104,4 +104,4 @@ fs::path DiskFileSystem::canonical(const fs::path& path) const {
   return error ? path.lexically_normal() : found;
 }
 
-} // namespace proskill::cli
+} // namespace proskill::disk

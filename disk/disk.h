@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace proskill::cli {
+namespace proskill::disk {
 
 /// The regular files of this machine. Nothing else is read: a pipe can keep its reader waiting for
 /// ever, and a device may never end.
@@ -17,4 +17,4 @@ public:
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::disk

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace proskill::cli {
+namespace proskill::disk {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ std::optional<std::string> writeOutput(const fs::path& path, std::string_view by
   return std::cout ? std::nullopt : std::optional(failure("standard output", errno));
 }
 
-} // namespace proskill::cli
+} // namespace proskill::disk

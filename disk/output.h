@@ -8,7 +8,7 @@
 #include <string_view>
 
 /// The one place where the program writes files.
-namespace proskill::cli {
+namespace proskill::disk {
 
 using WriteTo = std::function<void(std::ostream&)>;
 
@@ -26,4 +26,4 @@ using WriteTo = std::function<void(std::ostream&)>;
 [[nodiscard]] std::optional<std::string> writeOutput(const std::filesystem::path& path,
                                                      std::string_view bytes);
 
-} // namespace proskill::cli
+} // namespace proskill::disk

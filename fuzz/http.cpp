@@ -8,7 +8,7 @@ namespace proskill::fuzz {
 
 namespace {
 
-using namespace cli;
+using namespace view;
 
 constexpr std::string_view kEndOfHead = "\r\n\r\n";
 

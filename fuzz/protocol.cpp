@@ -12,7 +12,9 @@ namespace proskill::fuzz {
 
 namespace {
 
-using namespace lsp;
+using namespace rpc;
+using namespace report;
+using namespace syntax;
 
 /// Bodies longer than this are skipped.
 constexpr std::size_t kLimit = 4'096;

@@ -1,29 +1,26 @@
 #include "report/check_report.h"
+#include "report/ordered_json.h"
 #include "report/render.h"
 #include "report/source_place.h"
 
-#include <nlohmann/json.hpp>
-
 #include <ostream>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json placeJson(SourcePlace place, syntax::Offset offset) {
+OrderedJson placeJson(SourcePlace place, syntax::Offset offset) {
   return {{"line", place.line}, {"column", place.column}, {"offset", offset}};
 }
 
-Json locationJson(SourcePlaces& places, analysis::Location location) {
+OrderedJson locationJson(SourcePlaces& places, analysis::Location location) {
   return {{"file", places.path(location.file)},
           {"begin", placeJson(places.begin(location), location.range.begin)},
           {"end", placeJson(places.end(location), location.range.end)}};
 }
 
-Json diagnosticJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
-  Json related = Json::array(), fixes = Json::array();
+OrderedJson diagnosticJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
+  OrderedJson related = OrderedJson::array(), fixes = OrderedJson::array();
   for (const syntax::Related& it : diagnostic.related)
     related.push_back({{"message", it.message}, {"location", locationJson(places, it.location)}});
   for (const syntax::Fix& it : diagnostic.fixes)
@@ -40,21 +37,21 @@ Json diagnosticJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) 
 } // namespace
 
 void writeCheckJson(std::ostream& out, std::span<const CheckedProgram> programs) {
-  Json diagnostics = Json::array();
+  OrderedJson diagnostics = OrderedJson::array();
   for (const CheckedProgram& checked : programs) {
     SourcePlaces places(checked.program);
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics)
       diagnostics.push_back(diagnosticJson(places, diagnostic));
   }
   const FindingCounts counts = countFindings(programs);
-  const Json report{{"version", 1},
-                    {"diagnostics", diagnostics},
-                    {"summary",
-                     {{"errors", counts.errors},
-                      {"warnings", counts.warnings},
-                      {"hints", counts.hints},
-                      {"files", counts.files}}}};
-  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  const OrderedJson report{{"version", 1},
+                           {"diagnostics", diagnostics},
+                           {"summary",
+                            {{"errors", counts.errors},
+                             {"warnings", counts.warnings},
+                             {"hints", counts.hints},
+                             {"files", counts.files}}}};
+  out << report.dump(2, ' ', false, OrderedJson::error_handler_t::replace) << '\n';
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

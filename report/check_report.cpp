@@ -8,7 +8,7 @@
 #include <ostream>
 #include <set>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 FindingCounts countFindings(std::span<const CheckedProgram> programs) {
   FindingCounts counts;
@@ -41,4 +41,4 @@ void writeCheckShort(std::ostream& out, std::span<const CheckedProgram> programs
   }
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 struct CheckedProgram {
   analysis::Program program;
@@ -30,4 +30,4 @@ void writeCheckJson(std::ostream& out, std::span<const CheckedProgram> programs)
 /// SARIF 2.1.0.
 void writeCheckSarif(std::ostream& out, std::span<const CheckedProgram> programs);
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -5,11 +5,9 @@
 
 #include <ostream>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view level(syntax::Severity severity) {
   switch (severity) {
@@ -20,23 +18,25 @@ std::string_view level(syntax::Severity severity) {
   return {};
 }
 
-Json fixJson(SourcePlaces& places, const syntax::Fix& fix) {
-  const Json replacement{{"deletedRegion", sarifRegion(places, fix.location)},
-                         {"insertedContent", {{"text", fix.text}}}};
-  const Json change{{"artifactLocation", sarifFile(places, fix.location.file)},
-                    {"replacements", Json::array({replacement})}};
-  return {{"description", {{"text", fix.title}}}, {"artifactChanges", Json::array({change})}};
+OrderedJson fixJson(SourcePlaces& places, const syntax::Fix& fix) {
+  const OrderedJson replacement{{"deletedRegion", sarifRegion(places, fix.location)},
+                                {"insertedContent", {{"text", fix.text}}}};
+  const OrderedJson change{{"artifactLocation", sarifFile(places, fix.location.file)},
+                           {"replacements", OrderedJson::array({replacement})}};
+  return {{"description", {{"text", fix.title}}},
+          {"artifactChanges", OrderedJson::array({change})}};
 }
 
-Json resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
-  Json result{{"ruleId", syntax::info(diagnostic.code).id},
-              {"ruleIndex", static_cast<std::size_t>(diagnostic.code)},
-              {"level", level(diagnostic.severity)},
-              {"message", {{"text", diagnostic.message}}},
-              {"locations", Json::array({sarifLocation(places, diagnostic.location)})}};
-  Json related = Json::array(), fixes = Json::array();
+OrderedJson resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
+  OrderedJson result{
+      {"ruleId", syntax::info(diagnostic.code).id},
+      {"ruleIndex", static_cast<std::size_t>(diagnostic.code)},
+      {"level", level(diagnostic.severity)},
+      {"message", {{"text", diagnostic.message}}},
+      {"locations", OrderedJson::array({sarifLocation(places, diagnostic.location)})}};
+  OrderedJson related = OrderedJson::array(), fixes = OrderedJson::array();
   for (const syntax::Related& it : diagnostic.related) {
-    Json location = sarifLocation(places, it.location);
+    OrderedJson location = sarifLocation(places, it.location);
     location["message"] = {{"text", it.message}};
     related.push_back(std::move(location));
   }
@@ -47,8 +47,8 @@ Json resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
 }
 
 /// All codes in the order of the table, so that a code's number is its index.
-Json rulesJson() {
-  Json rules = Json::array();
+OrderedJson rulesJson() {
+  OrderedJson rules = OrderedJson::array();
   for (const syntax::CodeInfo& code : syntax::allCodes())
     rules.push_back({{"id", code.id},
                      {"shortDescription", {{"text", ide::titleOf(code)}}},
@@ -61,7 +61,7 @@ Json rulesJson() {
 } // namespace
 
 void writeCheckSarif(std::ostream& out, std::span<const CheckedProgram> programs) {
-  Json results = Json::array();
+  OrderedJson results = OrderedJson::array();
   for (const CheckedProgram& checked : programs) {
     SourcePlaces places(checked.program);
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics)
@@ -70,4 +70,4 @@ void writeCheckSarif(std::ostream& out, std::span<const CheckedProgram> programs
   writeSarifLog(out, rulesJson(), std::move(results));
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -1,6 +1,6 @@
 #include "report/paint.h"
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
 
@@ -24,4 +24,4 @@ std::string Paint::operator()(Colour colour, std::string_view text) const {
   return std::string(escape(colour)).append(text).append("\x1b[0m");
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 enum class Colour : std::uint8_t { Bold, Dim, Red, Green, Yellow, Blue, Cyan };
 
@@ -15,4 +15,4 @@ struct Paint {
   [[nodiscard]] std::string operator()(Colour colour, std::string_view text) const;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace proskill::lsp {
+namespace proskill::report {
 
 namespace {
 
@@ -121,4 +121,4 @@ Json picturesJson(const analysis::Program& program) {
   return all;
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::report

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Pictures as the language server and the panel's hosts tell of them: `Automaton` in docs/lsp.md.
-namespace proskill::lsp {
+namespace proskill::report {
 
 /// Keys of clusters to draw as one node each; nothing: as is best for the size of the picture.
 using FoldKeys = std::optional<std::vector<std::string>>;
@@ -37,4 +37,4 @@ using PlaceJson = std::function<Json(const viz::Source&)>;
 /// All pictures of the program, to choose from.
 [[nodiscard]] Json picturesJson(const analysis::Program& program);
 
-} // namespace proskill::lsp
+} // namespace proskill::report

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <map>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 using syntax::Diagnostic;
 using syntax::FileId;
@@ -96,4 +96,4 @@ void render(std::ostream& out, const analysis::Program& program,
   for (const Diagnostic& diagnostic : diagnostics) renderer.print(diagnostic);
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 /// "error", "warning", "hint".
 [[nodiscard]] std::string_view words(syntax::Severity severity);
@@ -17,4 +17,4 @@ namespace proskill::cli {
 void render(std::ostream& out, const analysis::Program& program,
             std::span<const syntax::Diagnostic> diagnostics, const Paint& paint);
 
-} // namespace proskill::cli
+} // namespace proskill::report

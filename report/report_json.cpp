@@ -2,13 +2,13 @@
 
 #include "syntax/text/position.h"
 
-namespace proskill::lsp {
+namespace proskill::report {
 
 namespace {
 
 /// Line and column from 1, the column in characters.
 OrderedJson placeJson(const syntax::Document& document, syntax::Offset at) {
-  auto place = toEditor(document.text(), document.lines(), at, Encoding::Utf32);
+  auto place = syntax::toEditor(document.text(), document.lines(), at, syntax::Encoding::Utf32);
   return {{"line", place.line + 1}, {"column", place.character + 1}};
 }
 
@@ -98,4 +98,4 @@ OrderedJson reportJson(const VerifyReport& report) {
   return json;
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::report

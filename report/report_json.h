@@ -1,14 +1,11 @@
 #pragma once
 
 #include "ide/verdicts/verification.h"
-
-#include <nlohmann/json.hpp>
+#include "report/ordered_json.h"
 
 /// The JSON report of a verification, as `proskill verify --format json` prints it and as the
 /// process that verifies for the language server sends it. The schema is docs/verify.schema.json.
-namespace proskill::lsp {
-
-using OrderedJson = nlohmann::ordered_json;
+namespace proskill::report {
 
 struct VerifyReport {
   const analysis::Program& program;
@@ -22,4 +19,4 @@ struct VerifyReport {
 [[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
 [[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);
 
-} // namespace proskill::lsp
+} // namespace proskill::report

@@ -7,7 +7,7 @@
 #include <iosfwd>
 
 /// What every SARIF 2.1.0 log of ours shares, whatever its results are about.
-namespace proskill::cli {
+namespace proskill::report {
 
 /// An `artifactLocation`: the file as a URI, relative where its path is.
 [[nodiscard]] nlohmann::ordered_json sarifFile(const SourcePlaces& places, syntax::FileId file);
@@ -20,4 +20,4 @@ namespace proskill::cli {
 /// The whole log of one run. Bytes that are not UTF-8 become U+FFFD.
 void writeSarifLog(std::ostream& out, nlohmann::ordered_json rules, nlohmann::ordered_json results);
 
-} // namespace proskill::cli
+} // namespace proskill::report

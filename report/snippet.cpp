@@ -7,7 +7,7 @@
 #include <ostream>
 #include <tuple>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 using syntax::Offset;
 using syntax::Range;
@@ -211,4 +211,4 @@ void Snippet::print(std::ostream& out, std::size_t gutter, const Paint& paint,
   }
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 /// A stretch of a text that is marked, with what is said about it.
 struct Mark {
@@ -55,4 +55,4 @@ private:
   std::vector<Line> lines;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 SourcePlace SourcePlaces::at(syntax::FileId file, syntax::Offset offset) {
   const auto& document = program.files[file].document;
@@ -27,4 +27,4 @@ SourcePlace SourcePlaces::at(syntax::FileId file, syntax::Offset offset) {
   return last;
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

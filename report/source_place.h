@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 /// A place as users are told it: line and column from 1, the column in characters.
 struct SourcePlace {
@@ -36,4 +36,4 @@ private:
   SourcePlace last;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::report

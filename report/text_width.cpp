@@ -8,7 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::size_t terminalWidth(int fileDescriptor, std::size_t otherwise) {
   return size.ws_col;
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

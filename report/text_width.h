@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 /// A line of a program as a terminal shows it: tabs become spaces, and what would move the cursor
 /// or is not UTF-8 becomes `�`.
@@ -25,4 +25,4 @@ private:
 /// The columns of the terminal at a file descriptor; `otherwise` where it is none.
 [[nodiscard]] std::size_t terminalWidth(int fileDescriptor, std::size_t otherwise);
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace proskill::lsp {
+namespace proskill::report {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::string normalised(std::string_view uri) {
   return path ? toUri(*path) : std::string(uri);
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace proskill::lsp {
+namespace proskill::report {
 
 /// The path of a `file:` URI, decoded; nothing for other schemes (`untitled:`, `git:`).
 /// RFC 3986, RFC 8089.
@@ -21,4 +21,4 @@ namespace proskill::lsp {
 /// One spelling for each URI: clients write the same file with `%3A` or `:`, and in other ways.
 [[nodiscard]] std::string normalised(std::string_view uri);
 
-} // namespace proskill::lsp
+} // namespace proskill::report

@@ -2,11 +2,10 @@
 
 #include <ostream>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 void writeJson(std::ostream& out, const VerifyReport& report) {
-  using Json = lsp::OrderedJson;
-  out << lsp::reportJson(report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << reportJson(report).dump(2, ' ', false, OrderedJson::error_handler_t::replace) << '\n';
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <sstream>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
 
@@ -108,4 +108,4 @@ void writeJUnit(std::ostream& out, const VerifyReport& report) {
   out << "</testsuites>\n";
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -8,9 +8,7 @@
 #include <string>
 
 /// The report of `proskill verify` in its formats. Each writer takes the same finished report.
-namespace proskill::cli {
-
-using lsp::VerifyReport;
+namespace proskill::report {
 
 enum class ShowTraces : std::uint8_t { Failed, All, None };
 
@@ -34,4 +32,4 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
 /// `path:line:column`, counted from 1.
 [[nodiscard]] std::string place(const analysis::Program& program, analysis::Location location);
 
-} // namespace proskill::cli
+} // namespace proskill::report

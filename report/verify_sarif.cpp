@@ -5,20 +5,18 @@
 #include <ostream>
 #include <set>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json physical(const analysis::Program& program, analysis::Location location) {
+OrderedJson physical(const analysis::Program& program, analysis::Location location) {
   SourcePlaces places(program);
   return sarifLocation(places, location);
 }
 
-Json flowStep(const VerifyReport& report, const ide::TraceStep& step) {
+OrderedJson flowStep(const VerifyReport& report, const ide::TraceStep& step) {
   auto text = step.actor + " " + step.words + " at " + syntax::toString(step.date) + " s";
-  Json location{{"message", {{"text", text}}}};
+  OrderedJson location{{"message", {{"text", text}}}};
   if (step.location) location.update(physical(report.program, *step.location));
   return {{"location", location}};
 }
@@ -28,19 +26,21 @@ std::string_view level(const ide::VerdictRow& row) {
   return row.check->weight == codegen::Weight::Error ? "error" : "warning";
 }
 
-Json resultJson(const VerifyReport& report, const ide::VerdictRow& row) {
+OrderedJson resultJson(const VerifyReport& report, const ide::VerdictRow& row) {
   std::string text = row.check->words + ": " + std::string(ide::toString(row.verdict));
   if (!row.reason.empty()) text += " (" + row.reason + ")";
-  Json json{{"ruleId", row.check->kind},
-            {"level", level(row)},
-            {"message", {{"text", text}}},
-            {"partialFingerprints", {{"property/v1", row.check->name}}}};
-  if (row.location) json["locations"] = Json::array({physical(report.program, *row.location)});
+  OrderedJson json{{"ruleId", row.check->kind},
+                   {"level", level(row)},
+                   {"message", {{"text", text}}},
+                   {"partialFingerprints", {{"property/v1", row.check->name}}}};
+  if (row.location)
+    json["locations"] = OrderedJson::array({physical(report.program, *row.location)});
   if (row.trace) {
-    Json steps = Json::array();
+    OrderedJson steps = OrderedJson::array();
     for (const auto& step : row.trace->steps) steps.push_back(flowStep(report, step));
     if (!steps.empty())
-      json["codeFlows"] = Json::array({{{"threadFlows", Json::array({{{"locations", steps}}})}}});
+      json["codeFlows"] =
+          OrderedJson::array({{{"threadFlows", OrderedJson::array({{{"locations", steps}}})}}});
   }
   return json;
 }
@@ -49,15 +49,15 @@ Json resultJson(const VerifyReport& report, const ide::VerdictRow& row) {
 
 void writeSarif(std::ostream& out, const VerifyReport& report) {
   std::set<std::string> kinds;
-  Json results = Json::array();
+  OrderedJson results = OrderedJson::array();
   for (const auto& row : report.result.rows) {
     if (row.good()) continue;
     kinds.insert(row.check->kind);
     results.push_back(resultJson(report, row));
   }
-  Json rules = Json::array();
+  OrderedJson rules = OrderedJson::array();
   for (const auto& kind : kinds) rules.push_back({{"id", kind}, {"name", kind}});
   writeSarifLog(out, std::move(rules), std::move(results));
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace proskill::cli {
+namespace proskill::report {
 
 namespace {
 
@@ -204,4 +204,4 @@ void writeText(std::ostream& out, const VerifyReport& report, const TextOptions&
   writeSummary(out, report, paint);
 }
 
-} // namespace proskill::cli
+} // namespace proskill::report

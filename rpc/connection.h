@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// A stream of bytes to a client and from it. One thread reads, another may write at the same time.
 class Connection {
@@ -29,4 +29,4 @@ public:
 [[nodiscard]] std::expected<std::unique_ptr<Connection>, std::string>
 acceptLoopback(std::uint16_t port, const std::function<void(std::uint16_t)>& onListening);
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

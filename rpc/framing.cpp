@@ -6,7 +6,7 @@
 #include <cctype>
 #include <charconv>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string header(std::size_t length) { return fmt::format("Content-Length: {}\
 
 std::string frame(std::string_view body) { return header(body.size()).append(body); }
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

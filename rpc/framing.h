@@ -8,7 +8,7 @@
 
 /// How messages stand in a stream of bytes: a header with `Content-Length`, an empty line, the
 /// body. LSP 3.17, "Base Protocol".
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// Bytes that are no message. The reader goes on behind them, at the next header that it can find.
 struct FramingError {
@@ -46,4 +46,4 @@ private:
 /// A message as it goes out.
 [[nodiscard]] std::string frame(std::string_view body);
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

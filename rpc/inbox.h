@@ -11,7 +11,7 @@
 #include <optional>
 #include <variant>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// The client has gone.
 struct EndOfStream {};
@@ -64,4 +64,4 @@ private:
   std::deque<InboxEvent> queue;
 };
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

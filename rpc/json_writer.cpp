@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::string dump(const Json& json) {
   return text.value(json).take();
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

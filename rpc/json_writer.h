@@ -10,7 +10,7 @@
 
 /// JSON as text right away, for answers with thousands of parts: a tree of `Json` costs an
 /// allocation for each member of each part, and as many to take it down.
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// Puts commas where they belong; that brackets match and members have keys is the caller's matter.
 class JsonWriter {
@@ -107,4 +107,4 @@ private:
 /// The text of a message or a part of one.
 [[nodiscard]] std::string dump(const Json& json);
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

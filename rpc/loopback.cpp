@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 namespace {
 
@@ -57,4 +57,4 @@ acceptLoopback(std::uint16_t port, const std::function<void(std::uint16_t)>& onL
   return std::make_unique<Socket>(std::move(context), std::move(socket));
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

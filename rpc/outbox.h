@@ -5,7 +5,7 @@
 
 #include <mutex>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// Where every thread leaves its messages to the client; each goes out whole.
 class Outbox {
@@ -31,4 +31,4 @@ private:
   Connection& connection;
 };
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// The client, as those see it who have something to tell it or to ask. Any thread may.
 class Peer {
@@ -55,4 +55,4 @@ private:
   unsigned long last = 0;
 };
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

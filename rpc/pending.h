@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// The requests that are not answered yet. Each is answered once: by its work, or by its
 /// cancellation, whichever comes first.
@@ -89,4 +89,4 @@ private:
   std::uint64_t begun = 0;
 };
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

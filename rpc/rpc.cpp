@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 namespace {
 
@@ -140,4 +140,4 @@ const Json& memberAt(const Json& json, std::initializer_list<const char*> path) 
   return *value;
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

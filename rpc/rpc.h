@@ -6,10 +6,15 @@
 #include <string>
 #include <string_view>
 
-/// JSON-RPC 2.0 as LSP uses it: no batches, identifiers are numbers or strings.
-namespace proskill::lsp {
+namespace proskill {
 
+/// JSON of protocols. What people read is `OrderedJson`, see report/ordered_json.h.
 using Json = nlohmann::json;
+
+} // namespace proskill
+
+/// JSON-RPC 2.0 as LSP uses it: no batches, identifiers are numbers or strings.
+namespace proskill::rpc {
 
 enum class ErrorCode : int {
   ParseError = -32700,
@@ -61,4 +66,4 @@ struct MalformedMessage {
 /// A member of a member …; null where one of them is absent, or no object.
 [[nodiscard]] const Json& memberAt(const Json& json, std::initializer_list<const char*> path);
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

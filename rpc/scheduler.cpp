@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 Scheduler::Scheduler(unsigned count, std::chrono::milliseconds patience) : patience(patience) {
   assert(count >= 2);
@@ -67,4 +67,4 @@ void Scheduler::work(bool interactiveOnly) {
   }
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

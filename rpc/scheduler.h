@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 /// Says to a piece of work that nobody waits for it any more. Copies speak of the same work.
 class Cancellation {
@@ -65,4 +65,4 @@ private:
   std::vector<std::jthread> threads;
 };
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

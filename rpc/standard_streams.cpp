@@ -8,7 +8,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-namespace proskill::lsp {
+namespace proskill::rpc {
 
 namespace {
 
@@ -64,4 +64,4 @@ private:
 
 std::unique_ptr<Connection> standardStreams() { return std::make_unique<StandardStreams>(); }
 
-} // namespace proskill::lsp
+} // namespace proskill::rpc

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr std::size_t kMostWaiting = 128;
 
 } // namespace
 
-void EventFeed::announce(std::string method, Json params) {
+void EventFeed::announce(std::string method, OrderedJson params) {
   {
     const std::lock_guard lock(mutex);
     kept.push_back({{"method", std::move(method)}, {"params", std::move(params)}});
@@ -46,8 +46,8 @@ std::vector<EventFeed::Waiting> EventFeed::takeDue(Time now) {
   return due;
 }
 
-EventFeed::Json EventFeed::newsAfter(std::size_t after) const {
-  Json news = Json::array();
+OrderedJson EventFeed::newsAfter(std::size_t after) const {
+  OrderedJson news = OrderedJson::array();
   const auto first = count - kept.size();
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (first + i >= after) news.push_back(kept[i]);
@@ -81,4 +81,4 @@ void EventFeed::close() {
   changed.notify_all();
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

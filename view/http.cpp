@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::string toBytes(const HttpResponse& response, std::string_view method) {
   return out + "\r\n" + (method == "HEAD" ? "" : response.body);
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

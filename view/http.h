@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// As much of HTTP/1.1 (RFC 9112) as a page on this machine needs.
-namespace proskill::cli {
+namespace proskill::view {
 
 struct HttpRequest {
   std::string method;
@@ -39,4 +39,4 @@ constexpr std::size_t kLargestBody = std::size_t{1} << 20;
 /// To HEAD the length of the body is told, and the body is not sent.
 [[nodiscard]] std::string toBytes(const HttpResponse& response, std::string_view method);
 
-} // namespace proskill::cli
+} // namespace proskill::view

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <csignal>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::expected<std::unique_ptr<HttpServer>, std::string> HttpServer::listen(std::
   return server;
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

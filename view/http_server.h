@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 /// Answers requests on the loopback interface alone.
 class HttpServer {
@@ -28,4 +28,4 @@ public:
   virtual void run(const Handler& handler, const std::function<void()>& stopping) = 0;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::view

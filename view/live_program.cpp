@@ -13,12 +13,11 @@
 #include <thread>
 #include <utility>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr std::chrono::milliseconds kBetweenLooks{250};
 
@@ -40,7 +39,7 @@ std::string firstError(const analysis::Program& program,
                        const std::vector<syntax::Diagnostic>& diagnostics) {
   for (const auto& found : diagnostics) {
     if (found.severity != syntax::Severity::Error) continue;
-    SourcePlaces places(program);
+    report::SourcePlaces places(program);
     return fmt::format("{}:{}: {}", places.path(found.location.file),
                        places.begin(found.location).line, found.message);
   }
@@ -49,7 +48,7 @@ std::string firstError(const analysis::Program& program,
 
 std::shared_ptr<const Loaded> load(const std::string& file) {
   auto loaded = std::make_shared<Loaded>();
-  const DiskFileSystem disk;
+  const disk::DiskFileSystem disk;
   // Before the texts are read: what is written in between is then seen as a change.
   const auto before = stampOf(file);
   if (ide::isFiacre(file)) {
@@ -87,9 +86,9 @@ public:
     worker.join();
   }
 
-  Json program() override {
+  OrderedJson program() override {
     const std::lock_guard lock(mutex);
-    Json json = report.is_null() ? empty() : report;
+    OrderedJson json = report.is_null() ? empty() : report;
     json["main"] = mainSkill();
     json["label"] = fs::path(options.file).filename().generic_string();
     json["state"] = state;
@@ -117,7 +116,7 @@ public:
     const auto now = current();
     for (const auto& file : now->program.files)
       if (file.path.generic_string() == uri)
-        return Json{{"uri", uri}, {"text", file.document.text()}};
+        return OrderedJson{{"uri", uri}, {"text", file.document.text()}};
     return std::unexpected("the program has no file of this name");
   }
 
@@ -135,17 +134,17 @@ private:
     return loaded;
   }
 
-  [[nodiscard]] Json empty() const {
+  [[nodiscard]] OrderedJson empty() const {
     return {{"version", 1},
             {"program", fs::path(options.file).generic_string()},
-            {"properties", Json::array()},
+            {"properties", OrderedJson::array()},
             {"exploration", nullptr}};
   }
 
-  [[nodiscard]] Json mainSkill() const {
+  [[nodiscard]] OrderedJson mainSkill() const {
     if (!options.mainSkill.empty()) return options.mainSkill;
     const auto* skill = analysis::mainSkill(loaded->program).skill;
-    return skill ? Json(skill->name()) : Json();
+    return skill ? OrderedJson(skill->name()) : OrderedJson();
   }
 
   void work() {
@@ -161,7 +160,7 @@ private:
         loaded = std::move(fresh);
         stale = !report.is_null();
       }
-      news.announce("edited", Json::object());
+      news.announce("edited", OrderedJson::object());
     }
   }
 
@@ -172,7 +171,7 @@ private:
     }
   }
 
-  void set(std::string now, std::string words, Json much = nullptr) {
+  void set(std::string now, std::string words, OrderedJson much = nullptr) {
     {
       const std::lock_guard lock(mutex);
       state = std::move(now);
@@ -190,7 +189,7 @@ private:
     const auto result = ide::verifyModel(*model, {}, engine(now, model->checks.size()));
     if (!result) return set("failed", "this model cannot be explored: " + result.error().message);
     if (cancelled) return; // what comes next is newer
-    take(lsp::reportJson({now->program, *model, *result, model->mainSkill}));
+    take(report::reportJson({now->program, *model, *result, model->mainSkill}));
     set("done", "");
   }
 
@@ -221,15 +220,15 @@ private:
   }
 
   /// Traces are large and asked for one at a time.
-  void take(Json whole) {
-    std::map<std::string, Json> apart;
+  void take(OrderedJson whole) {
+    std::map<std::string, OrderedJson> apart;
     for (auto& property : whole["properties"]) {
       const auto trace = std::exchange(property["trace"], nullptr);
       if (trace.is_null()) continue;
       property["steps"] = trace["steps"].size();
-      Json about{{"name", property["name"]},
-                 {"words", property["words"]},
-                 {"verdict", property["verdict"]}};
+      OrderedJson about{{"name", property["name"]},
+                        {"words", property["words"]},
+                        {"verdict", property["verdict"]}};
       about.update(trace);
       apart[property["name"].get<std::string>()] = std::move(about);
     }
@@ -243,12 +242,12 @@ private:
   EventFeed& news;
   std::mutex mutex; ///< of what follows, up to `progress`
   std::shared_ptr<const Loaded> loaded;
-  Json report; ///< the last one; null: there is none yet
-  std::map<std::string, Json> traces;
+  OrderedJson report; ///< the last one; null: there is none yet
+  std::map<std::string, OrderedJson> traces;
   bool stale = false;
   std::string state = "checking";
   std::string message;
-  Json progress;
+  OrderedJson progress;
   std::condition_variable wake;
   std::atomic<bool> stopped{false};
   std::atomic<bool> asked{false};
@@ -262,4 +261,4 @@ std::unique_ptr<PanelData> liveProgram(ViewOptions options, EventFeed& news) {
   return std::make_unique<LiveProgram>(std::move(options), news);
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

@@ -3,7 +3,7 @@
 #include <string_view>
 
 /// The panel's program, as `panel/dist/` has it; the build puts its bytes into this one.
-namespace proskill::cli::bundle {
+namespace proskill::view::bundle {
 
 extern const std::string_view panelJs;
 extern const std::string_view panelCss;
@@ -11,4 +11,4 @@ extern const std::string_view panelCss;
 /// `{"script": "sha256-…", "style": "sha256-…"}`.
 extern const std::string_view hashesJson;
 
-} // namespace proskill::cli::bundle
+} // namespace proskill::view::bundle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/ordered_json.h"
 #include "verify/verify.h"
 #include "view/panel_json.h"
 
@@ -12,19 +13,18 @@
 #include <thread>
 #include <vector>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 /// What `proskill view` shows. Any thread may ask.
 class PanelData {
 public:
-  using Json = nlohmann::ordered_json;
-  using Answer = std::expected<Json, std::string>;
+  using Answer = std::expected<OrderedJson, std::string>;
 
   virtual ~PanelData() = default;
 
   /// As `proskill verify --format json` has it, with the number of steps in place of each trace,
   /// and with what else the panel wants of a program.
-  [[nodiscard]] virtual Json program() = 0;
+  [[nodiscard]] virtual OrderedJson program() = 0;
   [[nodiscard]] virtual Answer trace(const std::string& name) = 0;
   [[nodiscard]] virtual Answer picture(const PictureParams& params) = 0;
   [[nodiscard]] virtual Answer source(const std::string& uri) = 0;
@@ -36,15 +36,14 @@ public:
 /// What there is to tell the pages that are open. However many wait, they take no thread each.
 class EventFeed {
 public:
-  using Json = nlohmann::ordered_json;
-  using Tell = std::function<void(Json)>;
+  using Tell = std::function<void(OrderedJson)>;
 
   EventFeed() : teller([this] { tellAll(); }) {}
   ~EventFeed() { close(); }
   EventFeed(const EventFeed&) = delete;
   EventFeed& operator=(const EventFeed&) = delete;
 
-  void announce(std::string method, Json params);
+  void announce(std::string method, OrderedJson params);
   /// Tells `{next, news}`: what came after the first `after` news, once there is some; nothing
   /// where there is none for long, or where too many wait.
   void after(std::size_t after, Tell tell);
@@ -61,11 +60,11 @@ private:
 
   void tellAll();
   std::vector<Waiting> takeDue(Time now);
-  [[nodiscard]] Json newsAfter(std::size_t after) const;
+  [[nodiscard]] OrderedJson newsAfter(std::size_t after) const;
 
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Json> kept;
+  std::deque<OrderedJson> kept;
   std::size_t count = 0;       ///< of all, those that are no longer kept too
   std::deque<Waiting> waiting; ///< in the order of their times
   bool closed = false;
@@ -85,4 +84,4 @@ struct ViewOptions {
 [[nodiscard]] std::expected<std::unique_ptr<PanelData>, std::string>
 savedReport(const std::string& file, const std::string& text);
 
-} // namespace proskill::cli
+} // namespace proskill::view

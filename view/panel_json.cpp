@@ -5,11 +5,9 @@
 
 #include <map>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Places of pictures' parts, as docs/verify.schema.json has them.
 class Places {
@@ -19,12 +17,12 @@ public:
       files[shown.files[i].path.string()] = static_cast<syntax::FileId>(i);
   }
 
-  [[nodiscard]] lsp::Json operator()(const viz::Source& source) {
+  [[nodiscard]] Json operator()(const viz::Source& source) {
     const auto found = files.find(source.file);
     if (found == files.end()) return nullptr;
     const auto at = [&](syntax::Offset offset) {
       const auto it = places.at(found->second, offset);
-      return lsp::Json{{"line", it.line}, {"column", it.column}};
+      return Json{{"line", it.line}, {"column", it.column}};
     };
     return {{"file", places.path(found->second)},
             {"begin", at(source.range.begin)},
@@ -32,13 +30,13 @@ public:
   }
 
 private:
-  SourcePlaces places;
+  report::SourcePlaces places;
   std::map<std::string, syntax::FileId> files;
 };
 
 } // namespace
 
-std::expected<PictureParams, std::string> readPictureParams(const Json& params) {
+std::expected<PictureParams, std::string> readPictureParams(const OrderedJson& params) {
   PictureParams out;
   try {
     const auto kind = viz::kindOf(params.at("kind").get_ref<const std::string&>());
@@ -47,42 +45,42 @@ std::expected<PictureParams, std::string> readPictureParams(const Json& params) 
     out.dark = params.value("dark", false);
     if (params.value("format", "svg") == "dot") out.format = viz::Format::Dot;
     if (params.contains("fold")) out.fold = params["fold"].get<std::vector<std::string>>();
-  } catch (const Json::exception&) {
+  } catch (const OrderedJson::exception&) {
     return std::unexpected("these are no parameters of a picture");
   }
   return out;
 }
 
-Json paramsJson(const PictureParams& params) {
-  Json json{{"kind", viz::wordOf(params.request.kind)},
-            {"name", params.request.name},
-            {"dark", params.dark},
-            {"forbidden", params.request.forbidden}};
+OrderedJson paramsJson(const PictureParams& params) {
+  OrderedJson json{{"kind", viz::wordOf(params.request.kind)},
+                   {"name", params.request.name},
+                   {"dark", params.dark},
+                   {"forbidden", params.request.forbidden}};
   if (params.fold) json["fold"] = *params.fold;
   return json;
 }
 
-std::expected<Json, std::string> pictureJson(const analysis::Program& program,
-                                             const PictureParams& params, bool errors) {
-  const auto picture = lsp::drawPicture(program, params.request, params.fold);
+std::expected<OrderedJson, std::string> pictureJson(const analysis::Program& program,
+                                                    const PictureParams& params, bool errors) {
+  const auto picture = report::drawPicture(program, params.request, params.fold);
   if (!picture) return std::unexpected(picture.error());
   auto content = viz::render(picture->folded.graph, params.format,
                              params.dark ? viz::Scheme::Dark : viz::Scheme::Light);
   if (!content) return std::unexpected(content.error());
-  Json json = lsp::pictureJson(*picture, Places(program));
+  OrderedJson json = report::pictureJson(*picture, Places(program));
   json["content"] = std::move(*content);
   json["errors"] = errors;
   return json;
 }
 
-Json picturesJson(const analysis::Program& program) { return lsp::picturesJson(program); }
+OrderedJson picturesJson(const analysis::Program& program) { return report::picturesJson(program); }
 
-Json filesJson(const analysis::Program& program) {
-  Json all = Json::array();
+OrderedJson filesJson(const analysis::Program& program) {
+  OrderedJson all = OrderedJson::array();
   for (const auto& file : program.files)
     all.push_back(
         {{"uri", file.path.generic_string()}, {"label", file.path.filename().generic_string()}});
   return all;
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

@@ -13,7 +13,7 @@
 
 /// Parts of what the panel asks for (panel/src/api.ts), with places as docs/verify.schema.json has
 /// them.
-namespace proskill::cli {
+namespace proskill::view {
 
 struct PictureParams {
   viz::Request request;
@@ -39,4 +39,4 @@ pictureJson(const analysis::Program& program, const PictureParams& params, bool 
 /// Its files, the root first.
 [[nodiscard]] nlohmann::ordered_json filesJson(const analysis::Program& program);
 
-} // namespace proskill::cli
+} // namespace proskill::view

@@ -1,5 +1,6 @@
 #include "view/panel_routes.h"
 
+#include "report/ordered_json.h"
 #include "view/panel_bundle.h"
 
 #include <fmt/format.h>
@@ -8,11 +9,10 @@
 #include <array>
 #include <random>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Reply = std::function<void(HttpResponse)>;
 
 constexpr std::string_view kPage = R"(<!DOCTYPE html>
@@ -57,23 +57,23 @@ bool isFromHere(const HttpRequest& request, std::uint16_t port) {
   return origin.empty() || (origin.starts_with(scheme) && isOurs(origin.substr(scheme.size())));
 }
 
-PanelData::Answer call(std::string_view method, const Json& params, PanelData& data) {
+PanelData::Answer call(std::string_view method, const OrderedJson& params, PanelData& data) {
   const auto text = [&](const char* name) { return params.value(name, std::string()); };
   if (method == "hello")
-    return Json{{"contract", 1},
-                {"layout", "all"},
-                {"can",
-                 {{"source", true},
-                  {"save", false},
-                  {"open", false},
-                  {"verify", data.canVerify()},
-                  {"follow", false}}},
-                {"program", data.program()}};
+    return OrderedJson{{"contract", 1},
+                       {"layout", "all"},
+                       {"can",
+                        {{"source", true},
+                         {"save", false},
+                         {"open", false},
+                         {"verify", data.canVerify()},
+                         {"follow", false}}},
+                       {"program", data.program()}};
   if (method == "trace") return data.trace(text("name"));
   if (method == "source") return data.source(text("uri"));
   if (method == "verify") {
     data.verify();
-    return Json();
+    return OrderedJson();
   }
   if (method != "picture") return std::unexpected("there is no such request");
   const auto picture = readPictureParams(params);
@@ -81,8 +81,11 @@ PanelData::Answer call(std::string_view method, const Json& params, PanelData& d
   return data.picture(*picture);
 }
 
-HttpResponse jsonResponse(const Json& reply) {
-  return {200, "application/json", reply.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
+HttpResponse jsonResponse(const OrderedJson& reply) {
+  return {200,
+          "application/json",
+          reply.dump(-1, ' ', false, OrderedJson::error_handler_t::replace),
+          {}};
 }
 
 /// Nothing where the request is for news, which are told later.
@@ -90,19 +93,19 @@ std::optional<HttpResponse> callJson(std::string_view method, const HttpRequest&
                                      PanelData& data, EventFeed& news, const Reply& reply) {
   if (!request.header("content-type").starts_with("application/json"))
     return refuse(400, "requests are JSON");
-  const auto params = Json::parse(request.body, nullptr, false);
+  const auto params = OrderedJson::parse(request.body, nullptr, false);
   if (!params.is_object()) return refuse(400, "parameters are a JSON object");
   try {
     if (method == "news") {
-      news.after(params.value("after", std::size_t{0}), [reply](Json told) {
+      news.after(params.value("after", std::size_t{0}), [reply](OrderedJson told) {
         reply(jsonResponse({{"result", std::move(told)}}));
       });
       return std::nullopt;
     }
     auto result = call(method, params, data);
-    return jsonResponse(result ? Json{{"result", std::move(*result)}}
-                               : Json{{"error", result.error()}});
-  } catch (const Json::exception&) {
+    return jsonResponse(result ? OrderedJson{{"result", std::move(*result)}}
+                               : OrderedJson{{"error", result.error()}});
+  } catch (const OrderedJson::exception&) {
     return refuse(400, "a parameter is of the wrong type");
   }
 }
@@ -159,4 +162,4 @@ void answer(const HttpRequest& request, const PanelAddress& address, PanelData& 
   if (auto response = answerNow(request, address, data, news, reply)) reply(std::move(*response));
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 /// Who may ask: pages under the token, at this port of this machine.
 struct PanelAddress {
@@ -24,4 +24,4 @@ struct PanelAddress {
 void answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
             EventFeed& news, const std::function<void(HttpResponse)>& reply);
 
-} // namespace proskill::cli
+} // namespace proskill::view

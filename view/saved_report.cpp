@@ -1,45 +1,44 @@
 #include "disk/disk.h"
+#include "report/ordered_json.h"
 #include "view/panel_data.h"
 
 #include <set>
 #include <utility>
 
-namespace proskill::cli {
+namespace proskill::view {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// One trace as a report of one property.
-Json asReport(const std::string& file, Json trace) {
+OrderedJson asReport(const std::string& file, OrderedJson trace) {
   const auto text = [&](const char* name, const std::string& otherwise) {
     const auto found = trace.find(name);
     return found != trace.end() && found->is_string() ? found->get<std::string>() : otherwise;
   };
   const auto name = text("name", "trace");
   const auto verdict = text("verdict", "");
-  Json property{{"name", name},
-                {"kind", "trace"},
-                {"subject", ""},
-                {"words", text("words", name)},
-                {"verdict", verdict},
-                {"good", verdict == "reachable" || verdict == "holds"},
-                {"severity", "error"},
-                {"location", nullptr},
-                {"trace", std::move(trace)}};
+  OrderedJson property{{"name", name},
+                       {"kind", "trace"},
+                       {"subject", ""},
+                       {"words", text("words", name)},
+                       {"verdict", verdict},
+                       {"good", verdict == "reachable" || verdict == "holds"},
+                       {"severity", "error"},
+                       {"location", nullptr},
+                       {"trace", std::move(trace)}};
   return {{"version", 1},
           {"program", file},
           {"main", nullptr},
-          {"properties", Json::array({std::move(property)})},
+          {"properties", OrderedJson::array({std::move(property)})},
           {"exploration", nullptr}};
 }
 
 class SavedReport : public PanelData {
 public:
-  SavedReport(const std::string& file, Json saved) : report(std::move(saved)) {
+  SavedReport(const std::string& file, OrderedJson saved) : report(std::move(saved)) {
     const auto label = std::filesystem::path(file).filename().generic_string();
     for (auto& property : report["properties"]) takeTrace(property);
-    Json list = Json::array();
+    OrderedJson list = OrderedJson::array();
     for (const auto& path : files)
       list.push_back(
           {{"uri", path}, {"label", std::filesystem::path(path).filename().generic_string()}});
@@ -48,11 +47,11 @@ public:
                    {"stale", false},
                    {"message", ""},
                    {"progress", nullptr},
-                   {"pictures", Json::array()},
+                   {"pictures", OrderedJson::array()},
                    {"files", std::move(list)}});
   }
 
-  Json program() override { return report; }
+  OrderedJson program() override { return report; }
 
   Answer trace(const std::string& name) override {
     const auto found = traces.find(name);
@@ -67,16 +66,16 @@ public:
   /// Only what the traces speak of.
   Answer source(const std::string& uri) override {
     if (!files.contains(uri)) return std::unexpected("the traces do not speak of this file");
-    auto text = DiskFileSystem().read(uri);
+    auto text = disk::DiskFileSystem().read(uri);
     if (!text) return std::unexpected(uri + " cannot be read: " + text.error());
-    return Json{{"uri", uri}, {"text", std::move(*text)}};
+    return OrderedJson{{"uri", uri}, {"text", std::move(*text)}};
   }
 
   void verify() override {}
   [[nodiscard]] bool canVerify() const override { return false; }
 
 private:
-  void takeTrace(Json& property) {
+  void takeTrace(OrderedJson& property) {
     const auto trace = std::exchange(property["trace"], nullptr);
     if (!trace.is_object() || !trace.at("steps").is_array()) return;
     property["steps"] = trace["steps"].size();
@@ -89,14 +88,14 @@ private:
           files.insert(path->get<std::string>());
     }
     const auto name = property.value("name", "");
-    Json about{
+    OrderedJson about{
         {"name", name}, {"words", property.value("words", name)}, {"verdict", property["verdict"]}};
     about.update(trace);
     traces[name] = std::move(about);
   }
 
-  Json report;
-  std::map<std::string, Json> traces;
+  OrderedJson report;
+  std::map<std::string, OrderedJson> traces;
   std::set<std::string> files;
 };
 
@@ -104,7 +103,7 @@ private:
 
 std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file,
                                                                    const std::string& text) {
-  auto json = Json::parse(text, nullptr, false);
+  auto json = OrderedJson::parse(text, nullptr, false);
   if (json.is_discarded()) return std::unexpected("`" + file + "` is no JSON");
   const bool trace = json.is_object() && json.contains("steps") && json["steps"].is_array();
   const bool report =
@@ -114,9 +113,9 @@ std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::st
   try {
     return std::make_unique<SavedReport>(file,
                                          trace ? asReport(file, std::move(json)) : std::move(json));
-  } catch (const Json::exception&) {
+  } catch (const OrderedJson::exception&) {
     return std::unexpected("`" + file + "` is no report of `proskill verify`");
   }
 }
 
-} // namespace proskill::cli
+} // namespace proskill::view

@@ -1,12 +1,13 @@
 #include "worker/run_worker.h"
 
 #include "process/child.h"
+#include "report/ordered_json.h"
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
-namespace proskill::lsp {
+namespace proskill::worker {
 
 namespace {
 
@@ -37,7 +38,7 @@ public:
   Conversation(process::Child& with, const std::function<void(const WorkerProgress&)>& tell)
       : child(with), progress(tell) {}
 
-  Result hold(std::string_view toSend, const Cancellation& cancellation, double seconds) {
+  Result hold(std::string_view toSend, const rpc::Cancellation& cancellation, double seconds) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
     while (!result) {
       if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
@@ -90,7 +91,7 @@ private:
 
 std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
-          const Cancellation& cancellation,
+          const rpc::Cancellation& cancellation,
           const std::function<void(const WorkerProgress&)>& progress) {
   if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
   auto child = process::Child::start(command);
@@ -101,4 +102,4 @@ runWorker(const std::vector<std::string>& command, const WorkerJob& job,
       .hold(encode(job, getpid()), cancellation, job.budget.seconds + kGraceSeconds);
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::worker

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "report/ordered_json.h"
 #include "report/report_json.h"
 #include "rpc/scheduler.h"
 #include "worker/worker_job.h"
 
 #include <functional>
 
-namespace proskill::lsp {
+namespace proskill::worker {
 
 /// What a verification reports while it runs.
 struct WorkerProgress {
@@ -34,7 +35,7 @@ struct WorkerFailure {
 /// \param command the program that runs `runVerifyWorker`, and its arguments
 [[nodiscard]] std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
-          const Cancellation& cancellation,
+          const rpc::Cancellation& cancellation,
           const std::function<void(const WorkerProgress&)>& progress);
 
-} // namespace proskill::lsp
+} // namespace proskill::worker

@@ -17,7 +17,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace proskill::lsp {
+namespace proskill::worker {
 
 namespace {
 
@@ -205,7 +205,7 @@ void work(const WorkerJob& job) {
     return sayError(fmt::format("no property is called `{}`", *name));
   const auto result = ide::verifyModel(model, job.names, engineOptions(job.budget));
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
-  say({{"report", reportJson({subject->program, model, *result, model.mainSkill})}});
+  say({{"report", report::reportJson({subject->program, model, *result, model.mainSkill})}});
 }
 
 } // namespace
@@ -224,4 +224,4 @@ int runVerifyWorker() {
   return kDone;
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::worker

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace proskill::lsp {
+namespace proskill::worker {
 
 /// The life of the process that verifies for the language server: reads a `WorkerJob` from standard
 /// input, and writes a line of JSON for each of these to standard output: `{"progress": {…}}` a few
@@ -9,4 +9,4 @@ namespace proskill::lsp {
 /// when a limit is passed. Returns the exit code.
 int runVerifyWorker();
 
-} // namespace proskill::lsp
+} // namespace proskill::worker

@@ -1,6 +1,6 @@
 #include "worker/worker_job.h"
 
-namespace proskill::lsp {
+namespace proskill::worker {
 
 WorkerJob jobFor(const analysis::Program& program) {
   WorkerJob job;
@@ -46,4 +46,4 @@ std::optional<JobHeader> decodeHeader(std::string_view line) {
   }
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::worker

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What the language server asks of the process that verifies for it.
-namespace proskill::lsp {
+namespace proskill::worker {
 
 /// How much a verification may take; what is open then is inconclusive.
 struct Budget {
@@ -45,4 +45,4 @@ struct JobHeader {
 /// Nothing where the line is no such header.
 [[nodiscard]] std::optional<JobHeader> decodeHeader(std::string_view line);
 
-} // namespace proskill::lsp
+} // namespace proskill::worker

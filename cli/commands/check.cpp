@@ -79,9 +79,9 @@ public:
     return true;
   }
 
-  std::vector<CheckedProgram> check() {
+  std::vector<report::CheckedProgram> check() {
     for (std::size_t i = 0; i < roots.size(); ++i) roots[i].included = includedByOther(i);
-    std::vector<CheckedProgram> checked;
+    std::vector<report::CheckedProgram> checked;
     for (Root& root : roots) {
       if (root.included) continue;
       auto diagnostics = root.found
@@ -120,15 +120,15 @@ private:
   }
 
   const Arguments& arguments;
-  DiskFileSystem disk;
+  disk::DiskFileSystem disk;
   std::vector<Root> roots;
   bool mistaken = false;
 };
 
 /// What two programs share is told once.
-void removeRepeated(std::vector<CheckedProgram>& programs) {
+void removeRepeated(std::vector<report::CheckedProgram>& programs) {
   std::set<std::tuple<std::string, syntax::Offset, syntax::Offset, std::string>> seen;
-  for (CheckedProgram& checked : programs)
+  for (report::CheckedProgram& checked : programs)
     std::erase_if(checked.diagnostics, [&](const syntax::Diagnostic& it) {
       const auto& path = checked.program.files[it.location.file].path;
       return !seen.insert({path.generic_string(), it.location.range.begin, it.location.range.end,
@@ -141,7 +141,7 @@ std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-std::string summary(const FindingCounts& counts) {
+std::string summary(const report::FindingCounts& counts) {
   std::string found;
   for (const auto& [count, noun] :
        {std::pair(counts.errors, "error"), std::pair(counts.warnings, "warning"),
@@ -150,12 +150,12 @@ std::string summary(const FindingCounts& counts) {
   return (found.empty() ? "nothing to report" : found) + " in " + counted(counts.files, "file");
 }
 
-void write(const Arguments& arguments, const std::vector<CheckedProgram>& programs) {
+void write(const Arguments& arguments, const std::vector<report::CheckedProgram>& programs) {
   switch (arguments.format) {
   case Format::Text:
-    for (const CheckedProgram& checked : programs)
+    for (const report::CheckedProgram& checked : programs)
       render(std::cout, checked.program, checked.diagnostics,
-             Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
+             report::Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
     break;
   case Format::Short: writeCheckShort(std::cout, programs); break;
   case Format::Json: writeCheckJson(std::cout, programs); break;
@@ -164,7 +164,7 @@ void write(const Arguments& arguments, const std::vector<CheckedProgram>& progra
 }
 
 /// \return all files could be read
-bool load(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
+bool load(const Arguments& arguments, std::vector<report::CheckedProgram>& programs) {
   Loader loader(arguments);
   bool readable = true;
   for (const std::string& file : arguments.files) readable &= loader.add(file);
@@ -174,7 +174,7 @@ bool load(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
 }
 
 /// Mends what can be mended, and looks again. \return all files could be read and written
-bool fix(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
+bool fix(const Arguments& arguments, std::vector<report::CheckedProgram>& programs) {
   auto fixed = applyFixes(programs);
   if (!fixed) {
     fail(fixed.error());
@@ -186,13 +186,13 @@ bool fix(const Arguments& arguments, std::vector<CheckedProgram>& programs) {
 }
 
 int run(const Arguments& arguments) {
-  std::vector<CheckedProgram> programs;
+  std::vector<report::CheckedProgram> programs;
   bool readable = load(arguments, programs);
   if (readable && arguments.fix) readable = fix(arguments, programs);
   write(arguments, programs);
   std::cout.flush();
   if (!std::cout) return fail("the report could not be written to standard output");
-  const FindingCounts counts = countFindings(programs);
+  const report::FindingCounts counts = report::countFindings(programs);
   const bool forPeople = arguments.format == Format::Text || arguments.format == Format::Short;
   if (forPeople && !programs.empty()) std::cerr << summary(counts) << '\n';
   if (!readable) return kUsage;

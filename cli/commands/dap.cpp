@@ -16,16 +16,16 @@ namespace proskill::cli {
 
 namespace {
 
-int serve(lsp::Connection& connection) {
-  const DiskFileSystem disk;
+int serve(rpc::Connection& connection) {
+  const disk::DiskFileSystem disk;
   dap::Adapter adapter(connection, disk, {});
   return adapter.run();
 }
 
 int run(std::optional<std::uint16_t> port) {
   std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
-  if (!port) return serve(*lsp::standardStreams());
-  auto connection = lsp::acceptLoopback(*port, [](std::uint16_t opened) {
+  if (!port) return serve(*rpc::standardStreams());
+  auto connection = rpc::acceptLoopback(*port, [](std::uint16_t opened) {
     std::cerr << "listening on port " << opened << std::endl;
   });
   if (connection) return serve(**connection);

@@ -50,7 +50,7 @@ int run(const Arguments& arguments) {
     return kFailed;
   }
   const auto text = fiacre::print(model->fiacre, {.prove = arguments.prove});
-  const auto failed = writeOutput(arguments.output, text);
+  const auto failed = disk::writeOutput(arguments.output, text);
   return failed ? fail(*failed) : kWritten;
 }
 

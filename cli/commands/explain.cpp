@@ -40,7 +40,7 @@ std::string wrapped(std::string_view paragraph, std::size_t width) {
   for (std::size_t at = 0; at < paragraph.size();) {
     const std::size_t end = std::min(paragraph.find(' ', at), paragraph.size());
     const std::string_view word = paragraph.substr(at, end - at);
-    const std::size_t length = DisplayedLine(word).column(word.size());
+    const std::size_t length = report::DisplayedLine(word).column(word.size());
     if (column > 0 && column + 1 + length > width) {
       text += '\n';
       column = 0;
@@ -62,28 +62,30 @@ std::string shownExample(const syntax::CodeInfo& code, std::string_view indent) 
   std::string_view rest = code.example;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    text += std::string(indent) + DisplayedLine(rest.substr(0, end)).text() + '\n';
+    text += std::string(indent) + report::DisplayedLine(rest.substr(0, end)).text() + '\n';
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return text;
 }
 
 std::string headOf(const syntax::CodeInfo& code) {
-  return std::string(words(code.severity)) + "[" + std::string(code.id) + "]";
+  return std::string(report::words(code.severity)) + "[" + std::string(code.id) + "]";
 }
 
-void printOne(const syntax::CodeInfo& code, const Paint& paint) {
-  const std::size_t width = std::clamp(terminalWidth(STDOUT_FILENO, 80), kNarrowest, kWidest);
-  std::cout << wrapped(paint(Colour::Bold, headOf(code) + ": " + titleOf(code)), width) << "\n\n"
+void printOne(const syntax::CodeInfo& code, const report::Paint& paint) {
+  const std::size_t width =
+      std::clamp(report::terminalWidth(STDOUT_FILENO, 80), kNarrowest, kWidest);
+  std::cout << wrapped(paint(report::Colour::Bold, headOf(code) + ": " + titleOf(code)), width)
+            << "\n\n"
             << wrapped(paragraphOf(code), width) << '\n';
   if (!code.example.empty())
-    std::cout << "\nFor example:\n\n" << paint(Colour::Dim, shownExample(code, "    "));
+    std::cout << "\nFor example:\n\n" << paint(report::Colour::Dim, shownExample(code, "    "));
 }
 
 void printList() {
   for (const syntax::CodeInfo& code : syntax::allCodes())
-    std::cout << code.id << "  " << words(code.severity)
-              << std::string(9 - words(code.severity).size(), ' ') << titleOf(code) << '\n';
+    std::cout << code.id << "  " << report::words(code.severity)
+              << std::string(9 - report::words(code.severity).size(), ' ') << titleOf(code) << '\n';
 }
 
 /// The page of the manual.
@@ -99,7 +101,7 @@ void printMarkdown() {
          "warning says that\nsomething is probably not meant; a hint is no finding.\n";
   for (const syntax::CodeInfo& code : syntax::allCodes()) {
     std::cout << "\n## " << code.id << ": " << titleOf(code) << "\n\n"
-              << "*" << words(code.severity) << "* — " << paragraphOf(code) << '\n';
+              << "*" << report::words(code.severity) << "* — " << paragraphOf(code) << '\n';
     if (!code.example.empty()) std::cout << "\n```proskill\n" << shownExample(code, "") << "```\n";
   }
 }
@@ -118,7 +120,7 @@ int run(const Arguments& arguments) {
   if (arguments.code.empty()) return fail("which code? `proskill explain --list` shows all");
   const syntax::CodeInfo* code = syntax::findCode(arguments.code);
   if (!code) return failUnknown(arguments.code);
-  printOne(*code, Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
+  printOne(*code, report::Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
   return 0;
 }
 

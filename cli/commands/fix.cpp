@@ -40,10 +40,10 @@ std::string apply(const Edited& file) {
 
 } // namespace
 
-std::expected<FixCount, std::string> applyFixes(std::span<const CheckedProgram> programs) {
+std::expected<FixCount, std::string> applyFixes(std::span<const report::CheckedProgram> programs) {
   std::map<fs::path, Edited> files;
   FixCount count;
-  for (const CheckedProgram& checked : programs)
+  for (const report::CheckedProgram& checked : programs)
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics) {
       if (diagnostic.fixes.size() != 1 || isForPerson(diagnostic)) continue;
       const syntax::Fix& fix = diagnostic.fixes.front();
@@ -57,7 +57,8 @@ std::expected<FixCount, std::string> applyFixes(std::span<const CheckedProgram> 
     }
   for (auto& [path, edited] : files) {
     std::ranges::sort(edited.edits, {}, [](const Edit& edit) { return edit.range.begin; });
-    if (auto failed = writeFile(path, apply(edited))) return std::unexpected(std::move(*failed));
+    if (auto failed = disk::writeFile(path, apply(edited)))
+      return std::unexpected(std::move(*failed));
     ++count.files;
   }
   return count;

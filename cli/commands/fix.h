@@ -17,6 +17,6 @@ struct FixCount {
 /// earlier one touches the same place. Forbidden moves are left alone: whether the move or the
 /// transition is wrong is for a person to say. An error is a sentence for the user.
 [[nodiscard]] std::expected<FixCount, std::string>
-applyFixes(std::span<const CheckedProgram> programs);
+applyFixes(std::span<const report::CheckedProgram> programs);
 
 } // namespace proskill::cli

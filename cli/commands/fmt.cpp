@@ -30,7 +30,7 @@ struct Arguments {
 };
 
 std::expected<std::string, std::string> readFile(const std::string& file) {
-  if (file != "-") return DiskFileSystem().read(file);
+  if (file != "-") return disk::DiskFileSystem().read(file);
   std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   if (std::cin.bad()) return std::unexpected("standard input cannot be read");
   return text;
@@ -47,10 +47,10 @@ void tellUntouched(const std::string& file, const syntax::Document& document) {
 
 int writeBack(const std::string& file, const std::string& text) {
   if (file == "-") {
-    auto failure = writeOutput({}, text);
+    auto failure = disk::writeOutput({}, text);
     return failure ? fail(*failure) : kDone;
   }
-  auto failure = writeFile(file, text);
+  auto failure = disk::writeFile(file, text);
   return failure ? fail(*failure) : kDone;
 }
 

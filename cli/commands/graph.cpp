@@ -96,7 +96,7 @@ int drawAll(const analysis::Program& program, const Arguments& arguments,
     const auto bytes = picture(program, arguments, request);
     if (!bytes) return fail(bytes.error());
     const auto path = directory / (nameOf(request) + "." + wordOf(kFormats, formatOf(arguments)));
-    if (const auto failed = writeOutput(path, *bytes)) return fail(*failed);
+    if (const auto failed = disk::writeOutput(path, *bytes)) return fail(*failed);
     std::cout << forOutput(path.string()) << '\n';
   }
   return kDrawn;
@@ -109,7 +109,7 @@ int drawOne(const analysis::Program& program, const Arguments& arguments,
     return fail("a PNG is nothing for a terminal: name a file with `-o`");
   const auto bytes = picture(program, arguments, request);
   if (!bytes) return fail(bytes.error());
-  const auto failed = writeOutput(arguments.output, *bytes);
+  const auto failed = disk::writeOutput(arguments.output, *bytes);
   return failed ? fail(*failed) : kDrawn;
 }
 

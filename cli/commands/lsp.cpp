@@ -70,8 +70,8 @@ std::filesystem::path manual() {
   return {};
 }
 
-int serve(lsp::Connection& connection, lsp::ServerOptions options) {
-  lsp::Server server(connection, std::make_shared<DiskFileSystem>(), std::move(options));
+int serve(rpc::Connection& connection, lsp::ServerOptions options) {
+  lsp::Server server(connection, std::make_shared<disk::DiskFileSystem>(), std::move(options));
   return server.run();
 }
 
@@ -87,8 +87,8 @@ int run(const Arguments& arguments) {
     if (!log->isOpen()) return fail("cannot write to `" + arguments.log + "`");
     options.log = [log](std::string_view line) { log->write(line); };
   }
-  if (!arguments.port) return serve(*lsp::standardStreams(), std::move(options));
-  auto connection = lsp::acceptLoopback(*arguments.port, [](std::uint16_t port) {
+  if (!arguments.port) return serve(*rpc::standardStreams(), std::move(options));
+  auto connection = rpc::acceptLoopback(*arguments.port, [](std::uint16_t port) {
     std::cerr << "listening on port " << port << std::endl;
   });
   if (!connection) return fail("cannot listen on the port: " + connection.error());

@@ -56,7 +56,7 @@ int failUnsupported(const verify::Unsupported& error) {
   return fail("this model cannot be explored: " + error.message);
 }
 
-void write(const VerifyArguments& arguments, const VerifyReport& report) {
+void write(const VerifyArguments& arguments, const report::VerifyReport& report) {
   switch (arguments.format) {
   case VerifyFormat::Text:
     return writeText(std::cout, report,
@@ -87,7 +87,7 @@ std::optional<std::string> unknownName(const codegen::Model& model,
 }
 
 /// Prints and saves a finished report. Returns the exit code.
-int deliver(const VerifyArguments& arguments, const VerifyReport& report) {
+int deliver(const VerifyArguments& arguments, const report::VerifyReport& report) {
   write(arguments, report);
   if (!arguments.saveTraces.empty())
     if (auto error = saveTraces(arguments.saveTraces, report)) return fail(*error);
@@ -121,7 +121,7 @@ int verifyByBoth(const VerifyArguments& arguments, const analysis::Program& prog
   if (!run) return fail(run.error());
   const auto engine = askEngine(arguments, model);
   if (!engine) return failUnsupported(engine.error());
-  const VerifyReport report{program, model, *engine, model.mainSkill, "both"};
+  const report::VerifyReport report{program, model, *engine, model.mainSkill, "both"};
   const int code = deliver(arguments, report);
   std::vector<Difference> differences;
   if (run->said)
@@ -133,7 +133,7 @@ int verifyByBoth(const VerifyArguments& arguments, const analysis::Program& prog
     return code;
   }
   const auto file = unusedName(arguments.backend.difference);
-  if (auto problem = writeOutput(file, differenceReport(report, *run, differences)))
+  if (auto problem = disk::writeOutput(file, differenceReport(report, *run, differences)))
     return fail(*problem);
   if (!run->said) fail(tina::explain(run->said.error()));
   std::cerr << fmt::format("the engine and Tina differ: {}; a bug report is in {}\n",
@@ -176,13 +176,14 @@ int runModel(const VerifyArguments& arguments, const analysis::Program& program,
 template <class Add>
 bool add(const VerifyArguments& arguments, const std::string& file, analysis::Program& program,
          codegen::Model& model, Add addTo) {
-  auto text = DiskFileSystem().read(file);
+  auto text = disk::DiskFileSystem().read(file);
   if (!text) {
     fail(fmt::format("cannot read `{}`: {}", file, text.error()));
     return false;
   }
   const auto diagnostics = addTo(model, program, file, std::move(*text));
-  render(std::cerr, program, diagnostics, Paint{wantsColour(arguments.colour, STDERR_FILENO)});
+  render(std::cerr, program, diagnostics,
+         report::Paint{wantsColour(arguments.colour, STDERR_FILENO)});
   return diagnostics.empty();
 }
 
@@ -197,13 +198,13 @@ bool addAll(const VerifyArguments& arguments, analysis::Program& program, codege
 
 /// A model that was written by hand.
 int runFiacre(const VerifyArguments& arguments) {
-  auto text = DiskFileSystem().read(arguments.file);
+  auto text = disk::DiskFileSystem().read(arguments.file);
   if (!text) return fail(fmt::format("cannot read `{}`: {}", arguments.file, text.error()));
   if (!arguments.environment.empty())
     return fail("a model in Fiacre has its environment: `--environment` is for programs");
   auto read = ide::readFiacre(arguments.file, std::move(*text));
   render(std::cerr, read.program, read.diagnostics,
-         Paint{wantsColour(arguments.colour, STDERR_FILENO)});
+         report::Paint{wantsColour(arguments.colour, STDERR_FILENO)});
   if (!read.diagnostics.empty()) return kUsage;
   if (!read.isModel())
     return fail(fmt::format("`{}` names no model: write the name of a component at its end",

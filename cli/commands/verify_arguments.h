@@ -21,7 +21,7 @@ struct VerifyArguments {
   std::vector<std::string> properties;
   std::string mainSkill;
   VerifyFormat format = VerifyFormat::Text;
-  ShowTraces traces = ShowTraces::Failed;
+  report::ShowTraces traces = report::ShowTraces::Failed;
   ColourChoice colour = ColourChoice::Auto;
   unsigned jobs = 1;
   std::optional<double> timeLimit;

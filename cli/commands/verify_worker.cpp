@@ -9,7 +9,7 @@ namespace proskill::cli {
 void addVerifyWorker(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand("verify-worker", "Verify for `proskill lsp`");
   command->group("");
-  command->callback([&exitCode] { exitCode = lsp::runVerifyWorker(); });
+  command->callback([&exitCode] { exitCode = worker::runVerifyWorker(); });
 }
 
 } // namespace proskill::cli

@@ -52,12 +52,12 @@ bool isJson(const std::filesystem::path& path, const std::string& text) {
   return first != std::string::npos && text[first] == '{';
 }
 
-std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& arguments,
-                                                              EventFeed& news) {
+std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const Arguments& arguments,
+                                                                    view::EventFeed& news) {
   const std::filesystem::path path(arguments.file);
-  const auto text = DiskFileSystem().read(path);
+  const auto text = disk::DiskFileSystem().read(path);
   if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());
-  if (isJson(path, *text)) return savedReport(arguments.file, *text);
+  if (isJson(path, *text)) return view::savedReport(arguments.file, *text);
   verify::Limits limits;
   limits.seconds = arguments.timeLimit;
   limits.bytes = arguments.memoryLimit * 1024 * 1024;
@@ -65,17 +65,17 @@ std::expected<std::unique_ptr<PanelData>, std::string> dataOf(const Arguments& a
 }
 
 int run(const Arguments& arguments) {
-  auto server = HttpServer::listen(arguments.port);
+  auto server = view::HttpServer::listen(arguments.port);
   if (!server) return fail("cannot listen on the port: " + server.error());
-  EventFeed news;
+  view::EventFeed news;
   auto data = dataOf(arguments, news);
   if (!data) return fail(data.error());
-  const PanelAddress address{(*server)->port(), randomToken()};
+  const view::PanelAddress address{(*server)->port(), view::randomToken()};
   std::cout << address.url() << std::endl;
   if (isatty(STDERR_FILENO) != 0) std::cerr << "Ctrl-C ends it\n";
   if (!arguments.noOpen) openBrowser(address.url());
   (*server)->run(
-      [&](const HttpRequest& request, const HttpServer::Reply& reply) {
+      [&](const view::HttpRequest& request, const view::HttpServer::Reply& reply) {
         answer(request, address, **data, news, reply);
       },
       [&] { news.close(); });

@@ -18,7 +18,7 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
     fail("`" + root + "` is a model in Fiacre, which only `check`, `verify` and `fmt` read");
     return std::nullopt;
   }
-  const DiskFileSystem disk;
+  const disk::DiskFileSystem disk;
   auto document = disk.document(root);
   if (!document) {
     fail("cannot read `" + root + "`: " + document.error());
@@ -28,7 +28,7 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
   auto diagnostics = analysis::check(program);
   std::erase_if(diagnostics,
                 [](const syntax::Diagnostic& it) { return it.severity == syntax::Severity::Hint; });
-  render(std::cerr, program, diagnostics, Paint{wantsColour(colour, STDERR_FILENO)});
+  render(std::cerr, program, diagnostics, report::Paint{wantsColour(colour, STDERR_FILENO)});
   const bool broken = std::ranges::any_of(diagnostics, [](const syntax::Diagnostic& it) {
     return it.severity == syntax::Severity::Error;
   });
@@ -37,7 +37,7 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
 }
 
 int failGeneration(const analysis::Program& program, const codegen::GenerationError& error) {
-  const SourcePlace at = SourcePlaces(program).begin(error.location);
+  const report::SourcePlace at = report::SourcePlaces(program).begin(error.location);
   const auto path = program.files[error.location.file].path.generic_string();
   std::cerr << syntax::printable(path) << ':' << at.line << ':' << at.column
             << ": error: " << syntax::printable(error.message) << '\n';

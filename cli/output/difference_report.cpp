@@ -41,9 +41,9 @@ std::string saidBy(const std::vector<tina::Call>& calls) {
   return text;
 }
 
-std::string asText(const VerifyReport& report) {
+std::string asText(const report::VerifyReport& report) {
   std::ostringstream out;
-  writeText(out, report, {false, ShowTraces::All});
+  writeText(out, report, {false, report::ShowTraces::All});
   return out.str();
 }
 
@@ -91,7 +91,7 @@ std::string namesOf(const std::vector<Difference>& differences) {
   return text;
 }
 
-std::string differenceReport(const VerifyReport& engine, const TinaRun& tina,
+std::string differenceReport(const report::VerifyReport& engine, const TinaRun& tina,
                              const std::vector<Difference>& differences) {
   const bool failed = !tina.said;
   const auto& calls = failed ? tina.said.error().calls : tina.said->outcome.calls;

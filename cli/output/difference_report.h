@@ -28,7 +28,7 @@ struct Difference {
 
 /// A bug report in Markdown that is ready to be sent: what differs, versions, the program, the
 /// model, and all that both said.
-[[nodiscard]] std::string differenceReport(const VerifyReport& engine, const TinaRun& tina,
+[[nodiscard]] std::string differenceReport(const report::VerifyReport& engine, const TinaRun& tina,
                                            const std::vector<Difference>& differences);
 
 /// A name for a new file: `path`, or `path` with a number, so that nothing is overwritten.

@@ -40,7 +40,7 @@ int count(const codegen::Model& model, const verify::Options& options) {
 
 std::optional<std::string> writeGraph(const std::filesystem::path& path,
                                       const verify::StateGraph& graph, const std::string& name) {
-  return writeFile(path, [&](std::ostream& out) {
+  return disk::writeFile(path, [&](std::ostream& out) {
     if (path.extension() == ".aut")
       tina::writeAut(out, graph);
     else

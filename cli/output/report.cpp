@@ -11,8 +11,6 @@ namespace proskill::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Its script and its style stand in the page itself, and no others are let in.
 constexpr std::string_view kReportPage = R"(<!DOCTYPE html>
 <html lang="en">
@@ -33,17 +31,17 @@ constexpr std::string_view kReportPage = R"(<!DOCTYPE html>
 )";
 
 /// No text of a program can end the element that holds it.
-std::string withinScript(const Json& json) {
+std::string withinScript(const OrderedJson& json) {
   std::string out;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+  for (const char c : json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace))
     out += c == '<' ? "\\u003c" : std::string(1, c);
   return out;
 }
 
 /// The picture open and, where that is something else, folded; each for both grounds.
-void addPicture(Json& all, const analysis::Program& program, const viz::Request& request) {
-  PictureParams params{request, viz::Format::Dot, false, std::vector<std::string>{}};
-  const auto dot = pictureJson(program, params, false);
+void addPicture(OrderedJson& all, const analysis::Program& program, const viz::Request& request) {
+  view::PictureParams params{request, viz::Format::Dot, false, std::vector<std::string>{}};
+  const auto dot = view::pictureJson(program, params, false);
   if (!dot) return;
   std::vector<std::string> clusters;
   for (const auto& it : (*dot)["foldable"]) clusters.push_back(it["key"]);
@@ -52,28 +50,28 @@ void addPicture(Json& all, const analysis::Program& program, const viz::Request&
     for (const auto& fold : {std::vector<std::string>{}, clusters}) {
       params.dark = dark;
       params.fold = fold;
-      if (auto svg = pictureJson(program, params, false))
-        all.push_back({{"params", paramsJson(params)},
+      if (auto svg = view::pictureJson(program, params, false))
+        all.push_back({{"params", view::paramsJson(params)},
                        {"svg", std::move(*svg)},
-                       {"dot", dark ? Json() : (*dot)["content"]}});
+                       {"dot", dark ? OrderedJson() : (*dot)["content"]}});
       if (clusters.empty()) break;
     }
   }
 }
 
-Json dataOf(const VerifyReport& report) {
+OrderedJson dataOf(const report::VerifyReport& report) {
   const auto& program = report.program;
-  auto verdicts = lsp::reportJson(report);
+  auto verdicts = report::reportJson(report);
   verdicts.update({{"label", program.files.front().path.filename().generic_string()},
                    {"state", "done"},
                    {"stale", false},
                    {"message", ""},
                    {"progress", nullptr},
-                   {"pictures", picturesJson(program)},
-                   {"files", filesJson(program)}});
-  Json sources = Json::object();
+                   {"pictures", view::picturesJson(program)},
+                   {"files", view::filesJson(program)}});
+  OrderedJson sources = OrderedJson::object();
   for (const auto& file : program.files) sources[file.path.generic_string()] = file.document.text();
-  Json pictures = Json::array();
+  OrderedJson pictures = OrderedJson::array();
   for (auto request : viz::allPictures(program)) {
     addPicture(pictures, program, request);
     if (request.kind != viz::Kind::StateVariable) continue;
@@ -88,18 +86,18 @@ Json dataOf(const VerifyReport& report) {
 } // namespace
 
 std::optional<std::string> writeReport(const std::filesystem::path& directory,
-                                       const VerifyReport& report) {
+                                       const report::VerifyReport& report) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
     return fmt::format("{} cannot be made a directory: {}", directory.string(), error.message());
-  const auto hashes = Json::parse(bundle::hashesJson);
-  const auto page =
-      fmt::format(kReportPage, fmt::arg("script", hashes["script"].get<std::string>()),
-                  fmt::arg("style", hashes["style"].get<std::string>()),
-                  fmt::arg("version", PROSKILL_VERSION), fmt::arg("css", bundle::panelCss),
-                  fmt::arg("js", bundle::panelJs), fmt::arg("data", withinScript(dataOf(report))));
-  return writeOutput(directory / "index.html", page);
+  const auto hashes = OrderedJson::parse(view::bundle::hashesJson);
+  const auto page = fmt::format(
+      kReportPage, fmt::arg("script", hashes["script"].get<std::string>()),
+      fmt::arg("style", hashes["style"].get<std::string>()), fmt::arg("version", PROSKILL_VERSION),
+      fmt::arg("css", view::bundle::panelCss), fmt::arg("js", view::bundle::panelJs),
+      fmt::arg("data", withinScript(dataOf(report))));
+  return disk::writeOutput(directory / "index.html", page);
 }
 
 } // namespace proskill::cli

@@ -11,6 +11,6 @@ namespace proskill::cli {
 /// Writes `index.html` into the directory, which is made: verdicts, traces, texts and pictures in
 /// one page that needs nothing else. What went wrong, if something did.
 [[nodiscard]] std::optional<std::string> writeReport(const std::filesystem::path& directory,
-                                                     const VerifyReport& report);
+                                                     const report::VerifyReport& report);
 
 } // namespace proskill::cli

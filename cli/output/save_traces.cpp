@@ -11,16 +11,15 @@ namespace proskill::cli {
 
 namespace {
 
-std::string json(const VerifyReport& report, const ide::VerdictRow& row) {
-  using Json = nlohmann::ordered_json;
-  Json trace{{"name", row.check->name},
-             {"words", row.check->words},
-             {"verdict", ide::toString(row.verdict)}};
-  trace.update(lsp::traceJson(report.program, *row.trace));
-  return trace.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string json(const report::VerifyReport& report, const ide::VerdictRow& row) {
+  OrderedJson trace{{"name", row.check->name},
+                    {"words", row.check->words},
+                    {"verdict", ide::toString(row.verdict)}};
+  trace.update(report::traceJson(report.program, *row.trace));
+  return trace.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
-std::string text(const VerifyReport& report, const ide::VerdictRow& row) {
+std::string text(const report::VerifyReport& report, const ide::VerdictRow& row) {
   std::ostringstream out;
   out << row.check->words << ": " << ide::toString(row.verdict) << '\n';
   for (const auto& variable : row.trace->initial)
@@ -32,7 +31,7 @@ std::string text(const VerifyReport& report, const ide::VerdictRow& row) {
 } // namespace
 
 std::optional<std::string> saveTraces(const std::filesystem::path& directory,
-                                      const VerifyReport& report) {
+                                      const report::VerifyReport& report) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
@@ -40,8 +39,8 @@ std::optional<std::string> saveTraces(const std::filesystem::path& directory,
   for (const auto& row : report.result.rows) {
     if (!row.trace) continue;
     auto base = directory / row.check->name;
-    if (auto failed = writeFile(base.string() + ".json", json(report, row))) return failed;
-    if (auto failed = writeFile(base.string() + ".txt", text(report, row))) return failed;
+    if (auto failed = disk::writeFile(base.string() + ".json", json(report, row))) return failed;
+    if (auto failed = disk::writeFile(base.string() + ".txt", text(report, row))) return failed;
   }
   return std::nullopt;
 }

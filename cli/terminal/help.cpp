@@ -1,6 +1,6 @@
 #include "cli/terminal/help.h"
 
-#include <nlohmann/json.hpp>
+#include "report/ordered_json.h"
 
 #include <algorithm>
 #include <iostream>
@@ -9,8 +9,6 @@
 namespace proskill::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLeft = 30;
 constexpr std::size_t kWidth = 100;
@@ -50,7 +48,7 @@ public:
   }
 };
 
-Json optionJson(const CLI::Option& option) {
+OrderedJson optionJson(const CLI::Option& option) {
   return {{"long", option.get_lnames()},
           {"short", option.get_snames()},
           {"positional", option.get_positional() ? option.get_name(true) : ""},
@@ -61,8 +59,8 @@ Json optionJson(const CLI::Option& option) {
           {"sentence", option.get_description()}};
 }
 
-Json commandJson(const CLI::App& command) {
-  Json options = Json::array();
+OrderedJson commandJson(const CLI::App& command) {
+  OrderedJson options = OrderedJson::array();
   for (const auto* option : command.get_options()) options.push_back(optionJson(*option));
   return {{"name", command.get_name()},
           {"sentence", command.get_description()},
@@ -71,11 +69,11 @@ Json commandJson(const CLI::App& command) {
 }
 
 void printData(const CLI::App& app) {
-  Json commands = Json::array();
+  OrderedJson commands = OrderedJson::array();
   for (const auto* command :
        app.get_subcommands([](const CLI::App* it) { return !it->get_group().empty(); }))
     commands.push_back(commandJson(*command));
-  std::cout << Json{{"version", PROSKILL_VERSION}, {"commands", commands}}.dump(1) << '\n';
+  std::cout << OrderedJson{{"version", PROSKILL_VERSION}, {"commands", commands}}.dump(1) << '\n';
 }
 
 } // namespace

@@ -61,7 +61,8 @@ Json actionJson(const ide::Action& action, const Request& request) {
     const Converter convert(action.owner->program, request.snapshot.open(),
                             request.client.encoding);
     const auto diagnostic = diagnosticJson({action.owner, action.fixes}, convert, request.client);
-    json["diagnostics"] = Json::array({Json::parse(dump(diagnostic))}); // compared by `resolve`
+    json["diagnostics"] =
+        Json::array({Json::parse(rpc::dump(diagnostic))}); // compared by `resolve`
   }
   if (!action.explains.empty())
     json["command"] = {{"title", action.title},
@@ -97,7 +98,8 @@ Answer resolveAction(const Request& request) {
   if (request.params.contains("command")) return request.params; // some clients ask of all
   auto data = request.params.find("data");
   if (data == request.params.end() || !data->is_object() || !request.params.contains("title"))
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`data` or `title` is missing"});
+    return std::unexpected(
+        rpc::RpcError{rpc::ErrorCode::InvalidParams, "`data` or `title` is missing"});
   const Request again{*data,
                       request.snapshot,
                       request.client,
@@ -112,7 +114,8 @@ Answer resolveAction(const Request& request) {
   auto path = *documentPath(*data);
   Json stale = data->contains("version") ? (*data)["version"] : Json();
   if (stale != versionOf(request, path))
-    return std::unexpected(RpcError{ErrorCode::ContentModified, "the text has changed since"});
+    return std::unexpected(
+        rpc::RpcError{rpc::ErrorCode::ContentModified, "the text has changed since"});
   for (const auto& action : ide::actions(request.snapshot, path, *selection)) {
     auto json = actionJson(action, request);
     bool same = json["title"] == request.params["title"] &&
@@ -122,7 +125,8 @@ Answer resolveAction(const Request& request) {
     resolved["edit"] = workspaceEdit(action, request);
     return resolved;
   }
-  return std::unexpected(RpcError{ErrorCode::RequestFailed, "this can no longer be done here"});
+  return std::unexpected(
+      rpc::RpcError{rpc::ErrorCode::RequestFailed, "this can no longer be done here"});
 }
 
 } // namespace

@@ -31,16 +31,17 @@ viz::Request pictureAt(const ide::View& view, syntax::Offset at) {
 }
 
 /// What is called so in the program, whatever it is.
-std::expected<viz::Request, RpcError> pictureOf(const analysis::Program& program,
-                                                const std::string& name) {
+std::expected<viz::Request, rpc::RpcError> pictureOf(const analysis::Program& program,
+                                                     const std::string& name) {
   for (const auto& file : program.files)
     for (const auto& form : file.document.forms())
       if (auto picture = pictureOf(form); picture.name == name) return picture;
-  return std::unexpected(RpcError{ErrorCode::RequestFailed, "nothing is called `" + name + "`"});
+  return std::unexpected(
+      rpc::RpcError{rpc::ErrorCode::RequestFailed, "nothing is called `" + name + "`"});
 }
 
-std::expected<viz::Request, RpcError> pictureNamed(const analysis::Program& program,
-                                                   const Json& params) {
+std::expected<viz::Request, rpc::RpcError> pictureNamed(const analysis::Program& program,
+                                                        const Json& params) {
   auto kind = params.value("kind", Json());
   auto name = params.value("name", Json(""));
   if (kind.is_null() && name.is_string() && !name.get_ref<const std::string&>().empty())
@@ -73,7 +74,7 @@ Json partAt(const viz::Graph& graph, const std::string& file, syntax::Offset off
   return best;
 }
 
-PlaceJson placesIn(const analysis::Program& program, const Converter& convert) {
+report::PlaceJson placesIn(const analysis::Program& program, const Converter& convert) {
   std::map<std::string, analysis::FileId> files;
   for (analysis::FileId i = 0; i < program.files.size(); ++i)
     files[program.files[i].path.string()] = i;
@@ -83,7 +84,7 @@ PlaceJson placesIn(const analysis::Program& program, const Converter& convert) {
   };
 }
 
-FoldKeys foldKeys(const Json& params) {
+report::FoldKeys foldKeys(const Json& params) {
   const auto asked = params.value("fold", Json());
   if (!asked.is_array()) return std::nullopt;
   std::vector<std::string> keys;
@@ -98,14 +99,15 @@ bool hasErrors(const ide::View& view) {
   });
 }
 
-std::expected<std::string, RpcError> contentOf(const viz::Graph& graph, const Json& params) {
+std::expected<std::string, rpc::RpcError> contentOf(const viz::Graph& graph, const Json& params) {
   const auto format = params.value("format", Json("svg"));
   if (format == "json") return std::string();
   if (format != "svg" && format != "dot")
     return std::unexpected(invalidParams("`format` is svg, dot or json"));
   const auto scheme = params.value("dark", Json()) == true ? viz::Scheme::Dark : viz::Scheme::Light;
   auto content = viz::render(graph, format == "svg" ? viz::Format::Svg : viz::Format::Dot, scheme);
-  if (!content) return std::unexpected(RpcError{ErrorCode::RequestFailed, content.error()});
+  if (!content)
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, content.error()});
   return std::move(*content);
 }
 
@@ -120,24 +122,24 @@ Answer automaton(const Request& request) {
     caret = *at;
   }
   auto picture = caret && !request.params.contains("kind")
-                     ? std::expected<viz::Request, RpcError>(pictureAt(view, *caret))
+                     ? std::expected<viz::Request, rpc::RpcError>(pictureAt(view, *caret))
                      : pictureNamed(view.program(), request.params);
   if (!picture) return std::unexpected(picture.error());
   picture->forbidden = request.params.value("forbidden", Json()) == true;
-  auto drawn = drawPicture(view.program(), *picture, foldKeys(request.params));
-  if (!drawn) return std::unexpected(RpcError{ErrorCode::RequestFailed, drawn.error()});
+  auto drawn = report::drawPicture(view.program(), *picture, foldKeys(request.params));
+  if (!drawn) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, drawn.error()});
   if (request.cancellation.isCancelled())
-    return std::unexpected(RpcError{ErrorCode::RequestCancelled, "cancelled"});
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestCancelled, "cancelled"});
   const auto& graph = drawn->folded.graph;
   auto content = contentOf(graph, request.params);
   if (!content) return std::unexpected(content.error());
   const Converter convert(view, request);
-  Json answer = pictureJson(*drawn, placesIn(view.program(), convert));
+  Json answer = report::pictureJson(*drawn, placesIn(view.program(), convert));
   answer["content"] = std::move(*content);
   answer["errors"] = hasErrors(view);
   answer["current"] =
       caret ? partAt(graph, view.program().files[view.file].path.string(), *caret) : Json();
-  answer["pictures"] = picturesJson(view.program());
+  answer["pictures"] = report::picturesJson(view.program());
   answer["texts"] = textsJson(view.program(), request.snapshot.open());
   return answer;
 }
@@ -145,7 +147,7 @@ Answer automaton(const Request& request) {
 } // namespace
 
 void addAutomaton(Registry& registry) {
-  registry.add("proskill/automaton", automaton, Priority::Background);
+  registry.add("proskill/automaton", automaton, rpc::Priority::Background);
 }
 
 } // namespace proskill::lsp

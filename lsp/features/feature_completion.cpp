@@ -46,7 +46,7 @@ bool isSnippet(const ide::Completion& item, const Shared& shared) {
   return shared.client.snippets && !item.snippet.empty();
 }
 
-void writeEdit(JsonWriter& json, const ide::Completion& item, const Shared& shared) {
+void writeEdit(rpc::JsonWriter& json, const ide::Completion& item, const Shared& shared) {
   json.key("textEdit").open('{');
   json.member("newText", isSnippet(item, shared) ? item.snippet : item.insert);
   if (shared.client.insertReplace)
@@ -56,7 +56,7 @@ void writeEdit(JsonWriter& json, const ide::Completion& item, const Shared& shar
   json.close('}');
 }
 
-void writeData(JsonWriter& json, const ide::Completion& item, const std::string& uri) {
+void writeData(rpc::JsonWriter& json, const ide::Completion& item, const std::string& uri) {
   json.key("data").open('{').member("uri", uri);
   if (item.symbol) write(json.key("symbol"), *item.symbol);
   if (item.word) json.member("word", item.word - ide::vocabulary().data());
@@ -64,7 +64,7 @@ void writeData(JsonWriter& json, const ide::Completion& item, const std::string&
 }
 
 Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shared) {
-  JsonWriter json;
+  rpc::JsonWriter json;
   json.open('{').member("label", item.label).member("kind", kindOf(item.kind));
   json.member("filterText", item.filter).member("sortText", fmt::format("{:04}", place));
   writeEdit(json, item, shared);
@@ -75,13 +75,13 @@ Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shar
   else if (item.isDeprecated && shared.client.completionDeprecated)
     json.member("deprecated", true);
   if (item.symbol || item.word) writeData(json, item, shared.uri);
-  return written(json.close('}').str());
+  return rpc::written(json.close('}').str());
 }
 
 /// The character that was typed where that was what asked.
 ide::CompletionTrigger triggerOf(const Json& params) {
-  const auto& character = memberAt(params, {"context", "triggerCharacter"});
-  const bool typed = memberAt(params, {"context", "triggerKind"}) == 2;
+  const auto& character = rpc::memberAt(params, {"context", "triggerCharacter"});
+  const bool typed = rpc::memberAt(params, {"context", "triggerKind"}) == 2;
   if (!typed || !character.is_string() || character.get_ref<const std::string&>().size() != 1)
     return {};
   return {character.get_ref<const std::string&>().front()};
@@ -96,7 +96,7 @@ Answer completion(const Request& request) {
                          : ide::complete(request.snapshot, at->view, at->at, trigger);
   const Converter convert(at->view, request);
   auto rangeText = [&](syntax::Range range) {
-    JsonWriter json;
+    rpc::JsonWriter json;
     convert.write(json, at->view.file, range);
     return json.take();
   };
@@ -110,8 +110,8 @@ Answer completion(const Request& request) {
 /// The item that `data` is of; one of which nothing is known has no documentation.
 ide::Completion itemOf(const Json& data) {
   ide::Completion item;
-  item.symbol = symbolKey(memberAt(data, {"symbol"}));
-  const auto& word = memberAt(data, {"word"});
+  item.symbol = symbolKey(rpc::memberAt(data, {"symbol"}));
+  const auto& word = rpc::memberAt(data, {"word"});
   const auto words = ide::vocabulary();
   if (word.is_number_unsigned() && word.get<std::size_t>() < words.size())
     item.word = &words[word.get<std::size_t>()];
@@ -120,7 +120,7 @@ ide::Completion itemOf(const Json& data) {
 
 Answer resolveCompletion(const Request& request) {
   Json item = request.params;
-  const auto& data = memberAt(request.params, {"data"});
+  const auto& data = rpc::memberAt(request.params, {"data"});
   auto view = viewOfData(request, data);
   if (!view) return item;
   const auto text = ide::documentation(*view, itemOf(data));

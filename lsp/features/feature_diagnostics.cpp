@@ -45,13 +45,13 @@ std::optional<int> tagOf(Code code) {
   return std::nullopt;
 }
 
-void writeCode(JsonWriter& json, std::string_view code, const ClientFeatures& client) {
+void writeCode(rpc::JsonWriter& json, std::string_view code, const ClientFeatures& client) {
   json.member("code", code);
   const auto link = client.manual ? client.manual->linkTo(code) : std::string();
   if (!link.empty()) json.key("codeDescription").open('{').member("href", link).close('}');
 }
 
-void writeRelated(JsonWriter& json, const syntax::Diagnostic& diagnostic,
+void writeRelated(rpc::JsonWriter& json, const syntax::Diagnostic& diagnostic,
                   const Converter& convert) {
   json.key("relatedInformation").open('[');
   for (const auto& entry : diagnostic.related) {
@@ -62,7 +62,8 @@ void writeRelated(JsonWriter& json, const syntax::Diagnostic& diagnostic,
   json.close(']');
 }
 
-void writeFixes(JsonWriter& json, const syntax::Diagnostic& diagnostic, const Converter& convert) {
+void writeFixes(rpc::JsonWriter& json, const syntax::Diagnostic& diagnostic,
+                const Converter& convert) {
   json.key("data").open('{').key("fixes").open('[');
   for (const auto& fix : diagnostic.fixes) {
     json.open('{').member("title", fix.title).member("uri", convert.uri(fix.location.file));
@@ -73,7 +74,7 @@ void writeFixes(JsonWriter& json, const syntax::Diagnostic& diagnostic, const Co
 }
 
 /// Names what the items say: the same items, the same name, in every session.
-std::string resultIdOf(const Json& items) { return fingerprint(dump(items)); }
+std::string resultIdOf(const Json& items) { return fingerprint(rpc::dump(items)); }
 
 /// `unchanged` where the client has just this already.
 Json report(Json items, const Json& previous) {
@@ -91,7 +92,7 @@ Json itemsOf(const Request& request, const std::filesystem::path& path) {
 Answer documentDiagnostics(const Request& request) {
   auto path = documentFile(request);
   if (!path) return std::unexpected(path.error());
-  return report(itemsOf(request, *path), memberAt(request.params, {"previousResultId"}));
+  return report(itemsOf(request, *path), rpc::memberAt(request.params, {"previousResultId"}));
 }
 
 using Previous = std::map<std::filesystem::path, std::pair<std::string, Json>>;
@@ -99,11 +100,11 @@ using Previous = std::map<std::filesystem::path, std::pair<std::string, Json>>;
 /// What the client was told before, by path: its URI and the result's identifier.
 Previous previousOf(const Json& params) {
   Previous result;
-  const Json& list = memberAt(params, {"previousResultIds"});
+  const Json& list = rpc::memberAt(params, {"previousResultIds"});
   if (!list.is_array()) return result;
   for (const auto& each : list)
-    if (const Json& uri = memberAt(each, {"uri"}); uri.is_string())
-      result[pathOf(uri.get<std::string>())] = {uri, memberAt(each, {"value"})};
+    if (const Json& uri = rpc::memberAt(each, {"uri"}); uri.is_string())
+      result[pathOf(uri.get<std::string>())] = {uri, rpc::memberAt(each, {"value"})};
   return result;
 }
 
@@ -113,7 +114,7 @@ Json itemOf(const Request& request, const std::filesystem::path& path, const Pre
       report(itemsOf(request, path), before == previous.end() ? Json() : before->second.second);
   auto open = request.snapshot.open().find(path);
   const bool isOpen = open != request.snapshot.open().end();
-  item["uri"] = isOpen ? open->second.uri : toUri(path);
+  item["uri"] = isOpen ? open->second.uri : report::toUri(path);
   item["version"] = isOpen ? Json(open->second.version) : Json();
   return item;
 }
@@ -155,7 +156,7 @@ Answer workspaceDiagnostics(const Request& request) {
 Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
                     const ClientFeatures& client) {
   const auto& diagnostic = *finding.diagnostic;
-  JsonWriter json;
+  rpc::JsonWriter json;
   convert.write(json.open('{').key("range"), diagnostic.location.file, diagnostic.location.range);
   json.member("severity", severityOf(diagnostic.severity));
   writeCode(json, syntax::info(diagnostic.code).id, client);
@@ -166,7 +167,7 @@ Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
   if (client.relatedInformation && !diagnostic.related.empty())
     writeRelated(json, diagnostic, convert);
   if (!diagnostic.fixes.empty()) writeFixes(json, diagnostic, convert);
-  return written(json.close('}').str());
+  return rpc::written(json.close('}').str());
 }
 
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
@@ -188,7 +189,7 @@ void addDiagnostics(Registry& registry) {
                                                  {"workspaceDiagnostics", true},
                                                  {"workDoneProgress", true}};
   registry.add("textDocument/diagnostic", documentDiagnostics);
-  registry.add("workspace/diagnostic", workspaceDiagnostics, Priority::Background);
+  registry.add("workspace/diagnostic", workspaceDiagnostics, rpc::Priority::Background);
 }
 
 } // namespace proskill::lsp

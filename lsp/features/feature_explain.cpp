@@ -7,12 +7,12 @@ namespace proskill::lsp {
 
 Answer explain(const Json& code) {
   if (!code.is_string())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`code` is missing"});
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams, "`code` is missing"});
   const auto& id = code.get_ref<const std::string&>();
   const auto* found = syntax::findCode(id);
   if (!found)
     return std::unexpected(
-        RpcError{ErrorCode::RequestFailed, fmt::format("there is no code `{}`", id)});
+        rpc::RpcError{rpc::ErrorCode::RequestFailed, fmt::format("there is no code `{}`", id)});
   const auto text = ide::explanation(*found);
   return Json{{"code", found->id},
               {"title", ide::titleOf(*found)},
@@ -21,8 +21,9 @@ Answer explain(const Json& code) {
 }
 
 void addExplain(Registry& registry) {
-  registry.add("proskill/explain",
-               [](const Request& request) { return explain(memberAt(request.params, {"code"})); });
+  registry.add("proskill/explain", [](const Request& request) {
+    return explain(rpc::memberAt(request.params, {"code"}));
+  });
 }
 
 } // namespace proskill::lsp

@@ -45,7 +45,7 @@ int symbolKind(NameKind kind) {
 Answer documentSymbol(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
-  JsonWriter json;
+  rpc::JsonWriter json;
   json.open('[');
   writeOutline(
       json, ide::FiacreText(view->text()).outline(), Converter(*view, request), view->file,
@@ -75,7 +75,7 @@ Answer references(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
   const Converter convert(at->view, request);
-  const bool all = memberAt(request.params, {"context", "includeDeclaration"}) == true;
+  const bool all = rpc::memberAt(request.params, {"context", "includeDeclaration"}) == true;
   Json result = Json::array();
   for (const auto& use : ide::FiacreText(at->view.text()).uses(at->at, all))
     result.push_back(convert.location({at->view.file, use.range}));
@@ -86,7 +86,7 @@ Answer prepareRename(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
   const auto found = ide::renameableInFiacre(at->view.text(), at->at);
-  if (!found) return std::unexpected(RpcError{ErrorCode::RequestFailed, found.error()});
+  if (!found) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, found.error()});
   return Json{{"range", Converter(at->view, request).range(at->view.file, *found)},
               {"placeholder", at->view.text().substr(found->begin, found->end - found->begin)}};
 }
@@ -97,7 +97,7 @@ Answer rename(const Request& request) {
   const auto name = textIn(request.params, "newName");
   if (!name) return std::unexpected(name.error());
   auto places = ide::renameInFiacre(at->view.text(), at->at, *name);
-  if (!places) return std::unexpected(RpcError{ErrorCode::RequestFailed, places.error()});
+  if (!places) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, places.error()});
   const auto& path = at->view.program().files[at->view.file].path;
   return workspaceEdit({{path, std::move(*places)}}, *name, request);
 }
@@ -146,8 +146,8 @@ Answer nothing(const Request& /*request*/) { return nullptr; }
 
 Answer noProgram(const Request& /*request*/) {
   return std::unexpected(
-      RpcError{ErrorCode::RequestFailed,
-               "a model in Fiacre is no program: it is verified, and that is all"});
+      rpc::RpcError{rpc::ErrorCode::RequestFailed,
+                    "a model in Fiacre is no program: it is verified, and that is all"});
 }
 
 bool isInFiacre(const Request& request) {
@@ -180,7 +180,7 @@ Answer codeAction(const Request& request) {
 
 Answer notDecided(const Request& /*request*/) {
   return std::unexpected(
-      RpcError{ErrorCode::MethodNotFound, "this is not answered for models in Fiacre"});
+      rpc::RpcError{rpc::ErrorCode::MethodNotFound, "this is not answered for models in Fiacre"});
 }
 
 /// What each method does for a document in Fiacre; null: the same as for programs.

@@ -40,7 +40,7 @@ Answer rangesFormatting(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   if (!request.params.contains("ranges") || !request.params["ranges"].is_array())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`ranges` is missing"});
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams, "`ranges` is missing"});
   return formatRanges(request, *view, request.params["ranges"]);
 }
 

@@ -42,9 +42,9 @@ struct Asked {
 
 /// What an item stands for now; nothing where the program has it no more.
 std::optional<Asked> askedFor(const Request& request) {
-  const auto& data = memberAt(request.params, {"item", "data"});
+  const auto& data = rpc::memberAt(request.params, {"item", "data"});
   auto view = viewOfData(request, data);
-  const auto key = symbolKey(memberAt(data, {"symbol"}));
+  const auto key = symbolKey(rpc::memberAt(data, {"symbol"}));
   if (!view || !key) return std::nullopt;
   const auto symbol = ide::findSymbol(view->index().symbols(), *key);
   if (symbol == analysis::kNoSymbol) return std::nullopt;

@@ -10,13 +10,13 @@ struct AskedRange {
   syntax::Range range;
 };
 
-std::expected<AskedRange, RpcError> askedRange(const Request& request) {
+std::expected<AskedRange, rpc::RpcError> askedRange(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   const auto encoding = request.client.encoding;
-  auto begin = offsetOf(*view, memberAt(request.params, {"range", "start"}), encoding);
+  auto begin = offsetOf(*view, rpc::memberAt(request.params, {"range", "start"}), encoding);
   if (!begin) return std::unexpected(begin.error());
-  auto end = offsetOf(*view, memberAt(request.params, {"range", "end"}), encoding);
+  auto end = offsetOf(*view, rpc::memberAt(request.params, {"range", "end"}), encoding);
   if (!end) return std::unexpected(end.error());
   return AskedRange{std::move(*view), {*begin, std::max(*begin, *end)}};
 }
@@ -36,7 +36,7 @@ Json labelOf(const ide::InlayHint& hint) {
 }
 
 const Json& textOfLabel(const Json& label) {
-  return label.is_array() && !label.empty() ? memberAt(label[0], {"value"}) : label;
+  return label.is_array() && !label.empty() ? rpc::memberAt(label[0], {"value"}) : label;
 }
 
 std::int64_t versionOf(const Request& request, const ide::View& view) {
@@ -67,18 +67,19 @@ Answer inlayHint(const Request& request) {
 
 /// Computes the hints of the place again; the text must be the same still.
 Answer resolveHint(const Request& request) {
-  const auto& data = memberAt(request.params, {"data"});
+  const auto& data = rpc::memberAt(request.params, {"data"});
   if (data.is_null()) return request.params; // it had all from the beginning
   const Request ofText{data, request.snapshot, request.client, request.cancellation};
   auto view = documentView(ofText);
   if (!view) return std::unexpected(view.error());
-  if (memberAt(data, {"version"}) != versionOf(request, *view))
-    return std::unexpected(RpcError{ErrorCode::ContentModified, "the text has changed since"});
-  auto at = offsetOf(*view, memberAt(request.params, {"position"}), request.client.encoding);
+  if (rpc::memberAt(data, {"version"}) != versionOf(request, *view))
+    return std::unexpected(
+        rpc::RpcError{rpc::ErrorCode::ContentModified, "the text has changed since"});
+  auto at = offsetOf(*view, rpc::memberAt(request.params, {"position"}), request.client.encoding);
   if (!at) return std::unexpected(at.error());
   Json json = request.params;
   for (const auto& hint : ide::inlayHints(*view, {*at - std::min(*at, 1U), *at})) {
-    if (hint.at != *at || textOfLabel(memberAt(json, {"label"})) != hint.label) continue;
+    if (hint.at != *at || textOfLabel(rpc::memberAt(json, {"label"})) != hint.label) continue;
     addTooltip(json, hint);
     addLocation(json, hint, Converter(*view, request));
   }
@@ -89,7 +90,7 @@ Answer resolveHint(const Request& request) {
 Answer inlineValue(const Request& request) {
   auto asked = askedRange(request);
   if (!asked) return std::unexpected(asked.error());
-  const auto& stopped = memberAt(request.params, {"context", "stoppedLocation", "end"});
+  const auto& stopped = rpc::memberAt(request.params, {"context", "stoppedLocation", "end"});
   auto last = offsetOf(asked->view, stopped, request.client.encoding);
   if (last) asked->range.end = std::min(asked->range.end, std::max(*last, asked->range.begin));
   const Converter convert(asked->view, request);

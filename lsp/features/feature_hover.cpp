@@ -23,7 +23,7 @@ Json labelOf(const ide::Signature& signature, syntax::Range range, const ClientF
   if (!client.labelOffsets) return label.substr(range.begin, range.length());
   const syntax::LineIndex lines(label);
   auto column = [&](syntax::Offset at) {
-    return toEditor(label, lines, at, Encoding::Utf16).character;
+    return syntax::toEditor(label, lines, at, syntax::Encoding::Utf16).character;
   };
   return Json::array({column(range.begin), column(range.end)});
 }

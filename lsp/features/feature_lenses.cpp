@@ -16,7 +16,7 @@ std::string_view nameOf(const ide::Lens& lens, const ide::View& view) {
 }
 
 /// The commands are the client's; their argument is that of the request that they lead to.
-void writeCommand(JsonWriter& json, const ide::Lens& lens, const ide::View& view,
+void writeCommand(rpc::JsonWriter& json, const ide::Lens& lens, const ide::View& view,
                   std::string_view uri) {
   auto begin = [&](const char* name) {
     json.key("command").open('{').member("title", lens.title).member("command", name);
@@ -41,7 +41,7 @@ void writeCommand(JsonWriter& json, const ide::Lens& lens, const ide::View& view
 }
 
 /// Counting references is left to `resolve`.
-void writeData(JsonWriter& json, const ide::View& view, analysis::SymbolId symbol,
+void writeData(rpc::JsonWriter& json, const ide::View& view, analysis::SymbolId symbol,
                std::string_view uri) {
   json.key("data").open('{').member("uri", uri);
   write(json.key("symbol"), ide::keyOf(view.index().symbols(), symbol));
@@ -53,7 +53,7 @@ Answer codeLens(const Request& request) {
   if (!view) return std::unexpected(view.error());
   const Converter convert(*view, request);
   const auto uri = convert.uri(view->file);
-  JsonWriter json;
+  rpc::JsonWriter json;
   json.open('[');
   for (const auto& lens : ide::lenses(*view, *request.verdicts)) {
     convert.write(json.open('{').key("range"), view->file, lens.at);
@@ -86,8 +86,8 @@ Json referencesCommand(const ide::View& view, analysis::SymbolId id, const Reque
 /// A definition that is gone meanwhile has no references.
 Answer resolveLens(const Request& request) {
   Json lens = request.params;
-  const auto& data = memberAt(request.params, {"data"});
-  const auto key = symbolKey(memberAt(data, {"symbol"}));
+  const auto& data = rpc::memberAt(request.params, {"data"});
+  const auto key = symbolKey(rpc::memberAt(data, {"symbol"}));
   auto view = viewOfData(request, data);
   if (!view || !key) return lens;
   const auto id = ide::findSymbol(view->index().symbols(), *key);

@@ -63,10 +63,10 @@ Answer model(const Request& request) {
   const auto edition = editionIn(request.params);
   if (!edition)
     return std::unexpected(
-        RpcError{ErrorCode::InvalidParams, "`edition` is compact, expanded or runtime"});
+        rpc::RpcError{rpc::ErrorCode::InvalidParams, "`edition` is compact, expanded or runtime"});
   const auto view = request.snapshot.view(*path);
   const auto made = modelOf(view, *edition);
-  if (!made) return std::unexpected(RpcError{ErrorCode::RequestFailed, made.error()});
+  if (!made) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, made.error()});
   const auto printed = fiacre::printWithRanges(made->fiacre);
   const Converter convert(view, request);
   return Json{{"text", printed.text},
@@ -164,8 +164,8 @@ Answer tests(const Request& request) {
 } // namespace
 
 void addModel(Registry& registry) {
-  registry.add("proskill/model", model, Priority::Background);
-  registry.add("proskill/tests", tests, Priority::Background);
+  registry.add("proskill/model", model, rpc::Priority::Background);
+  registry.add("proskill/tests", tests, rpc::Priority::Background);
 }
 
 } // namespace proskill::lsp

@@ -7,7 +7,7 @@ namespace proskill::lsp {
 
 namespace {
 
-RpcError refused(std::string why) { return {ErrorCode::RequestFailed, std::move(why)}; }
+rpc::RpcError refused(std::string why) { return {rpc::ErrorCode::RequestFailed, std::move(why)}; }
 
 Answer prepareRename(const Request& request) {
   auto at = cursor(request);
@@ -42,7 +42,7 @@ Answer linkedEditing(const Request& request) {
 
 /// What programs include goes on being found where an editor gives files other names.
 Answer willRenameFiles(const Request& request) {
-  const auto& files = memberAt(request.params, {"files"});
+  const auto& files = rpc::memberAt(request.params, {"files"});
   std::vector<ide::Move> moves;
   for (const auto& file : files.is_array() ? files : Json::array()) {
     const auto from = textIn(file, "oldUri");

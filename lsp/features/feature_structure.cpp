@@ -17,7 +17,7 @@ Answer selectionRange(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   if (!request.params.contains("positions") || !request.params["positions"].is_array())
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "`positions` is missing"});
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams, "`positions` is missing"});
   const Converter convert(*view, request);
   Json result = Json::array();
   for (const auto& position : request.params["positions"]) {
@@ -43,10 +43,10 @@ Answer documentLink(const Request& request) {
   for (const auto& link : ide::links(view->program().files[view->file].path, view->document())) {
     const auto target = request.snapshot.nameOf(link.target);
     const auto open = request.snapshot.open().find(target);
-    result.push_back(
-        {{"range", convert.range(view->file, link.range)},
-         {"target", open == request.snapshot.open().end() ? toUri(target) : open->second.uri},
-         {"tooltip", "Open " + link.target.filename().string()}});
+    result.push_back({{"range", convert.range(view->file, link.range)},
+                      {"target", open == request.snapshot.open().end() ? report::toUri(target)
+                                                                       : open->second.uri},
+                      {"tooltip", "Open " + link.target.filename().string()}});
   }
   return result;
 }

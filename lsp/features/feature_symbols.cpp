@@ -19,7 +19,7 @@ int kindOfEntry(const ide::OutlineEntry& entry) {
 /// The entries of a stretch.
 struct SymbolPart {
   std::shared_ptr<const syntax::Tree> tree;
-  MovableJson json;
+  rpc::MovableJson json;
 };
 using SymbolParts = Parts<SymbolPart>;
 
@@ -31,17 +31,18 @@ Answer documentSymbol(const Request& request, LastOfTexts<SymbolParts>& last) {
   const auto before = last.find(uri);
   EarlierParts<SymbolPart> earlier(before ? *before : SymbolParts());
   auto parts = std::make_shared<SymbolParts>();
-  JsonWriter json;
+  rpc::JsonWriter json;
   json.open('[');
   std::uint32_t line = 0;
   for (const auto& stretch : view->document().stretches()) {
     line = view->document().lines().position(stretch.range.begin, line).line;
     auto part = earlier.find(stretch.tree);
     if (!part) {
-      JsonWriter mine;
+      rpc::JsonWriter mine;
       writeOutline(mine, ide::outline(*view, stretch.range), convert, view->file, kindOfEntry,
                    request);
-      part = std::make_shared<const SymbolPart>(stretch.tree, MovableJson(std::move(mine), line));
+      part =
+          std::make_shared<const SymbolPart>(stretch.tree, rpc::MovableJson(std::move(mine), line));
     }
     part->json.write(json, line);
     parts->push_back(std::move(part));
@@ -62,11 +63,11 @@ public:
     const auto& [text, lines] = found->second;
     auto position = [&](syntax::Offset at) {
       const auto end = static_cast<syntax::Offset>(text.size());
-      const auto place = toEditor(text, lines, std::min(at, end), request.client.encoding);
+      const auto place = syntax::toEditor(text, lines, std::min(at, end), request.client.encoding);
       return Json{{"line", place.line}, {"character", place.character}};
     };
     const auto open = request.snapshot.open().find(file);
-    return {{"uri", open == request.snapshot.open().end() ? toUri(file) : open->second.uri},
+    return {{"uri", open == request.snapshot.open().end() ? report::toUri(file) : open->second.uri},
             {"range", {{"start", position(range.begin)}, {"end", position(range.end)}}}};
   }
 

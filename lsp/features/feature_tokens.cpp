@@ -40,13 +40,13 @@ public:
     const auto after = next(request, *view, before.get());
     if (!before || before->id != *id) return whole(*after);
     return Json{{"resultId", after->id},
-                {"edits", written(tokenEdits(before->tokens, after->tokens))}};
+                {"edits", rpc::written(tokenEdits(before->tokens, after->tokens))}};
   }
 
 private:
   static std::string uriOf(const Request& request) { return request.params["textDocument"]["uri"]; }
   static Json whole(const Known& known) {
-    return {{"resultId", known.id}, {"data", written(allTokens(known.tokens))}};
+    return {{"resultId", known.id}, {"data", rpc::written(allTokens(known.tokens))}};
   }
 
   std::shared_ptr<const Known> next(const Request& request, const ide::View& view,

@@ -12,10 +12,12 @@ namespace proskill::lsp {
 
 namespace {
 
-RpcError failed(std::string message) { return {ErrorCode::RequestFailed, std::move(message)}; }
+rpc::RpcError failed(std::string message) {
+  return {rpc::ErrorCode::RequestFailed, std::move(message)};
+}
 
 /// The first program of a file, open or not.
-std::expected<ide::View, RpcError> programOf(const Request& request) {
+std::expected<ide::View, rpc::RpcError> programOf(const Request& request) {
   auto path = documentFile(request);
   if (!path) return std::unexpected(path.error());
   return request.snapshot.view(*path);
@@ -30,7 +32,7 @@ std::vector<std::string> namesIn(const Json& params) {
   return names;
 }
 
-std::optional<RpcError> whyNot(const ide::View& view) {
+std::optional<rpc::RpcError> whyNot(const ide::View& view) {
   if (ide::isFiacre(view) && !ide::FiacreText(view.text()).model())
     return failed("the text names no model");
   const auto& found = ide::isFiacre(view) ? view.owner->findings() : view.analysis().diagnostics;
@@ -40,13 +42,13 @@ std::optional<RpcError> whyNot(const ide::View& view) {
   return std::nullopt;
 }
 
-std::string wordsOf(const WorkerProgress& now) {
+std::string wordsOf(const worker::WorkerProgress& now) {
   constexpr std::uint64_t kMegabyte = 1 << 20;
   return fmt::format("{} of {} decided, {} states, {:.0f} a second, {} MB, {:.0f} s", now.decided,
                      now.total, now.classes, now.rate(), now.bytes / kMegabyte, now.seconds);
 }
 
-unsigned percentageOf(const WorkerProgress& now) {
+unsigned percentageOf(const worker::WorkerProgress& now) {
   return now.total > 0 ? static_cast<unsigned>(100 * now.decided / now.total) : 0;
 }
 
@@ -69,12 +71,12 @@ Answer Verification::verifyRequested(const Request& request) {
   auto view = programOf(request);
   if (!view) return std::unexpected(view.error());
   if (auto error = whyNot(*view)) return std::unexpected(*error);
-  auto job = jobFor(view->program());
+  auto job = worker::jobFor(view->program());
   job.names = namesIn(request.params);
   job.budget = withLimits(chosen.requestBudget, request.params.value("limits", Json()));
   const auto& open = request.snapshot.open();
   Progress workDone([this](std::string_view method,
-                           const Json& params) { outside.send(notification(method, params)); },
+                           const Json& params) { outside.send(rpc::notification(method, params)); },
                     request.params.value("workDoneToken", Json()), nullptr);
   workDone.begin("Verifying " + view->program().files.front().path.filename().string());
   board.set(view->owner, VerificationState::Checking);
@@ -88,9 +90,9 @@ Answer Verification::verifyRequested(const Request& request) {
     board.set(view->owner,
               failure.cancelled ? VerificationState::Waiting : VerificationState::Failed,
               failure.cancelled ? "cancelled" : failure.message);
-    return std::unexpected(
-        RpcError{failure.cancelled ? ErrorCode::RequestCancelled : ErrorCode::RequestFailed,
-                 failure.message});
+    return std::unexpected(rpc::RpcError{failure.cancelled ? rpc::ErrorCode::RequestCancelled
+                                                           : rpc::ErrorCode::RequestFailed,
+                                         failure.message});
   }
   const Converter convert(view->program(), open, request.client.encoding);
   auto result = resultJson(*verified, convert);
@@ -119,7 +121,7 @@ Answer Verification::traceRequested(const Request& request) const {
 void Verification::addMethods(Registry& registry) {
   registry.add(
       "proskill/verify", [this](const Request& request) { return verifyRequested(request); },
-      Priority::Long);
+      rpc::Priority::Long);
   registry.add("proskill/trace",
                [this](const Request& request) { return traceRequested(request); });
 }

@@ -8,12 +8,12 @@ namespace proskill::lsp {
 namespace {
 
 bool isTrue(const Json& json, std::initializer_list<const char*> path) {
-  return memberAt(json, path) == true;
+  return rpc::memberAt(json, path) == true;
 }
 
-constexpr std::array kEncodings{std::pair{"utf-8", Encoding::Utf8},
-                                std::pair{"utf-16", Encoding::Utf16},
-                                std::pair{"utf-32", Encoding::Utf32}};
+constexpr std::array kEncodings{std::pair{"utf-8", syntax::Encoding::Utf8},
+                                std::pair{"utf-16", syntax::Encoding::Utf16},
+                                std::pair{"utf-32", syntax::Encoding::Utf32}};
 
 bool lists(const Json& names, std::string_view name) {
   return names.is_array() && std::ranges::find(names, Json(name)) != names.end();
@@ -30,7 +30,7 @@ std::set<std::string> strings(const Json& json) {
 /// The capability for diagnostics was named in two ways.
 std::set<std::string> refreshesOf(const Json& capabilities) {
   std::set<std::string> result;
-  const auto& workspace = memberAt(capabilities, {"workspace"});
+  const auto& workspace = rpc::memberAt(capabilities, {"workspace"});
   for (const auto* what : {"codeLens", "diagnostic", "inlayHint", "inlineValue", "semanticTokens"})
     if (isTrue(workspace, {what, "refreshSupport"}))
       result.insert(std::string("workspace/") + what + "/refresh");
@@ -40,19 +40,20 @@ std::set<std::string> refreshesOf(const Json& capabilities) {
 }
 
 /// Bytes are what the server counts in; where the client takes them, nothing has to be converted.
-Encoding chooseEncoding(const Json& capabilities) {
-  for (const auto* offered : {&memberAt(capabilities, {"general", "positionEncodings"}),
-                              &memberAt(capabilities, {"offsetEncoding"})})
+syntax::Encoding chooseEncoding(const Json& capabilities) {
+  for (const auto* offered : {&rpc::memberAt(capabilities, {"general", "positionEncodings"}),
+                              &rpc::memberAt(capabilities, {"offsetEncoding"})})
     for (const auto& [name, encoding] : kEncodings)
       if (lists(*offered, name)) return encoding;
-  return Encoding::Utf16;
+  return syntax::Encoding::Utf16;
 }
 
 /// Neovim asks for the diagnostics of the text that is edited, and never again for those of the
 /// other open ones: 0.10 cannot be told to, 0.12 then asks for those of the workspace and drops
 /// what is about open texts. It is told, as Neovims before 0.10 are.
 bool asksForDiagnostics(const Json& capabilities, const Json& name) {
-  return memberAt(capabilities, {"textDocument", "diagnostic"}).is_object() && name != "Neovim";
+  return rpc::memberAt(capabilities, {"textDocument", "diagnostic"}).is_object() &&
+         name != "Neovim";
 }
 
 } // namespace
@@ -67,43 +68,44 @@ ClientFeatures readClientFeatures(const Json& capabilities, const Json& name) {
   client.watchedFiles =
       isTrue(capabilities, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
   client.workDoneProgress = isTrue(capabilities, {"window", "workDoneProgress"});
-  const auto& item = memberAt(capabilities, {"textDocument", "completion", "completionItem"});
+  const auto& item = rpc::memberAt(capabilities, {"textDocument", "completion", "completionItem"});
   client.snippets = isTrue(item, {"snippetSupport"});
   client.insertReplace = isTrue(item, {"insertReplaceSupport"});
-  client.completionTags = memberAt(item, {"tagSupport"}).is_object();
+  client.completionTags = rpc::memberAt(item, {"tagSupport"}).is_object();
   client.completionDeprecated = isTrue(item, {"deprecatedSupport"});
-  client.markdownCompletion = lists(memberAt(item, {"documentationFormat"}), "markdown");
+  client.markdownCompletion = lists(rpc::memberAt(item, {"documentationFormat"}), "markdown");
   const auto& signature =
-      memberAt(capabilities, {"textDocument", "signatureHelp", "signatureInformation"});
-  client.markdownSignature = lists(memberAt(signature, {"documentationFormat"}), "markdown");
+      rpc::memberAt(capabilities, {"textDocument", "signatureHelp", "signatureInformation"});
+  client.markdownSignature = lists(rpc::memberAt(signature, {"documentationFormat"}), "markdown");
   client.labelOffsets = isTrue(signature, {"parameterInformation", "labelOffsetSupport"});
   client.hierarchicalSymbols =
       isTrue(capabilities, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.markdownHover =
-      lists(memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
-  client.resolvesActions =
-      lists(memberAt(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}),
-            "edit");
+      lists(rpc::memberAt(capabilities, {"textDocument", "hover", "contentFormat"}), "markdown");
+  client.resolvesActions = lists(
+      rpc::memberAt(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}),
+      "edit");
   client.documentChanges = isTrue(capabilities, {"workspace", "workspaceEdit", "documentChanges"});
   client.diagnosticTags =
-      memberAt(capabilities, {"textDocument", "publishDiagnostics", "tagSupport"}).is_object() ||
-      memberAt(capabilities, {"textDocument", "diagnostic", "tagSupport"}).is_object();
+      rpc::memberAt(capabilities, {"textDocument", "publishDiagnostics", "tagSupport"})
+          .is_object() ||
+      rpc::memberAt(capabilities, {"textDocument", "diagnostic", "tagSupport"}).is_object();
   client.codeDescription =
       isTrue(capabilities, {"textDocument", "publishDiagnostics", "codeDescriptionSupport"}) ||
       isTrue(capabilities, {"textDocument", "diagnostic", "codeDescriptionSupport"});
   client.configuration = isTrue(capabilities, {"workspace", "configuration"});
   client.dynamicConfiguration =
       isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});
-  client.retried =
-      strings(memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
+  client.retried = strings(
+      rpc::memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
   client.resolvedOfHints = strings(
-      memberAt(capabilities, {"textDocument", "inlayHint", "resolveSupport", "properties"}));
+      rpc::memberAt(capabilities, {"textDocument", "inlayHint", "resolveSupport", "properties"}));
   client.refreshes = refreshesOf(capabilities);
   if (!client.pullDiagnostics) client.refreshes.erase("workspace/diagnostic/refresh");
   return client;
 }
 
-std::string_view nameOf(Encoding encoding) {
+std::string_view nameOf(syntax::Encoding encoding) {
   return std::ranges::find(kEncodings, encoding, [](const auto& pair) { return pair.second; })
       ->first;
 }

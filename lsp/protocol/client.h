@@ -12,7 +12,7 @@ namespace proskill::lsp {
 
 /// What the client said that it can do, as far as the server asks.
 struct ClientFeatures {
-  Encoding encoding = Encoding::Utf16;
+  syntax::Encoding encoding = syntax::Encoding::Utf16;
   bool pullDiagnostics = false; ///< asks for diagnostics; else it is told
   bool relatedInformation = false;
   bool watchedFiles = false; ///< may be registered dynamically
@@ -48,6 +48,6 @@ struct ClientFeatures {
                                                 const Json& name = nullptr);
 
 /// The encoding's name in the protocol.
-[[nodiscard]] std::string_view nameOf(Encoding encoding);
+[[nodiscard]] std::string_view nameOf(syntax::Encoding encoding);
 
 } // namespace proskill::lsp

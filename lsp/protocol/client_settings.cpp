@@ -14,12 +14,12 @@ void read(const Json& value, bool& setting) {
 } // namespace
 
 ClientSettings readClientSettings(const Json& json) {
-  const Json& whole = memberAt(json, {"proskill"});
+  const Json& whole = rpc::memberAt(json, {"proskill"});
   const Json& section = whole.is_object() ? whole : json;
   ClientSettings settings;
-  read(memberAt(section, {"diagnostics", "enabled"}), settings.diagnostics);
-  read(memberAt(section, {"diagnostics", "style"}), settings.style);
-  const Json& debounce = memberAt(section, {"diagnostics", "debounce"});
+  read(rpc::memberAt(section, {"diagnostics", "enabled"}), settings.diagnostics);
+  read(rpc::memberAt(section, {"diagnostics", "style"}), settings.style);
+  const Json& debounce = rpc::memberAt(section, {"diagnostics", "debounce"});
   if (debounce.is_number_unsigned())
     settings.debounce =
         std::chrono::milliseconds(std::min(debounce.get<std::uint64_t>(), kLongestDebounce));

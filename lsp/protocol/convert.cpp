@@ -17,13 +17,13 @@ std::optional<std::uint32_t> coordinate(const Json& position, const char* name) 
 
 } // namespace
 
-RpcError invalidParams(std::string message) {
-  return {ErrorCode::InvalidParams, std::move(message)};
+rpc::RpcError invalidParams(std::string message) {
+  return {rpc::ErrorCode::InvalidParams, std::move(message)};
 }
 
 Json Converter::position(analysis::FileId file, syntax::Offset at) const {
   const auto& document = program.files[file].document;
-  auto position = toEditor(document.text(), document.lines(), at, encoding, line);
+  auto position = syntax::toEditor(document.text(), document.lines(), at, encoding, line);
   return {{"line", position.line}, {"character", position.character}};
 }
 
@@ -35,10 +35,10 @@ Json Converter::location(analysis::Location location) const {
   return {{"uri", uri(location.file)}, {"range", range(location)}};
 }
 
-void Converter::write(JsonWriter& json, analysis::FileId file, syntax::Range range) const {
+void Converter::write(rpc::JsonWriter& json, analysis::FileId file, syntax::Range range) const {
   const auto& document = program.files[file].document;
   auto point = [&](const char* name, syntax::Offset at) {
-    const auto position = toEditor(document.text(), document.lines(), at, encoding, line);
+    const auto position = syntax::toEditor(document.text(), document.lines(), at, encoding, line);
     json.key(name).open('{').key("line").line(position.line);
     json.member("character", position.character).close('}');
   };
@@ -48,7 +48,7 @@ void Converter::write(JsonWriter& json, analysis::FileId file, syntax::Range ran
   json.close('}');
 }
 
-void Converter::write(JsonWriter& json, analysis::Location location) const {
+void Converter::write(rpc::JsonWriter& json, analysis::Location location) const {
   write(json.open('{').member("uri", uri(location.file)).key("range"), location.file,
         location.range);
   json.close('}');
@@ -62,16 +62,16 @@ bool Converter::isShown(analysis::FileId file) const {
 std::string Converter::uri(analysis::FileId file) const {
   const auto& path = program.files[file].path;
   auto open = texts.find(path);
-  return open == texts.end() ? toUri(path) : open->second.uri;
+  return open == texts.end() ? report::toUri(path) : open->second.uri;
 }
 
 std::filesystem::path pathOf(std::string_view uri) {
-  if (auto path = toPath(uri)) return *path;
-  if (auto path = toCellPath(uri)) return *path;
+  if (auto path = report::toPath(uri)) return *path;
+  if (auto path = report::toCellPath(uri)) return *path;
   return "/" + std::string(uri);
 }
 
-std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) {
+std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& params) {
   if (!params.is_object() || !params.contains("textDocument"))
     return std::unexpected(invalidParams("`textDocument` is missing"));
   const auto& document = params["textDocument"];
@@ -80,23 +80,23 @@ std::expected<std::filesystem::path, RpcError> documentPath(const Json& params) 
   return pathOf(document["uri"].get<std::string>());
 }
 
-std::expected<std::filesystem::path, RpcError> documentFile(const Request& request) {
+std::expected<std::filesystem::path, rpc::RpcError> documentFile(const Request& request) {
   auto path = documentPath(request.params);
   return path ? request.snapshot.nameOf(*path) : path;
 }
 
 Json listAnswer(const Request& request, std::string_view list) {
-  return request.progress->wantsParts() ? Json::parse(list) : written(list);
+  return request.progress->wantsParts() ? Json::parse(list) : rpc::written(list);
 }
 
-std::expected<std::string, RpcError> textIn(const Json& params, const char* name) {
-  const auto& text = memberAt(params, {name});
+std::expected<std::string, rpc::RpcError> textIn(const Json& params, const char* name) {
+  const auto& text = rpc::memberAt(params, {name});
   if (!text.is_string())
     return std::unexpected(invalidParams("`" + std::string(name) + "` is missing"));
   return text.get<std::string>();
 }
 
-std::expected<ide::View, RpcError> documentView(const Request& request) {
+std::expected<ide::View, rpc::RpcError> documentView(const Request& request) {
   auto path = documentPath(request.params);
   if (!path) return std::unexpected(path.error());
   if (!request.snapshot.open().contains(*path) ||
@@ -105,16 +105,16 @@ std::expected<ide::View, RpcError> documentView(const Request& request) {
   return request.snapshot.view(*path);
 }
 
-std::expected<syntax::Offset, RpcError> offsetOf(const ide::View& view, const Json& position,
-                                                 Encoding encoding) {
+std::expected<syntax::Offset, rpc::RpcError> offsetOf(const ide::View& view, const Json& position,
+                                                      syntax::Encoding encoding) {
   auto line = coordinate(position, "line");
   auto character = coordinate(position, "character");
   if (!line || !character)
     return std::unexpected(invalidParams("a position has a line and a character"));
-  return fromEditor(view.text(), view.document().lines(), {*line, *character}, encoding);
+  return syntax::fromEditor(view.text(), view.document().lines(), {*line, *character}, encoding);
 }
 
-std::expected<Cursor, RpcError> cursor(const Request& request) {
+std::expected<Cursor, rpc::RpcError> cursor(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   if (!request.params.contains("position"))
@@ -124,8 +124,8 @@ std::expected<Cursor, RpcError> cursor(const Request& request) {
   return Cursor{std::move(*view), *at};
 }
 
-std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view, const Json& range,
-                                               Encoding encoding) {
+std::expected<syntax::Range, rpc::RpcError> rangeOf(const ide::View& view, const Json& range,
+                                                    syntax::Encoding encoding) {
   if (!range.is_object() || !range.contains("start") || !range.contains("end"))
     return std::unexpected(invalidParams("a range has a start and an end"));
   auto begin = offsetOf(view, range["start"], encoding);
@@ -135,8 +135,8 @@ std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view, const Json
   return syntax::Range{std::min(*begin, *end), std::max(*begin, *end)};
 }
 
-std::expected<syntax::Range, RpcError> rangeIn(const ide::View& view, const Json& params,
-                                               Encoding encoding) {
+std::expected<syntax::Range, rpc::RpcError> rangeIn(const ide::View& view, const Json& params,
+                                                    syntax::Encoding encoding) {
   if (!params.contains("range")) return std::unexpected(invalidParams("`range` is missing"));
   return rangeOf(view, params["range"], encoding);
 }

@@ -16,7 +16,8 @@ public:
       : program(view.program()),
         texts(request.snapshot.open()),
         encoding(request.client.encoding) {}
-  Converter(const analysis::Program& program, const ide::OpenTexts& texts, Encoding encoding)
+  Converter(const analysis::Program& program, const ide::OpenTexts& texts,
+            syntax::Encoding encoding)
       : program(program), texts(texts), encoding(encoding) {}
 
   [[nodiscard]] Json position(analysis::FileId file, syntax::Offset at) const;
@@ -25,8 +26,8 @@ public:
     return range(location.file, location.range);
   }
   [[nodiscard]] Json location(analysis::Location location) const;
-  void write(JsonWriter& json, analysis::FileId file, syntax::Range range) const;
-  void write(JsonWriter& json, analysis::Location location) const;
+  void write(rpc::JsonWriter& json, analysis::FileId file, syntax::Range range) const;
+  void write(rpc::JsonWriter& json, analysis::Location location) const;
   /// Whether the client knows it as a text: the server's own of a notebook is none.
   [[nodiscard]] bool isShown(analysis::FileId file) const;
   /// As the client spells it, where it holds the text.
@@ -35,25 +36,27 @@ public:
 private:
   const analysis::Program& program;
   const ide::OpenTexts& texts;
-  Encoding encoding;
+  syntax::Encoding encoding;
   mutable std::uint32_t line = 0; ///< of the last place: the next one is mostly near
 };
 
-[[nodiscard]] RpcError invalidParams(std::string message);
+[[nodiscard]] rpc::RpcError invalidParams(std::string message);
 
 /// A request's text, by its `textDocument`. A URI that is no file gets a path that no file has.
-[[nodiscard]] std::expected<std::filesystem::path, RpcError> documentPath(const Json& params);
+[[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
 
 /// The file that a request is about, by its name in the snapshot; open or not.
-[[nodiscard]] std::expected<std::filesystem::path, RpcError> documentFile(const Request& request);
+[[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError>
+documentFile(const Request& request);
 
 /// An answer that is a list and was written as text. Where the client wants parts of it, it is
 /// taken apart.
 [[nodiscard]] Json listAnswer(const Request& request, std::string_view list);
 
 /// A member that must be a text.
-[[nodiscard]] std::expected<std::string, RpcError> textIn(const Json& params, const char* name);
+[[nodiscard]] std::expected<std::string, rpc::RpcError> textIn(const Json& params,
+                                                               const char* name);
 
 /// A place that a request asks about.
 struct Cursor {
@@ -61,14 +64,14 @@ struct Cursor {
   syntax::Offset at = 0;
 };
 
-[[nodiscard]] std::expected<ide::View, RpcError> documentView(const Request& request);
-[[nodiscard]] std::expected<Cursor, RpcError> cursor(const Request& request);
+[[nodiscard]] std::expected<ide::View, rpc::RpcError> documentView(const Request& request);
+[[nodiscard]] std::expected<Cursor, rpc::RpcError> cursor(const Request& request);
 /// A request's `range`.
-[[nodiscard]] std::expected<syntax::Range, RpcError> rangeIn(const ide::View& view,
-                                                             const Json& params, Encoding encoding);
-[[nodiscard]] std::expected<syntax::Range, RpcError> rangeOf(const ide::View& view,
-                                                             const Json& range, Encoding encoding);
-[[nodiscard]] std::expected<syntax::Offset, RpcError>
-offsetOf(const ide::View& view, const Json& position, Encoding encoding);
+[[nodiscard]] std::expected<syntax::Range, rpc::RpcError>
+rangeIn(const ide::View& view, const Json& params, syntax::Encoding encoding);
+[[nodiscard]] std::expected<syntax::Range, rpc::RpcError>
+rangeOf(const ide::View& view, const Json& range, syntax::Encoding encoding);
+[[nodiscard]] std::expected<syntax::Offset, rpc::RpcError>
+offsetOf(const ide::View& view, const Json& position, syntax::Encoding encoding);
 
 } // namespace proskill::lsp

@@ -5,7 +5,7 @@
 namespace proskill::lsp {
 
 Answer foldsAnswer(const Request& request, const std::vector<ide::Fold>& folds) {
-  JsonWriter json;
+  rpc::JsonWriter json;
   json.open('[');
   for (const auto& fold : folds) {
     json.open('{').member("startLine", fold.firstLine).member("endLine", fold.lastLine);

@@ -8,7 +8,7 @@
 
 namespace proskill::lsp {
 
-Manual::Manual(const std::filesystem::path& page) : uri(toUri(page)) {
+Manual::Manual(const std::filesystem::path& page) : uri(report::toUri(page)) {
   constexpr std::string_view kHeading = "## ";
   std::ifstream stream(page);
   unsigned number = 1;

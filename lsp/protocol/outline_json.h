@@ -10,7 +10,7 @@ namespace proskill::lsp {
 
 /// The protocol's `DocumentSymbol`s. \param kindOf an entry's `SymbolKind`
 template <class Entry, class KindOf>
-void writeTrees(JsonWriter& json, const std::vector<Entry>& entries, const Converter& convert,
+void writeTrees(rpc::JsonWriter& json, const std::vector<Entry>& entries, const Converter& convert,
                 analysis::FileId file, const KindOf& kindOf) {
   for (const auto& entry : entries) {
     json.open('{').member("name", entry.name).member("kind", kindOf(entry));
@@ -28,7 +28,7 @@ void writeTrees(JsonWriter& json, const std::vector<Entry>& entries, const Conve
 
 /// The protocol's `SymbolInformation`s, for clients that know no trees.
 template <class Entry, class KindOf>
-void writeFlat(JsonWriter& json, const std::vector<Entry>& entries, const Converter& convert,
+void writeFlat(rpc::JsonWriter& json, const std::vector<Entry>& entries, const Converter& convert,
                analysis::FileId file, const KindOf& kindOf, std::string_view container = {}) {
   for (const auto& entry : entries) {
     json.open('{').member("name", entry.name).member("kind", kindOf(entry));
@@ -40,8 +40,9 @@ void writeFlat(JsonWriter& json, const std::vector<Entry>& entries, const Conver
 }
 
 template <class Entry, class KindOf>
-void writeOutline(JsonWriter& json, const std::vector<Entry>& entries, const Converter& convert,
-                  analysis::FileId file, const KindOf& kindOf, const Request& request) {
+void writeOutline(rpc::JsonWriter& json, const std::vector<Entry>& entries,
+                  const Converter& convert, analysis::FileId file, const KindOf& kindOf,
+                  const Request& request) {
   if (request.client.hierarchicalSymbols)
     writeTrees(json, entries, convert, file, kindOf);
   else

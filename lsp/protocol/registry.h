@@ -21,7 +21,7 @@ struct Request {
   const Json& params;
   const ide::Snapshot& snapshot;
   const ClientFeatures& client;
-  Cancellation cancellation;
+  rpc::Cancellation cancellation;
   /// The last verdicts of every program; never null.
   std::shared_ptr<const ide::Verdicts> verdicts = std::make_shared<const ide::Verdicts>();
   /// What the user sets in the editor; never null.
@@ -30,12 +30,12 @@ struct Request {
   std::shared_ptr<Progress> progress = std::make_shared<Progress>();
 };
 
-using Answer = std::expected<Json, RpcError>;
+using Answer = std::expected<Json, rpc::RpcError>;
 using Handler = std::function<Answer(const Request&)>;
 
 struct Method {
   Handler handler;
-  Priority priority = Priority::Interactive;
+  rpc::Priority priority = rpc::Priority::Interactive;
 };
 
 /// The requests that the server answers, and what it tells the client of them. Each group of
@@ -45,7 +45,8 @@ struct Registry {
   std::map<std::string, Method, std::less<>> methods;
   Json capabilities = Json::object();
 
-  void add(std::string method, Handler handler, Priority priority = Priority::Interactive) {
+  void add(std::string method, Handler handler,
+           rpc::Priority priority = rpc::Priority::Interactive) {
     methods[std::move(method)] = {std::move(handler), priority};
   }
 };

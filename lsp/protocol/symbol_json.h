@@ -11,7 +11,7 @@ namespace proskill::lsp {
 
 [[nodiscard]] Json toJson(const ide::SymbolKey& key);
 /// The same, written.
-void write(JsonWriter& json, const ide::SymbolKey& key);
+void write(rpc::JsonWriter& json, const ide::SymbolKey& key);
 /// Nothing where it is no key.
 [[nodiscard]] std::optional<ide::SymbolKey> symbolKey(const Json& json);
 

@@ -25,7 +25,7 @@ bool areSame(std::span<const Token> names, const std::vector<Token>& known, Offs
 
 /// \param line the first of the stretch
 TokenPart partOf(const ide::View& view, const std::vector<Token>& tokens, std::uint32_t line,
-                 Encoding encoding) {
+                 syntax::Encoding encoding) {
   TokenPart part;
   part.numbers = encoded(view, tokens, encoding);
   if (tokens.empty()) return part;
@@ -37,7 +37,7 @@ TokenPart partOf(const ide::View& view, const std::vector<Token>& tokens, std::u
 /// Puts one part behind the other.
 class Gathering {
 public:
-  Gathering(const ide::View& view, Encoding encoding, const TokenAnswer& earlier)
+  Gathering(const ide::View& view, syntax::Encoding encoding, const TokenAnswer& earlier)
       : view(view), encoding(encoding), earlier(partsOf(earlier)) {}
 
   TokenAnswer ofStretches() {
@@ -87,7 +87,7 @@ private:
   }
 
   const ide::View& view;
-  Encoding encoding;
+  syntax::Encoding encoding;
   EarlierParts<TokenPart> earlier;
   TokenAnswer answer;
   std::uint32_t lineOfLast = 0;  ///< of the last stretch
@@ -111,7 +111,7 @@ Numbers numbersOf(Placed placed) {
   return numbers;
 }
 
-void write(JsonWriter& json, std::span<const std::uint32_t> numbers) {
+void write(rpc::JsonWriter& json, std::span<const std::uint32_t> numbers) {
   json.open('[');
   for (auto number : numbers) json.value(number);
   json.close(']');
@@ -119,7 +119,8 @@ void write(JsonWriter& json, std::span<const std::uint32_t> numbers) {
 
 /// What is between the tokens that both begin with and those that both end with.
 /// \param start how many numbers are before `before`
-void writeEdit(JsonWriter& json, const Numbers& before, const Numbers& after, std::size_t start) {
+void writeEdit(rpc::JsonWriter& json, const Numbers& before, const Numbers& after,
+               std::size_t start) {
   auto [head, tail] = syntax::commonEnds(before, after);
   head -= head % kNumbersPerToken;
   tail -= tail % kNumbersPerToken;
@@ -132,11 +133,12 @@ void writeEdit(JsonWriter& json, const Numbers& before, const Numbers& after, st
 
 } // namespace
 
-Numbers encoded(const ide::View& view, const std::vector<Token>& tokens, Encoding encoding) {
+Numbers encoded(const ide::View& view, const std::vector<Token>& tokens,
+                syntax::Encoding encoding) {
   Numbers numbers;
   numbers.reserve(tokens.size() * kNumbersPerToken);
-  EditorPosition last;
-  LineWalk walk(view.text(), view.document().lines(), encoding);
+  syntax::EditorPosition last;
+  syntax::LineWalk walk(view.text(), view.document().lines(), encoding);
   for (const auto& token : tokens) {
     auto begin = walk.to(token.range.begin);
     auto end = walk.to(token.range.end);
@@ -150,13 +152,14 @@ Numbers encoded(const ide::View& view, const std::vector<Token>& tokens, Encodin
   return numbers;
 }
 
-TokenAnswer tokenAnswer(const ide::View& view, Encoding encoding, const TokenAnswer& earlier) {
+TokenAnswer tokenAnswer(const ide::View& view, syntax::Encoding encoding,
+                        const TokenAnswer& earlier) {
   Gathering gathering(view, encoding, earlier);
   return ide::isFiacre(view) ? gathering.ofWhole() : gathering.ofStretches();
 }
 
 std::string allTokens(const TokenAnswer& answer) {
-  JsonWriter json;
+  rpc::JsonWriter json;
   constexpr std::size_t kBytesPerNumber = 3;
   json.reserve(countOf(answer) * kBytesPerNumber);
   write(json, numbersOf(answer));
@@ -168,7 +171,7 @@ std::string tokenEdits(const TokenAnswer& before, const TokenAnswer& after) {
   const auto old = Placed(before).subspan(front, before.size() - front - back);
   const auto now = Placed(after).subspan(front, after.size() - front - back);
   auto start = countOf(Placed(before).first(front));
-  JsonWriter json;
+  rpc::JsonWriter json;
   json.open('[');
   if (old.size() != now.size()) {
     writeEdit(json, numbersOf(old), numbersOf(now), start);

@@ -13,7 +13,7 @@ using Numbers = std::vector<std::uint32_t>;
 inline constexpr std::size_t kNumbersPerToken = 5;
 
 [[nodiscard]] Numbers encoded(const ide::View& view, const std::vector<ide::Token>& tokens,
-                              Encoding encoding);
+                              syntax::Encoding encoding);
 
 /// The tokens of a stretch, wherever it stands.
 struct TokenPart {
@@ -35,7 +35,7 @@ using TokenAnswer = std::vector<PlacedTokens>;
 
 /// \param earlier an answer about the text before some edits: what they did not touch, and what
 ///        means the same, is taken from it
-[[nodiscard]] TokenAnswer tokenAnswer(const ide::View& view, Encoding encoding,
+[[nodiscard]] TokenAnswer tokenAnswer(const ide::View& view, syntax::Encoding encoding,
                                       const TokenAnswer& earlier);
 /// All numbers, as an array.
 [[nodiscard]] std::string allTokens(const TokenAnswer& answer);

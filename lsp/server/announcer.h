@@ -16,7 +16,7 @@ public:
   using Time = std::chrono::steady_clock::time_point;
   enum class Kind : std::uint8_t { Error = 1, Warning = 2, Info = 3 };
 
-  explicit Announcer(Peer& peer) : peer(peer) {}
+  explicit Announcer(rpc::Peer& peer) : peer(peer) {}
 
   void show(Kind kind, const std::string& message, Time now = std::chrono::steady_clock::now()) {
     const Json params{{"type", static_cast<int>(kind)}, {"message", message}};
@@ -30,7 +30,7 @@ private:
   static constexpr std::chrono::minutes kPause{1};
   static constexpr std::size_t kMost = 3;
 
-  Peer& peer;
+  rpc::Peer& peer;
   std::map<std::string, Time> shown;
 };
 

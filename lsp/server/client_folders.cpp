@@ -31,7 +31,7 @@ void ClientFolders::read(std::vector<Path> some) {
     server.peer.ask("window/workDoneProgress/create", {{"token", token}},
                     [agreed](const Json&) { *agreed = true; });
   ++readings;
-  server.scheduler.post(Priority::Background, [this, some = std::move(some), agreed, token] {
+  server.scheduler.post(rpc::Priority::Background, [this, some = std::move(some), agreed, token] {
     Progress progress([this](auto what, const Json& params) { server.peer.notify(what, params); },
                       token, nullptr);
     auto found = std::make_shared<FolderContents>(

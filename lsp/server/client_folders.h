@@ -21,10 +21,10 @@ public:
   /// What folders need of the server; all of it outlives them.
   struct Server {
     Workspace& workspace;
-    Peer& peer;
+    rpc::Peer& peer;
     const ClientFeatures& client;
-    Inbox& inbox;
-    Scheduler& scheduler;
+    rpc::Inbox& inbox;
+    rpc::Scheduler& scheduler;
     std::function<void()> onRead; ///< on the main thread, when folders have been read
   };
 

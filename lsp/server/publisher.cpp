@@ -43,7 +43,7 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
   }
   for (const auto& [path, text] : snapshot->open()) {
     if (text.kind == ide::TextKind::Notebook) continue;
-    scheduler.post(Priority::Background,
+    scheduler.post(rpc::Priority::Background,
                    [this, path = path, asked = revision.load(), wanted = running] {
                      if (wanted.isCancelled()) return;
                      const analysis::StopWhen stop([&] { return wanted.isCancelled(); });

@@ -31,8 +31,9 @@ public:
       std::function<void(std::string_view method, const Json& params, std::string_view error)>;
 
   /// All of them outlive the publisher's tasks.
-  Publisher(Peer& peer, Scheduler& scheduler, Statistics& statistics, const ClientFeatures& client,
-            GetVerdicts verdicts, OnPublished onPublished, OnFailure onFailure)
+  Publisher(rpc::Peer& peer, rpc::Scheduler& scheduler, Statistics& statistics,
+            const ClientFeatures& client, GetVerdicts verdicts, OnPublished onPublished,
+            OnFailure onFailure)
       : peer(peer),
         scheduler(scheduler),
         statistics(statistics),
@@ -69,8 +70,8 @@ private:
   void finish(std::uint64_t asked, Pace::Duration took);
   [[nodiscard]] bool isTold(const Path& path, const Told& now);
 
-  Peer& peer;
-  Scheduler& scheduler;
+  rpc::Peer& peer;
+  rpc::Scheduler& scheduler;
   Statistics& statistics;
   const ClientFeatures& client;
   GetVerdicts verdicts;
@@ -78,7 +79,7 @@ private:
   OnFailure onFailure;
   std::optional<Time> dueAt;
   std::atomic<std::uint64_t> revision{0}; ///< of the texts
-  Cancellation running;                   ///< of what was posted for the last revision
+  rpc::Cancellation running;              ///< of what was posted for the last revision
   std::mutex mutex; ///< of what follows, and of looking at the revision and sending
   std::map<Path, Told> told;
   Pace pace;

@@ -20,7 +20,7 @@ public:
   using Snapshot = std::shared_ptr<const ide::Snapshot>;
 
   /// Both outlive the refresher.
-  Refresher(Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
+  Refresher(rpc::Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
 
   // The main thread's:
   /// A file was edited, opened, closed or written to disk; `delay` from now on is soon enough.
@@ -44,7 +44,7 @@ private:
   [[nodiscard]] bool concernsOthers(const ide::Snapshot& now) const;
   void ask(std::initializer_list<const char*> methods);
 
-  Peer& peer;
+  rpc::Peer& peer;
   const ClientFeatures& client;
   std::atomic<bool> stopped = false;
   std::optional<Time> dueAt;

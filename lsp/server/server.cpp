@@ -15,7 +15,7 @@ namespace {
 /// A result longer than this is sent in parts, where the client takes them.
 constexpr std::size_t kPart = 200;
 
-const Json& idOf(const Json& params) { return memberAt(params, {"id"}); }
+const Json& idOf(const Json& params) { return rpc::memberAt(params, {"id"}); }
 
 /// Sends a list as parts; what is left for the answer is nothing. LSP 3.17: the answer of a request
 /// whose parts were sent is empty.
@@ -32,7 +32,7 @@ Json inParts(Json list, const Progress& progress) {
 
 } // namespace
 
-Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
+Server::Server(rpc::Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
                ServerOptions serverOptions)
     : connection(connection),
       options(std::move(serverOptions)),
@@ -60,10 +60,11 @@ Server::Server(Connection& connection, std::shared_ptr<const analysis::FileSyste
 
 /// What was asked for is shown at once, however often: it is the user who asks.
 Answer Server::execute(const Json& params) {
-  const auto& command = memberAt(params, {"command"});
+  const auto& command = rpc::memberAt(params, {"command"});
   if (command != kExplainCommand)
-    return std::unexpected(RpcError{ErrorCode::InvalidParams, "there is no such command"});
-  const auto& arguments = memberAt(params, {"arguments"});
+    return std::unexpected(
+        rpc::RpcError{rpc::ErrorCode::InvalidParams, "there is no such command"});
+  const auto& arguments = rpc::memberAt(params, {"arguments"});
   auto answer = explain(arguments.is_array() && !arguments.empty() ? arguments[0] : Json());
   if (!answer) return answer;
   peer.notify("window/showMessage",
@@ -104,52 +105,53 @@ void Server::onDeadline() {
 }
 
 void Server::readStream() {
-  FrameReader frames;
+  rpc::FrameReader frames;
   for (auto bytes = connection.read(); !bytes.empty(); bytes = connection.read()) {
     frames.feed(bytes);
     while (auto next = frames.next()) receive(*next);
   }
-  inbox.put(EndOfStream{});
+  inbox.put(rpc::EndOfStream{});
 }
 
-void Server::receive(const Frame& frame) {
-  if (const auto* error = std::get_if<FramingError>(&frame))
-    return inbox.put(MalformedMessage{{ErrorCode::ParseError, error->message}, {}});
-  auto message = parseMessage(std::get<std::string>(frame));
+void Server::receive(const rpc::Frame& frame) {
+  if (const auto* error = std::get_if<rpc::FramingError>(&frame))
+    return inbox.put(rpc::MalformedMessage{{rpc::ErrorCode::ParseError, error->message}, {}});
+  auto message = rpc::parseMessage(std::get<std::string>(frame));
   if (!message) return inbox.put(message.error());
   receive(std::move(*message));
 }
 
 /// Cancels on the spot: a cancellation must not wait behind what it cancels.
-void Server::receive(Message message) {
-  if (message.kind == MessageKind::Notification && message.method == "$/cancelRequest") {
+void Server::receive(rpc::Message message) {
+  if (message.kind == rpc::MessageKind::Notification && message.method == "$/cancelRequest") {
     const Json& id = idOf(message.params);
-    if (pending.cancel(id)) outbox.send(replyError(id, {ErrorCode::RequestCancelled, "cancelled"}));
+    if (pending.cancel(id))
+      outbox.send(rpc::replyError(id, {rpc::ErrorCode::RequestCancelled, "cancelled"}));
     return;
   }
-  if (message.kind != MessageKind::Request)
-    return inbox.put(Received{std::move(message), {}, pending.count()});
+  if (message.kind != rpc::MessageKind::Request)
+    return inbox.put(rpc::Received{std::move(message), {}, pending.count()});
   auto cancellation = pending.begin(message);
   if (!cancellation)
-    return inbox.put(
-        MalformedMessage{{ErrorCode::InvalidRequest, "`id` is that of a request that waits"},
-                         std::move(message.id)});
-  inbox.put(Received{std::move(message), std::move(*cancellation)});
+    return inbox.put(rpc::MalformedMessage{
+        {rpc::ErrorCode::InvalidRequest, "`id` is that of a request that waits"},
+        std::move(message.id)});
+  inbox.put(rpc::Received{std::move(message), std::move(*cancellation)});
 }
 
 /// False where the server's life ends here.
-bool Server::handle(InboxEvent& event) {
-  if (std::holds_alternative<EndOfStream>(event)) return false;
-  if (auto* received = std::get_if<Received>(&event)) return handleMessage(*received);
-  if (auto* task = std::get_if<Task>(&event)) {
+bool Server::handle(rpc::InboxEvent& event) {
+  if (std::holds_alternative<rpc::EndOfStream>(event)) return false;
+  if (auto* received = std::get_if<rpc::Received>(&event)) return handleMessage(*received);
+  if (auto* task = std::get_if<rpc::Task>(&event)) {
     (*task)();
     return true;
   }
-  const auto& malformed = std::get<MalformedMessage>(event);
+  const auto& malformed = std::get<rpc::MalformedMessage>(event);
   log.write("malformed message: " + malformed.error.message);
-  outbox.send(replyError(malformed.id, malformed.error));
+  outbox.send(rpc::replyError(malformed.id, malformed.error));
   // It may have been an edit, and nobody can ask a client for its texts.
-  if (malformed.error.code == ErrorCode::ParseError && phase == Phase::Running)
+  if (malformed.error.code == rpc::ErrorCode::ParseError && phase == Phase::Running)
     announcer.show(Announcer::Kind::Error,
                    "a message of the editor cannot be read; if ProSkill shows another text than "
                    "yours, please close the file and open it again");
@@ -157,44 +159,45 @@ bool Server::handle(InboxEvent& event) {
 }
 
 /// What a message does to this thread is that message's error, and nobody's end.
-bool Server::handleMessage(Received& received) {
+bool Server::handleMessage(rpc::Received& received) {
   auto& message = received.message;
   if (message.isRepaired && phase == Phase::Running)
     announcer.show(Announcer::Kind::Warning,
                    "the editor sent half a character, which is read as U+FFFD");
   try {
     switch (message.kind) {
-    case MessageKind::Request: handleRequest(received); return true;
-    case MessageKind::Notification: return handleNotification(received);
-    case MessageKind::Response:
+    case rpc::MessageKind::Request: handleRequest(received); return true;
+    case rpc::MessageKind::Notification: return handleNotification(received);
+    case rpc::MessageKind::Response:
       if (!peer.answered(message)) log.write("an answer to no question");
       return true;
     }
   } catch (const std::exception& error) {
     log.writeFailure(message.method, message.params, error.what());
     if (pending.finish(message.id))
-      outbox.send(replyError(message.id, {ErrorCode::InternalError, error.what()}));
+      outbox.send(rpc::replyError(message.id, {rpc::ErrorCode::InternalError, error.what()}));
   }
   return true;
 }
 
-void Server::handleRequest(Received& received) {
+void Server::handleRequest(rpc::Received& received) {
   const auto& message = received.message;
-  auto refuse = [&](ErrorCode code, std::string why) {
-    if (pending.finish(message.id)) outbox.send(replyError(message.id, {code, std::move(why)}));
+  auto refuse = [&](rpc::ErrorCode code, std::string why) {
+    if (pending.finish(message.id))
+      outbox.send(rpc::replyError(message.id, {code, std::move(why)}));
   };
   auto give = [&](const Json& result) {
-    if (pending.finish(message.id)) outbox.send(lsp::reply(message.id, result));
+    if (pending.finish(message.id)) outbox.send(rpc::reply(message.id, result));
   };
   if (phase == Phase::ShutDown)
-    return refuse(ErrorCode::InvalidRequest, "the server has been shut down");
+    return refuse(rpc::ErrorCode::InvalidRequest, "the server has been shut down");
   if (message.method == "initialize") {
     if (phase != Phase::Fresh)
-      return refuse(ErrorCode::InvalidRequest, "the server is initialised already");
+      return refuse(rpc::ErrorCode::InvalidRequest, "the server is initialised already");
     return give(initialize(message.params));
   }
   if (phase == Phase::Fresh)
-    return refuse(ErrorCode::ServerNotInitialized, "`initialize` comes first");
+    return refuse(rpc::ErrorCode::ServerNotInitialized, "`initialize` comes first");
   if (message.method == "shutdown") {
     phase = Phase::ShutDown;
     refresher.stop();
@@ -202,17 +205,17 @@ void Server::handleRequest(Received& received) {
   }
   auto method = registry.methods.find(message.method);
   if (method == registry.methods.end())
-    return refuse(ErrorCode::MethodNotFound, "there is no method " + message.method);
+    return refuse(rpc::ErrorCode::MethodNotFound, "there is no method " + message.method);
   dispatch(received, method->second);
 }
 
-bool Server::handleNotification(Received& received) {
+bool Server::handleNotification(rpc::Received& received) {
   if (received.message.method == "exit") return false;
   if (phase == Phase::Running) notified(received);
   return true;
 }
 
-void Server::notified(Received& received) {
+void Server::notified(rpc::Received& received) {
   const auto& [method, params] = std::tie(received.message.method, received.message.params);
   if (method == "initialized") return initialized();
   if (method.starts_with("textDocument/did")) return handleText(received);
@@ -220,17 +223,18 @@ void Server::notified(Received& received) {
   if (method == "workspace/didChangeWatchedFiles") return handleWatchedFiles(params);
   if (method == "workspace/didChangeWorkspaceFolders") return changeFolders(params);
   if (method == "workspace/didChangeConfiguration")
-    return client.configuration ? askForSettings() : setSettings(memberAt(params, {"settings"}));
+    return client.configuration ? askForSettings()
+                                : setSettings(rpc::memberAt(params, {"settings"}));
   if (method == "proskill/view") {
     if (auto path = documentPath(params)) verification.setView(*path);
     return;
   }
-  if (method == "$/setTrace") return log.setTrace(memberAt(params, {"value"}));
+  if (method == "$/setTrace") return log.setTrace(rpc::memberAt(params, {"value"}));
   if (!method.starts_with("$/")) log.write("a notification that is not served: " + method);
 }
 
-void Server::dispatch(Received& received, const Method& method) {
-  auto& pool = method.priority == Priority::Long ? longWork : scheduler;
+void Server::dispatch(rpc::Received& received, const Method& method) {
+  auto& pool = method.priority == rpc::Priority::Long ? longWork : scheduler;
   pool.post(method.priority, [this, received = std::move(received), &method,
                               snapshot = workspace.snapshot(), settings = settings] {
     const auto& message = received.message;
@@ -240,8 +244,8 @@ void Server::dispatch(Received& received, const Method& method) {
     request.verdicts = verification.verdicts();
     request.settings = settings;
     request.progress =
-        std::make_shared<Progress>(notify, memberAt(message.params, {"workDoneToken"}),
-                                   memberAt(message.params, {"partialResultToken"}));
+        std::make_shared<Progress>(notify, rpc::memberAt(message.params, {"workDoneToken"}),
+                                   rpc::memberAt(message.params, {"partialResultToken"}));
     answer(message, method, request);
     if (message.method.ends_with("/diagnostic")) findingsTold(*snapshot);
     if (auto replaced = snapshot->takeReplaced(); !replaced.empty()) forget(std::move(replaced));
@@ -249,19 +253,19 @@ void Server::dispatch(Received& received, const Method& method) {
 }
 
 /// A bug in a handler is that request's error, and no other's.
-void Server::answer(const Message& message, const Method& method, const Request& request) {
+void Server::answer(const rpc::Message& message, const Method& method, const Request& request) {
   auto start = std::chrono::steady_clock::now();
   Answer result;
   auto bug = [&](std::string_view what) {
     ++errors;
     log.writeFailure(message.method, message.params, what);
-    result = std::unexpected(RpcError{ErrorCode::InternalError, std::string(what)});
+    result = std::unexpected(rpc::RpcError{rpc::ErrorCode::InternalError, std::string(what)});
   };
   const analysis::StopWhen stop([&] { return request.cancellation.isCancelled(); });
   try {
     result = method.handler(request);
   } catch (const analysis::Stopped&) {
-    result = std::unexpected(RpcError{ErrorCode::RequestCancelled, "cancelled"});
+    result = std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestCancelled, "cancelled"});
   } catch (const std::exception& error) {
     bug(error.what());
   } catch (...) {
@@ -278,11 +282,11 @@ void Server::answer(const Message& message, const Method& method, const Request&
   reply(message, std::move(result), *request.progress);
 }
 
-void Server::reply(const Message& message, Answer result, Progress& progress) {
+void Server::reply(const rpc::Message& message, Answer result, Progress& progress) {
   if (!pending.finish(message.id)) return;
   progress.end();
-  outbox.send(result ? lsp::reply(message.id, inParts(std::move(*result), progress))
-                     : replyError(message.id, result.error()));
+  outbox.send(result ? rpc::reply(message.id, inParts(std::move(*result), progress))
+                     : rpc::replyError(message.id, result.error()));
 }
 
 /// The texts are as they were; what shows verdicts is told anew.

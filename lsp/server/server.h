@@ -40,7 +40,7 @@ struct ServerOptions {
 /// one applies edits in order and hands requests out; the pool answers them on snapshots.
 class Server {
 public:
-  Server(Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
+  Server(rpc::Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
          ServerOptions options);
 
   /// Serves until `exit` or the end of the stream. 0 where the client asked for `shutdown` before,
@@ -53,28 +53,28 @@ private:
   using Path = std::filesystem::path;
 
   void readStream();
-  void receive(const Frame& frame);
-  void receive(Message message);
+  void receive(const rpc::Frame& frame);
+  void receive(rpc::Message message);
   [[nodiscard]] std::optional<Time> nextDeadline() const;
   void onDeadline();
-  bool handle(InboxEvent& event);
-  bool handleMessage(Received& received);
-  void handleRequest(Received& received);
-  bool handleNotification(Received& received);
-  void notified(Received& received);
-  void dispatch(Received& received, const Method& method);
+  bool handle(rpc::InboxEvent& event);
+  bool handleMessage(rpc::Received& received);
+  void handleRequest(rpc::Received& received);
+  bool handleNotification(rpc::Received& received);
+  void notified(rpc::Received& received);
+  void dispatch(rpc::Received& received, const Method& method);
   [[nodiscard]] Answer execute(const Json& params);
-  void answer(const Message& message, const Method& method, const Request& request);
-  void reply(const Message& message, Answer result, Progress& progress);
+  void answer(const rpc::Message& message, const Method& method, const Request& request);
+  void reply(const rpc::Message& message, Answer result, Progress& progress);
   template <class Old> void forget(Old old);
   [[nodiscard]] std::chrono::milliseconds debounce();
   void verdictsChanged();
   void findingsTold(const ide::Snapshot& snapshot);
 
   // server_texts.cpp
-  void gatherEdits(Message& edit);
-  void handleText(Received& received);
-  void handleNotebook(const Received& received);
+  void gatherEdits(rpc::Message& edit);
+  void handleText(rpc::Received& received);
+  void handleNotebook(const rpc::Received& received);
   void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
   void textsChanged();
   void changed();
@@ -91,15 +91,15 @@ private:
 
   [[nodiscard]] Json status(const ide::Snapshot& snapshot) const;
 
-  Connection& connection;
+  rpc::Connection& connection;
   ServerOptions options;
   Registry registry = allFeatures();
-  Outbox outbox;
-  Peer peer;
+  rpc::Outbox outbox;
+  rpc::Peer peer;
   ServerLog log;
   Announcer announcer;
-  Inbox inbox;
-  Pending pending;
+  rpc::Inbox inbox;
+  rpc::Pending pending;
   Statistics statistics;
   Workspace workspace;
   Notebooks notebooks{workspace};
@@ -116,8 +116,8 @@ private:
   Refresher refresher{peer, client};
   ClientFolders folders{{workspace, peer, client, inbox, scheduler, [this] { foldersRead(); }}};
   // Last, as their threads use all of the above.
-  Scheduler longWork{3}; ///< verifications
-  Scheduler scheduler;
+  rpc::Scheduler longWork{3}; ///< verifications
+  rpc::Scheduler scheduler;
 };
 
 /// Whole programs may go with old texts: not here, where an answer or the next edit would wait for
@@ -126,7 +126,7 @@ template <class Old> void Server::forget(Old old) {
   constexpr int kMostForgotten = 3;
   if (forgotten.load() >= kMostForgotten) return;
   ++forgotten;
-  scheduler.post(Priority::Background, [this, old = std::move(old)]() mutable {
+  scheduler.post(rpc::Priority::Background, [this, old = std::move(old)]() mutable {
     scheduler.giveWay();
     old = Old();
     --forgotten;

@@ -9,8 +9,8 @@ namespace proskill::lsp {
 namespace {
 
 std::optional<std::filesystem::path> pathIn(const Json& json) {
-  const Json& uri = memberAt(json, {"uri"});
-  return uri.is_string() ? toPath(uri.get_ref<const std::string&>()) : std::nullopt;
+  const Json& uri = rpc::memberAt(json, {"uri"});
+  return uri.is_string() ? report::toPath(uri.get_ref<const std::string&>()) : std::nullopt;
 }
 
 std::vector<std::filesystem::path> pathsIn(const Json& list) {
@@ -23,12 +23,12 @@ std::vector<std::filesystem::path> pathsIn(const Json& list) {
 
 /// The folders of `initialize`, whichever of its three ways of saying them the client uses.
 std::vector<std::filesystem::path> foldersOf(const Json& params) {
-  auto result = pathsIn(memberAt(params, {"workspaceFolders"}));
+  auto result = pathsIn(rpc::memberAt(params, {"workspaceFolders"}));
   if (!result.empty()) return result;
-  const Json& uri = memberAt(params, {"rootUri"});
-  const Json& path = memberAt(params, {"rootPath"});
+  const Json& uri = rpc::memberAt(params, {"rootUri"});
+  const Json& path = rpc::memberAt(params, {"rootPath"});
   if (uri.is_string()) {
-    if (auto root = toPath(uri.get_ref<const std::string&>())) result.push_back(*root);
+    if (auto root = report::toPath(uri.get_ref<const std::string&>())) result.push_back(*root);
   } else if (path.is_string()) {
     result.emplace_back(path.get<std::string>());
   }
@@ -39,14 +39,14 @@ std::vector<std::filesystem::path> foldersOf(const Json& params) {
 
 Json Server::initialize(const Json& params) {
   phase = Phase::Running;
-  client = readClientFeatures(memberAt(params, {"capabilities"}),
-                              memberAt(params, {"clientInfo", "name"}));
+  client = readClientFeatures(rpc::memberAt(params, {"capabilities"}),
+                              rpc::memberAt(params, {"clientInfo", "name"}));
   if (client.codeDescription) client.manual = std::make_shared<const Manual>(options.manual);
   workspace.setEncoding(client.encoding);
   folders.set(foldersOf(params));
-  parent = ParentWatch(memberAt(params, {"processId"}));
-  log.setTrace(memberAt(params, {"trace"}));
-  const Json& first = memberAt(params, {"initializationOptions"});
+  parent = ParentWatch(rpc::memberAt(params, {"processId"}));
+  log.setTrace(rpc::memberAt(params, {"trace"}));
+  const Json& first = rpc::memberAt(params, {"initializationOptions"});
   verification.start(client, initialSettings(first));
   if (first.is_object()) setSettings(first);
   return {{"capabilities", capabilitiesFor(client, registry.capabilities)},
@@ -72,16 +72,16 @@ void Server::askForSettings() {
 
 void Server::setSettings(const Json& json) {
   settings = std::make_shared<const ClientSettings>(readClientSettings(json));
-  const Json& whole = memberAt(json, {"proskill"});
-  verification.configure(memberAt(whole.is_object() ? whole : json, {"verify"}));
+  const Json& whole = rpc::memberAt(json, {"proskill"});
+  verification.configure(rpc::memberAt(whole.is_object() ? whole : json, {"verify"}));
   workspace.setStyle(settings->style);
   changed();
   refresher.findingsChanged(debounce());
 }
 
 void Server::changeFolders(const Json& params) {
-  folders.change(pathsIn(memberAt(params, {"event", "removed"})),
-                 pathsIn(memberAt(params, {"event", "added"})));
+  folders.change(pathsIn(rpc::memberAt(params, {"event", "removed"})),
+                 pathsIn(rpc::memberAt(params, {"event", "added"})));
   changed();
   refresher.allChanged(debounce());
 }
@@ -93,7 +93,7 @@ void Server::foldersRead() {
 
 void Server::handleWatchedFiles(const Json& params) {
   const auto before = workspace.snapshot();
-  const auto paths = pathsIn(memberAt(params, {"changes"}));
+  const auto paths = pathsIn(rpc::memberAt(params, {"changes"}));
   folders.filesChanged(paths);
   textsChanged();
   for (const auto& path : paths) {

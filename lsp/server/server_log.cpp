@@ -35,7 +35,7 @@ void ServerLog::write(std::string_view line) const {
                    (now - second).count(), line));
 }
 
-void ServerLog::writeAnswer(const Message& message, std::string_view outcome,
+void ServerLog::writeAnswer(const rpc::Message& message, std::string_view outcome,
                             std::chrono::nanoseconds latency) {
   auto line = fmt::format("{} {} {:.3f} ms {}", message.method, message.id.dump(),
                           milliseconds(latency), outcome);

@@ -15,13 +15,13 @@ public:
   using Sink = std::function<void(std::string_view line)>;
 
   /// \param sink may be empty: nothing is logged then
-  ServerLog(Sink sink, Peer& peer) : sink(std::move(sink)), peer(peer) {}
+  ServerLog(Sink sink, rpc::Peer& peer) : sink(std::move(sink)), peer(peer) {}
 
   /// `off`, `messages` or `verbose`; anything else changes nothing. LSP 3.17, `TraceValue`.
   void setTrace(const Json& value);
 
   void write(std::string_view line) const;
-  void writeAnswer(const Message& message, std::string_view outcome,
+  void writeAnswer(const rpc::Message& message, std::string_view outcome,
                    std::chrono::nanoseconds latency);
   void writeFailure(std::string_view method, const Json& params, std::string_view error) const;
 
@@ -29,7 +29,7 @@ private:
   enum class Trace : std::uint8_t { Off, Messages, Verbose };
 
   Sink sink;
-  Peer& peer;
+  rpc::Peer& peer;
   std::atomic<Trace> trace = Trace::Off;
 };
 

@@ -10,18 +10,19 @@ namespace {
 constexpr unsigned kMostGathered = 1000;
 
 std::string uriOf(const Json& params) {
-  const Json& uri = memberAt(params, {"textDocument", "uri"});
+  const Json& uri = rpc::memberAt(params, {"textDocument", "uri"});
   return uri.is_string() ? uri.get<std::string>() : std::string();
 }
 
-bool isEdit(const Message& message) {
-  return message.kind == MessageKind::Notification && message.method == "textDocument/didChange" &&
-         memberAt(message.params, {"contentChanges"}).is_array() &&
-         memberAt(message.params, {"textDocument", "version"}).is_number_integer();
+bool isEdit(const rpc::Message& message) {
+  return message.kind == rpc::MessageKind::Notification &&
+         message.method == "textDocument/didChange" &&
+         rpc::memberAt(message.params, {"contentChanges"}).is_array() &&
+         rpc::memberAt(message.params, {"textDocument", "version"}).is_number_integer();
 }
 
 /// Whether this is the edit after that one.
-bool continues(const Message& next, const Message& edit) {
+bool continues(const rpc::Message& next, const rpc::Message& edit) {
   return isEdit(next) && uriOf(next.params) == uriOf(edit.params) &&
          next.params["textDocument"]["version"] > edit.params["textDocument"]["version"];
 }
@@ -30,22 +31,22 @@ bool continues(const Message& next, const Message& edit) {
 
 /// The edits that wait behind one of the same text become one with it: what lies between them
 /// nobody has asked about, and a text is parsed sooner once than often.
-void Server::gatherEdits(Message& edit) {
+void Server::gatherEdits(rpc::Message& edit) {
   for (unsigned i = 0; i < kMostGathered; ++i) {
-    auto next = inbox.takeIf([&](const InboxEvent& event) {
-      const auto* received = std::get_if<Received>(&event);
+    auto next = inbox.takeIf([&](const rpc::InboxEvent& event) {
+      const auto* received = std::get_if<rpc::Received>(&event);
       return received && continues(received->message, edit);
     });
     if (!next) return;
-    auto& params = std::get<Received>(*next).message.params;
+    auto& params = std::get<rpc::Received>(*next).message.params;
     edit.params["textDocument"] = std::move(params["textDocument"]);
     for (auto& change : params["contentChanges"])
       edit.params["contentChanges"].push_back(std::move(change));
   }
 }
 
-void Server::handleText(Received& received) {
-  Message& message = received.message;
+void Server::handleText(rpc::Received& received) {
+  rpc::Message& message = received.message;
   if (isEdit(message)) gatherEdits(message);
   Workspace::Outcome outcome;
   auto before = workspace.snapshot();
@@ -68,7 +69,7 @@ void Server::handleText(Received& received) {
   textsChanged(texts, std::move(before));
 }
 
-void Server::handleNotebook(const Received& received) {
+void Server::handleNotebook(const rpc::Received& received) {
   const auto& [method, params] = std::tie(received.message.method, received.message.params);
   auto before = workspace.snapshot();
   Notebooks::Outcome outcome;
@@ -104,12 +105,12 @@ void Server::textsChanged(const std::vector<Path>& texts,
 void Server::refuseStale(const std::string& uri, std::uint64_t order) {
   for (const auto& [id, method] : pending.about(uri, client.retried, order))
     if (pending.cancel(id))
-      outbox.send(replyError(id, {ErrorCode::ContentModified, "the text has changed"}));
+      outbox.send(rpc::replyError(id, {rpc::ErrorCode::ContentModified, "the text has changed"}));
   static const std::set<std::string> kPulled{"textDocument/diagnostic"};
   for (const auto& [id, method] : pending.about(uri, kPulled, order))
     if (pending.cancel(id))
-      outbox.send(replyError(id, {ErrorCode::ServerCancelled, "the text has changed",
-                                  Json{{"retriggerRequest", true}}}));
+      outbox.send(rpc::replyError(id, {rpc::ErrorCode::ServerCancelled, "the text has changed",
+                                       Json{{"retriggerRequest", true}}}));
 }
 
 void Server::changed() {

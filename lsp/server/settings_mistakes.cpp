@@ -7,16 +7,16 @@ namespace proskill::lsp {
 
 namespace {
 
-Json rangeOf(const SettingsMistake& mistake, Encoding encoding) {
+Json rangeOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
   const syntax::LineIndex lines(mistake.text);
   auto position = [&](syntax::Offset at) {
-    const auto [line, character] = toEditor(mistake.text, lines, at, encoding);
+    const auto [line, character] = syntax::toEditor(mistake.text, lines, at, encoding);
     return Json{{"line", line}, {"character", character}};
   };
   return {{"start", position(mistake.at.begin)}, {"end", position(mistake.at.end)}};
 }
 
-Json diagnosticOf(const SettingsMistake& mistake, Encoding encoding) {
+Json diagnosticOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
   return {{"range", rangeOf(mistake, encoding)},
           {"severity", 1},
           {"source", "proskill"},
@@ -29,7 +29,7 @@ void SettingsMistakes::publish(Mistakes now) {
   if (now == published) return;
   auto send = [&](const std::filesystem::path& file, Json diagnostics) {
     peer.notify("textDocument/publishDiagnostics",
-                {{"uri", toUri(file)}, {"diagnostics", std::move(diagnostics)}});
+                {{"uri", report::toUri(file)}, {"diagnostics", std::move(diagnostics)}});
   };
   for (const auto& [file, mistake] : published)
     if (!now.contains(file)) send(file, Json::array());

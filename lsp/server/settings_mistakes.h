@@ -15,13 +15,13 @@ public:
   using Mistakes = std::map<std::filesystem::path, SettingsMistake>;
 
   /// Both outlive this.
-  SettingsMistakes(Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
+  SettingsMistakes(rpc::Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
 
   /// Sends what differs from the mistakes that the client knows.
   void publish(Mistakes now);
 
 private:
-  Peer& peer;
+  rpc::Peer& peer;
   const ClientFeatures& client;
   Mistakes published;
 };

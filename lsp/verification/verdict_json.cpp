@@ -1,5 +1,7 @@
 #include "lsp/verification/verdict_json.h"
 
+#include "report/ordered_json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,7 +94,7 @@ Json variablesJson(const analysis::Program& program, const OrderedJson& initial)
 } // namespace
 
 Json textsJson(const analysis::Program& program, const ide::OpenTexts& open) {
-  const Converter convert(program, open, Encoding::Utf8);
+  const Converter convert(program, open, syntax::Encoding::Utf8);
   Json texts = Json::array();
   for (analysis::FileId i = 0; i < program.files.size(); ++i) {
     if (!convert.isShown(i)) continue;
@@ -162,7 +164,7 @@ Json explorationSummary(const verify::Exploration& exploration) {
           {"stopped", exploration.stopped}};
 }
 
-Json progressJson(const WorkerProgress& progress) {
+Json progressJson(const worker::WorkerProgress& progress) {
   return {{"decided", progress.decided}, {"total", progress.total},
           {"classes", progress.classes}, {"markings", progress.markings},
           {"waiting", progress.waiting}, {"bytes", progress.bytes},

@@ -16,7 +16,7 @@ namespace proskill::lsp {
 [[nodiscard]] Json verdictsJson(const ide::ProgramVerdicts& verdicts, const Converter& convert);
 [[nodiscard]] Json countsJson(const std::vector<ide::PropertyVerdict>& properties);
 [[nodiscard]] Json explorationSummary(const verify::Exploration& exploration);
-[[nodiscard]] Json progressJson(const WorkerProgress& progress);
+[[nodiscard]] Json progressJson(const worker::WorkerProgress& progress);
 
 /// `proskill/trace`. \pre there is a trace of that name
 [[nodiscard]] Json traceOf(const Verified& verified, const std::string& name, bool stale,

@@ -68,7 +68,7 @@ void VerdictStore::set(const std::shared_ptr<const ide::AnalysedProgram>& progra
 }
 
 void VerdictStore::setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
-                               const WorkerProgress& progress) {
+                               const worker::WorkerProgress& progress) {
   const std::lock_guard lock(mutex);
   auto& state = entry(program);
   state.state = VerificationState::Checking;

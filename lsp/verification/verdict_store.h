@@ -19,7 +19,7 @@ struct ProgramState {
   VerificationState state = VerificationState::Waiting;
   bool stale = false; ///< `verified` is for older texts
   std::string message;
-  std::optional<WorkerProgress> progress; ///< while it is checked
+  std::optional<worker::WorkerProgress> progress; ///< while it is checked
 };
 
 /// The last verdicts of each program, by the path of its root. Any thread may use it; every change
@@ -40,7 +40,7 @@ public:
   void set(const std::shared_ptr<const ide::AnalysedProgram>& program, VerificationState state,
            std::string message = {});
   void setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
-                   const WorkerProgress& progress);
+                   const worker::WorkerProgress& progress);
   /// \param open the texts as they are now: they may have changed while it was verified
   void setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified verified,
                    const ide::OpenTexts& open);

@@ -145,7 +145,7 @@ void Verification::live(const std::stop_token& stop) {
       due.reset();
       const auto path = inView();
       if (!started || !now || !path) continue;
-      running = Cancellation();
+      running = rpc::Cancellation();
       const auto chosen = settings;
       const auto cancellation = running;
       lock.unlock();
@@ -164,7 +164,8 @@ void Verification::noticeEdit(const ide::Snapshot& now) {
 }
 
 void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,
-                             const VerificationSettings& chosen, const Cancellation& cancellation) {
+                             const VerificationSettings& chosen,
+                             const rpc::Cancellation& cancellation) {
   for (const auto& of : now.views(path)) {
     if (cancellation.isCancelled()) return;
     if (!isVerifiable(*of.owner)) continue;
@@ -179,7 +180,7 @@ void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::pa
 
 void Verification::checkProgram(const Programs& program, const ide::Snapshot& now,
                                 const VerificationSettings& chosen,
-                                const Cancellation& cancellation) {
+                                const rpc::Cancellation& cancellation) {
   if (hasErrors(*program))
     return board.set(program, VerificationState::Errors, "the program has errors");
   const auto known = board.of(program->program.files.front().path);
@@ -194,12 +195,12 @@ void Verification::checkProgram(const Programs& program, const ide::Snapshot& no
     runningOn = program;
     runningVersions = versionsOf(program->program, now.open());
   }
-  auto job = jobFor(program->program);
+  auto job = worker::jobFor(program->program);
   job.budget = chosen.liveBudget;
   board.set(program, VerificationState::Checking);
-  auto verified = run(program, now.open(), job, cancellation, [&](const WorkerProgress& progress) {
-    board.setProgress(program, progress);
-  });
+  auto verified =
+      run(program, now.open(), job, cancellation,
+          [&](const worker::WorkerProgress& progress) { board.setProgress(program, progress); });
   {
     const std::lock_guard lock(mutex);
     runningOn.reset();
@@ -223,13 +224,13 @@ void Verification::record(const Programs& program, Verified verified) {
   outside.changed();
 }
 
-std::expected<Verified, WorkerFailure>
-Verification::run(const Programs& program, const ide::OpenTexts& open, const WorkerJob& job,
-                  const Cancellation& cancellation,
-                  const std::function<void(const WorkerProgress&)>& progress) {
+std::expected<Verified, worker::WorkerFailure>
+Verification::run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
+                  const rpc::Cancellation& cancellation,
+                  const std::function<void(const worker::WorkerProgress&)>& progress) {
   const auto& root = program->program.files.front().path;
   log(fmt::format("verifying {}", root.string()));
-  auto report = runWorker(outside.worker, job, cancellation, progress);
+  auto report = worker::runWorker(outside.worker, job, cancellation, progress);
   if (!report) {
     log(fmt::format("verifying {}: {}", root.string(), report.error().message));
     return std::unexpected(report.error());
@@ -237,14 +238,14 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const Wor
   auto verified = readReport(*report, program, open);
   if (!verified)
     return std::unexpected(
-        WorkerFailure{false, "the process that verifies gave a report of an unknown form"});
+        worker::WorkerFailure{false, "the process that verifies gave a report of an unknown form"});
   return std::move(*verified);
 }
 
 /// Called by the board, one at a time.
 void Verification::announce(const ProgramState& state) {
   std::shared_ptr<const ide::Snapshot> now;
-  Encoding counted{};
+  syntax::Encoding counted{};
   {
     const std::lock_guard lock(mutex);
     now = snapshot;
@@ -274,7 +275,7 @@ void Verification::announce(const ProgramState& state) {
     json["exploration"] = explorationSummary(verdicts.exploration);
     json["texts"] = textsJson(verdicts, there);
   }
-  outside.send(notification("proskill/verdicts", json));
+  outside.send(rpc::notification("proskill/verdicts", json));
 }
 
 } // namespace proskill::lsp

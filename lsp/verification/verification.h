@@ -48,12 +48,13 @@ private:
 
   void live(const std::stop_token& stop);
   void checkLive(const ide::Snapshot& snapshot, const std::filesystem::path& path,
-                 const VerificationSettings& settings, const Cancellation& cancellation);
+                 const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   void checkProgram(const Programs& program, const ide::Snapshot& snapshot,
-                    const VerificationSettings& settings, const Cancellation& cancellation);
-  std::expected<Verified, WorkerFailure>
-  run(const Programs& program, const ide::OpenTexts& open, const WorkerJob& job,
-      const Cancellation& cancellation, const std::function<void(const WorkerProgress&)>& progress);
+                    const VerificationSettings& settings, const rpc::Cancellation& cancellation);
+  std::expected<Verified, worker::WorkerFailure>
+  run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
+      const rpc::Cancellation& cancellation,
+      const std::function<void(const worker::WorkerProgress&)>& progress);
   void record(const Programs& program, Verified verified);
   void noticeEdit(const ide::Snapshot& now);
   void announce(const ProgramState& state);
@@ -72,13 +73,13 @@ private:
   mutable std::mutex mutex;
   std::condition_variable wake;
   VerificationSettings settings;
-  Encoding encoding = Encoding::Utf16;
+  syntax::Encoding encoding = syntax::Encoding::Utf16;
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
   std::list<std::filesystem::path> viewed; ///< open texts that a user looked at, the last one first
   bool edited = false;                     ///< since `noticeEdit`
   std::optional<Time> due;                 ///< of live verification
-  Cancellation running;                    ///< of live verification
+  rpc::Cancellation running;               ///< of live verification
   Programs runningOn;
   std::map<std::filesystem::path, std::int64_t> runningVersions;
   std::jthread thread; ///< last: it uses all of the above

@@ -53,7 +53,7 @@ VerificationSettings initialSettings(const Json& options) {
   return settings;
 }
 
-Budget withLimits(Budget budget, const Json& limits) {
+worker::Budget withLimits(worker::Budget budget, const Json& limits) {
   readSeconds(limits, "seconds", budget.seconds);
   readMegabytes(limits, "megabytes", budget.megabytes);
   if (const auto* classes = member(limits, "classes"); classes && classes->is_number_unsigned())

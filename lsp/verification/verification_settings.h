@@ -11,8 +11,8 @@ struct VerificationSettings {
   bool trusted = true; ///< else nothing is verified, whatever else is said
   bool live = true;
   std::chrono::milliseconds delay{500}; ///< without an edit, before live verification begins
-  Budget liveBudget{2, 512, {}};
-  Budget requestBudget{60, 2048, {}};
+  worker::Budget liveBudget{2, 512, {}};
+  worker::Budget requestBudget{60, 2048, {}};
 };
 
 /// The settings with those that a `verify` section gives; what is absent or has the wrong form
@@ -23,6 +23,6 @@ struct VerificationSettings {
 [[nodiscard]] VerificationSettings initialSettings(const Json& options);
 
 /// The budget with the limits that a request gives.
-[[nodiscard]] Budget withLimits(Budget budget, const Json& limits);
+[[nodiscard]] worker::Budget withLimits(worker::Budget budget, const Json& limits);
 
 } // namespace proskill::lsp

@@ -1,5 +1,7 @@
 #include "lsp/verification/verified.h"
 
+#include "report/ordered_json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/verdicts/verdicts.h"
+#include "report/ordered_json.h"
 #include "report/report_json.h"
 #include "rpc/rpc.h"
 

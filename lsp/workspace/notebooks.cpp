@@ -12,14 +12,14 @@ constexpr auto kReopen = "; please close the notebook and open it again";
 
 const Json& listAt(const Json& json, std::initializer_list<const char*> path) {
   static const Json none = Json::array();
-  const auto& found = memberAt(json, path);
+  const auto& found = rpc::memberAt(json, path);
   return found.is_array() ? found : none;
 }
 
 /// Nothing, and a problem, where the member is no URI.
 std::optional<std::filesystem::path> pathAt(const Json& json, std::initializer_list<const char*> at,
                                             Notebooks::Outcome& outcome) {
-  const auto& uri = memberAt(json, at);
+  const auto& uri = rpc::memberAt(json, at);
   if (uri.is_string()) return pathOf(uri.get_ref<const std::string&>());
   std::string name;
   for (const auto* member : at) name += (name.empty() ? "" : ".") + std::string(member);
@@ -48,7 +48,7 @@ bool isText(const Workspace& workspace, const std::filesystem::path& path,
 
 Notebooks::Outcome Notebooks::open(const Json& params) {
   Outcome outcome;
-  const auto& document = memberAt(params, {"notebookDocument"});
+  const auto& document = rpc::memberAt(params, {"notebookDocument"});
   const auto path = pathAt(params, {"notebookDocument", "uri"}, outcome);
   if (!path || isText(workspace, *path, outcome)) return outcome;
   drop(*path, outcome);
@@ -70,8 +70,8 @@ Notebooks::Outcome Notebooks::change(const Json& params) {
     return outcome;
   }
   auto& notebook = found->second;
-  const auto& cells = memberAt(params, {"change", "cells"});
-  restructure(notebook, memberAt(cells, {"structure"}), outcome);
+  const auto& cells = rpc::memberAt(params, {"change", "cells"});
+  restructure(notebook, rpc::memberAt(cells, {"structure"}), outcome);
   for (const auto& text : listAt(cells, {"textContent"})) changeCell(notebook, text, outcome);
   join(*path, outcome);
   return outcome;
@@ -92,8 +92,8 @@ void Notebooks::restructure(Notebook& notebook, const Json& structure, Outcome& 
   if (!structure.is_object()) return;
   for (const auto& text : listAt(structure, {"didClose"})) closeCell(notebook, text, outcome);
   for (const auto& text : listAt(structure, {"didOpen"})) openCell(notebook, text, outcome);
-  const auto& start = memberAt(structure, {"array", "start"});
-  const auto& count = memberAt(structure, {"array", "deleteCount"});
+  const auto& start = rpc::memberAt(structure, {"array", "start"});
+  const auto& count = rpc::memberAt(structure, {"array", "deleteCount"});
   auto& cells = notebook.cells;
   const bool fits = start.is_number_unsigned() && count.is_number_unsigned() &&
                     start.get<std::size_t>() <= cells.size() &&
@@ -112,7 +112,7 @@ void Notebooks::restructure(Notebook& notebook, const Json& structure, Outcome& 
 void Notebooks::openCell(Notebook& notebook, const Json& text, Outcome& outcome) {
   const auto path = pathAt(text, {"uri"}, outcome);
   if (!path) return;
-  if (memberAt(text, {"languageId"}) != "proskill") {
+  if (rpc::memberAt(text, {"languageId"}) != "proskill") {
     notebook.unserved.insert(*path);
     return;
   }
@@ -135,8 +135,8 @@ void Notebooks::changeCell(Notebook& notebook, const Json& change, Outcome& outc
     return;
   }
   outcome.changed.push_back(*path);
-  const auto changed = workspace.change(
-      {{"textDocument", change["document"]}, {"contentChanges", memberAt(change, {"changes"})}});
+  const auto changed = workspace.change({{"textDocument", change["document"]},
+                                         {"contentChanges", rpc::memberAt(change, {"changes"})}});
   if (changed) return;
   notebook.open.erase(*path); // it was dropped
   outcome.problems.push_back(changed.error());

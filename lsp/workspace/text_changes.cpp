@@ -17,11 +17,11 @@ constexpr unsigned kMostEdits = 16;
 /// Whether it gives the text as a whole.
 bool isWhole(const Json& change) { return !change.contains("range"); }
 
-std::optional<EditorPosition> editorPosition(const Json& json) {
-  const Json& line = memberAt(json, {"line"});
-  const Json& character = memberAt(json, {"character"});
+std::optional<syntax::EditorPosition> editorPosition(const Json& json) {
+  const Json& line = rpc::memberAt(json, {"line"});
+  const Json& character = rpc::memberAt(json, {"character"});
   if (!line.is_number_unsigned() || !character.is_number_unsigned()) return std::nullopt;
-  return EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
+  return syntax::EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
 }
 
 /// The bytes that a change replaces, and what they become.
@@ -32,10 +32,10 @@ struct Replacement {
 
 /// The character of two units that a place cuts in two: its bytes, or 0 where it cuts none.
 std::size_t cutAt(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
-                  EditorPosition position, Encoding encoding) {
-  if (encoding != Encoding::Utf16) return 0;
+                  syntax::EditorPosition position, syntax::Encoding encoding) {
+  if (encoding != syntax::Encoding::Utf16) return 0;
   const auto length = syntax::sequenceLength(text.substr(at));
-  const auto before = toEditor(text, lines, at, encoding);
+  const auto before = syntax::toEditor(text, lines, at, encoding);
   const bool isWithin = before.line == position.line && before.character + 1 == position.character;
   return length == 4 && isWithin ? length : 0;
 }
@@ -44,13 +44,13 @@ std::size_t cutAt(std::string_view text, const syntax::LineIndex& lines, syntax:
 /// unit as it was.
 std::optional<Replacement> replacementIn(std::string_view text, const syntax::LineIndex& lines,
                                          const Json& range, std::string_view inserted,
-                                         Encoding encoding) {
-  const auto start = editorPosition(memberAt(range, {"start"}));
-  const auto end = editorPosition(memberAt(range, {"end"}));
+                                         syntax::Encoding encoding) {
+  const auto start = editorPosition(rpc::memberAt(range, {"start"}));
+  const auto end = editorPosition(rpc::memberAt(range, {"end"}));
   if (!start || !end || *end < *start || end->line > lines.lineCount()) return std::nullopt;
-  Replacement result{
-      {fromEditor(text, lines, *start, encoding), fromEditor(text, lines, *end, encoding)},
-      std::string(inserted)};
+  Replacement result{{syntax::fromEditor(text, lines, *start, encoding),
+                      syntax::fromEditor(text, lines, *end, encoding)},
+                     std::string(inserted)};
   if (cutAt(text, lines, result.range.begin, *start, encoding) > 0)
     result.text.insert(0, syntax::kReplacement);
   if (const auto cut = cutAt(text, lines, result.range.end, *end, encoding)) {
@@ -65,8 +65,8 @@ class Edited {
 public:
   explicit Edited(syntax::Document from) : document(std::move(from)), text(document.text()) {}
 
-  bool apply(const Json& change, Encoding encoding) {
-    const Json& words = memberAt(change, {"text"});
+  bool apply(const Json& change, syntax::Encoding encoding) {
+    const Json& words = rpc::memberAt(change, {"text"});
     if (!words.is_string()) return false;
     const auto& inserted = words.get_ref<const std::string&>();
     if (isWhole(change)) {
@@ -127,8 +127,8 @@ private:
 
 /// What typing sends, and so without a second text.
 std::optional<syntax::Document> changedOnce(const syntax::Document& document, const Json& change,
-                                            Encoding encoding) {
-  const Json& words = memberAt(change, {"text"});
+                                            syntax::Encoding encoding) {
+  const Json& words = rpc::memberAt(change, {"text"});
   if (!words.is_string()) return std::nullopt;
   const auto& inserted = words.get_ref<const std::string&>();
   if (isWhole(change)) return syntax::Document::parse(inserted);
@@ -142,14 +142,14 @@ std::optional<syntax::Document> changedOnce(const syntax::Document& document, co
 Json::const_iterator firstThatCounts(const Json& changes) {
   auto it = changes.end();
   while (it != changes.begin())
-    if (isWhole(*--it) && memberAt(*it, {"text"}).is_string()) return it;
+    if (isWhole(*--it) && rpc::memberAt(*it, {"text"}).is_string()) return it;
   return changes.begin();
 }
 
 } // namespace
 
 std::optional<syntax::Document> changed(syntax::Document document, const Json& changes,
-                                        Encoding encoding) {
+                                        syntax::Encoding encoding) {
   if (!changes.is_array()) return std::nullopt;
   const auto first = firstThatCounts(changes);
   const auto count = changes.end() - first;

@@ -82,9 +82,9 @@ Workspace::Outcome Workspace::change(const Json& params) {
   if (found == texts.end()) return std::unexpected("a change of a document that is not open");
   const auto version = versionOf(params["textDocument"]);
   const bool inOrder = version == 0 || version >= found->second.version;
-  auto next = inOrder
-                  ? changed(found->second.document, memberAt(params, {"contentChanges"}), encoding)
-                  : std::nullopt;
+  auto next =
+      inOrder ? changed(found->second.document, rpc::memberAt(params, {"contentChanges"}), encoding)
+              : std::nullopt;
   if (next) {
     found->second.document = std::move(*next);
     if (version != 0) found->second.version = version;

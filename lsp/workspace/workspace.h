@@ -26,7 +26,7 @@ public:
   explicit Workspace(std::shared_ptr<const analysis::FileSystem> disk);
 
   /// \pre `Encoding` is negotiated
-  void setEncoding(Encoding encoding) { this->encoding = encoding; }
+  void setEncoding(syntax::Encoding encoding) { this->encoding = encoding; }
   /// Hints of style are told, whatever the programs' own settings say.
   void setStyle(bool style);
 
@@ -78,7 +78,7 @@ private:
 
   std::shared_ptr<const analysis::FileSystem> direct; ///< for what is looked at once
   std::shared_ptr<FileCache> disk;
-  Encoding encoding = Encoding::Utf16;
+  syntax::Encoding encoding = syntax::Encoding::Utf16;
   bool style = false;
   ide::OpenTexts texts;
   /// Which file each text is, by its canonical name. A text that was opened when its file was open

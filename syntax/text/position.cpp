@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace proskill::lsp {
+namespace proskill::syntax {
 
 namespace {
 
@@ -17,21 +17,21 @@ struct Character {
 bool isAscii(char c) { return (static_cast<unsigned char>(c) & 0x80) == 0; }
 
 Character characterAt(std::string_view text, Encoding encoding) {
-  const auto length = syntax::characterLength(text);
+  const auto length = characterLength(text);
   if (encoding == Encoding::Utf8) return {length, static_cast<std::uint32_t>(length)};
   return {length, encoding == Encoding::Utf16 && length == 4 ? 2U : 1U};
 }
 
 } // namespace
 
-EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
+EditorPosition toEditor(std::string_view text, const LineIndex& lines, Offset at,
                         Encoding encoding) {
   std::uint32_t line = 0;
   return toEditor(text, lines, at, encoding, line);
 }
 
-EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
-                        Encoding encoding, std::uint32_t& line) {
+EditorPosition toEditor(std::string_view text, const LineIndex& lines, Offset at, Encoding encoding,
+                        std::uint32_t& line) {
   const auto column = lines.position(at, line).column;
   if (encoding == Encoding::Utf8) return {line, column};
   auto before = text.substr(at - column, column);
@@ -45,7 +45,7 @@ EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines, s
   return position;
 }
 
-EditorPosition LineWalk::to(syntax::Offset at) {
+EditorPosition LineWalk::to(Offset at) {
   if (at >= nextLine) {
     auto line = lines.position(at).line;
     here = lines.offset({line, 0});
@@ -56,14 +56,14 @@ EditorPosition LineWalk::to(syntax::Offset at) {
   while (here < at) {
     auto character = characterAt(text.substr(here, at - here), encoding);
     position.character += character.units;
-    here += static_cast<syntax::Offset>(character.bytes);
+    here += static_cast<Offset>(character.bytes);
   }
   return position;
 }
 
-syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
-                          EditorPosition position, Encoding encoding) {
-  if (position.line >= lines.lineCount()) return static_cast<syntax::Offset>(text.size());
+Offset fromEditor(std::string_view text, const LineIndex& lines, EditorPosition position,
+                  Encoding encoding) {
+  if (position.line >= lines.lineCount()) return static_cast<Offset>(text.size());
   auto range = lines.line(position.line, text);
   auto rest = text.substr(range.begin, range.length());
   auto wanted = position.character;
@@ -72,10 +72,10 @@ syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
     auto character = characterAt(rest, encoding);
     if (character.units > wanted) break;
     wanted -= character.units;
-    at += static_cast<syntax::Offset>(character.bytes);
+    at += static_cast<Offset>(character.bytes);
     rest.remove_prefix(character.bytes);
   }
   return at;
 }
 
-} // namespace proskill::lsp
+} // namespace proskill::syntax

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// The one place where bytes become the columns of an editor and back.
-namespace proskill::lsp {
+namespace proskill::syntax {
 
 /// In what a column is counted. LSP 3.17, `PositionEncodingKind`.
 enum class Encoding : std::uint8_t { Utf8, Utf16, Utf32 };
@@ -19,32 +19,32 @@ struct EditorPosition {
 };
 
 /// Bytes that are no UTF-8 count as one character each, as editors show them.
-[[nodiscard]] EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines,
-                                      syntax::Offset at, Encoding encoding);
+[[nodiscard]] EditorPosition toEditor(std::string_view text, const LineIndex& lines, Offset at,
+                                      Encoding encoding);
 /// The same, sooner where the place is in a line near to `line`, which it sets to its own.
-[[nodiscard]] EditorPosition toEditor(std::string_view text, const syntax::LineIndex& lines,
-                                      syntax::Offset at, Encoding encoding, std::uint32_t& line);
+[[nodiscard]] EditorPosition toEditor(std::string_view text, const LineIndex& lines, Offset at,
+                                      Encoding encoding, std::uint32_t& line);
 /// A column beyond its line is the line's end; a line beyond the text is the text's end; a place
 /// within a character is the character's start.
-[[nodiscard]] syntax::Offset fromEditor(std::string_view text, const syntax::LineIndex& lines,
-                                        EditorPosition position, Encoding encoding);
+[[nodiscard]] Offset fromEditor(std::string_view text, const LineIndex& lines,
+                                EditorPosition position, Encoding encoding);
 
 /// `toEditor` of places in the order of a text, each at the cost of the way from the last one.
 class LineWalk {
 public:
-  LineWalk(std::string_view text, const syntax::LineIndex& lines, Encoding encoding)
+  LineWalk(std::string_view text, const LineIndex& lines, Encoding encoding)
       : text(text), lines(lines), encoding(encoding) {}
 
   /// \pre `at` is not before the place of the last call
-  [[nodiscard]] EditorPosition to(syntax::Offset at);
+  [[nodiscard]] EditorPosition to(Offset at);
 
 private:
   std::string_view text;
-  const syntax::LineIndex& lines;
+  const LineIndex& lines;
   Encoding encoding;
-  syntax::Offset here = 0;
-  syntax::Offset nextLine = 0; ///< where it begins; 0 before the first call
+  Offset here = 0;
+  Offset nextLine = 0; ///< where it begins; 0 before the first call
   EditorPosition position;
 };
 
-} // namespace proskill::lsp
+} // namespace proskill::syntax

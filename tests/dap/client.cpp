@@ -6,8 +6,6 @@
 
 namespace proskill::test {
 
-using lsp::Json;
-
 namespace {
 
 process::Child startAdapter() {
@@ -33,7 +31,7 @@ bool DapClient::pump() {
 int DapClient::send(const std::string& command, Json arguments) {
   Json message{{"seq", ++last}, {"type", "request"}, {"command", command}};
   message["arguments"] = std::move(arguments);
-  sendRaw(lsp::frame(message.dump()));
+  sendRaw(rpc::frame(message.dump()));
   return last;
 }
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 
 using namespace proskill;
-using lsp::Json;
 using test::DapClient;
 
 namespace {
@@ -208,8 +207,8 @@ TEST_CASE("what cannot be launched is an error with a reason") {
 TEST_CASE("what is no message is passed over, what is unknown is refused") {
   DapClient client;
   client.sendRaw("Content-Length: 3\r\n\r\n{{{");
-  client.sendRaw(lsp::frame("[]"));
-  client.sendRaw(lsp::frame(R"({"seq":1,"type":"request"})"));
+  client.sendRaw(rpc::frame("[]"));
+  client.sendRaw(rpc::frame(R"({"seq":1,"type":"request"})"));
   CHECK(client.ask("dance")["success"] == false);
   CHECK(client.ask("next")["message"] == "nothing is launched yet");
   client.result("initialize", {{"adapterID", "proskill"}, {"linesStartAt1", false}});

@@ -6,8 +6,7 @@
 #include <catch2/catch.hpp>
 
 using namespace proskill;
-using lsp::Encoding;
-using lsp::Json;
+using syntax::Encoding;
 using test::Desk;
 using test::Files;
 

@@ -6,8 +6,6 @@
 
 namespace proskill::test {
 
-using lsp::Json;
-
 namespace {
 
 bool isPosition(const Json& json) {
@@ -23,7 +21,7 @@ bool isFold(const Json& json) {
   return json.is_object() && json.contains("startLine") && json.contains("endLine");
 }
 
-lsp::EditorPosition positionOf(const Json& json) {
+syntax::EditorPosition positionOf(const Json& json) {
   return {json["line"].get<std::uint32_t>(), json["character"].get<std::uint32_t>()};
 }
 
@@ -37,7 +35,7 @@ std::string uriWithin(const Json& object, const std::string& uri) {
     if (object.contains(name) && object[name].is_string()) return object[name];
   // The ranges of an incoming call are in the caller's text.
   for (const auto* name : {"textDocument", "from"}) {
-    const auto& nested = lsp::memberAt(object, {name, "uri"});
+    const auto& nested = rpc::memberAt(object, {name, "uri"});
     if (nested.is_string()) return nested;
   }
   return uri;
@@ -45,12 +43,12 @@ std::string uriWithin(const Json& object, const std::string& uri) {
 
 } // namespace
 
-syntax::Offset BytePlaces::byteOf(lsp::EditorPosition position, const std::string& uri) const {
+syntax::Offset BytePlaces::byteOf(syntax::EditorPosition position, const std::string& uri) const {
   auto found = documents.find(uri);
   if (found == documents.end()) throw std::runtime_error("a place in no text: " + uri);
   const auto& document = found->second;
-  auto at = lsp::fromEditor(document.text(), document.lines(), position, encoding);
-  if (lsp::toEditor(document.text(), document.lines(), at, encoding) != position)
+  auto at = syntax::fromEditor(document.text(), document.lines(), position, encoding);
+  if (syntax::toEditor(document.text(), document.lines(), at, encoding) != position)
     throw std::runtime_error(fmt::format("{}: line {}, character {} is no place in the text", uri,
                                          position.line, position.character));
   return at;
@@ -99,7 +97,7 @@ Json BytePlaces::convertTokens(const Json& data, const std::string& uri) const {
   constexpr std::size_t kNumbers = 5; // line, character, length, type, modifiers
   if (data.size() % kNumbers != 0) complain("numbers that are no tokens", data.size());
   Json result = Json::array();
-  lsp::EditorPosition at;
+  syntax::EditorPosition at;
   syntax::Offset previous = 0;
   for (std::size_t i = 0; i < data.size(); i += kNumbers) {
     auto number = [&](std::size_t which) { return data[i + which].get<std::uint32_t>(); };

@@ -14,20 +14,21 @@ namespace proskill::test {
 class BytePlaces {
 public:
   /// \param documents by their URIs; outlives this
-  BytePlaces(const std::map<std::string, syntax::Document>& documents, lsp::Encoding encoding)
+  BytePlaces(const std::map<std::string, syntax::Document>& documents, syntax::Encoding encoding)
       : documents(documents), encoding(encoding) {}
 
   /// \param uri of the text that positions belong to where nothing else is said
-  [[nodiscard]] lsp::Json convert(const lsp::Json& answer, const std::string& uri) const;
+  [[nodiscard]] Json convert(const Json& answer, const std::string& uri) const;
   /// Of `semanticTokens`: each as begin, end, type and modifiers.
-  [[nodiscard]] lsp::Json convertTokens(const lsp::Json& data, const std::string& uri) const;
+  [[nodiscard]] Json convertTokens(const Json& data, const std::string& uri) const;
 
 private:
-  [[nodiscard]] lsp::Json convertObject(const lsp::Json& object, const std::string& uri) const;
-  [[nodiscard]] syntax::Offset byteOf(lsp::EditorPosition position, const std::string& uri) const;
+  [[nodiscard]] Json convertObject(const Json& object, const std::string& uri) const;
+  [[nodiscard]] syntax::Offset byteOf(syntax::EditorPosition position,
+                                      const std::string& uri) const;
 
   const std::map<std::string, syntax::Document>& documents;
-  lsp::Encoding encoding;
+  syntax::Encoding encoding;
 };
 
 } // namespace proskill::test

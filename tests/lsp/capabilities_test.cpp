@@ -52,9 +52,9 @@ std::vector<Row> rowsOfManual() {
 
 TEST_CASE("the manual's table of capabilities is what the server announces") {
   Session session;
-  const lsp::Json pulls{{"textDocument", {{"diagnostic", lsp::Json::object()}}}};
+  const Json pulls{{"textDocument", {{"diagnostic", Json::object()}}}};
   const auto announced = session.result("initialize", {{"capabilities", pulls}});
-  session.notify("initialized", lsp::Json::object());
+  session.notify("initialized", Json::object());
   std::set<std::string> told;
   for (const auto& row : rowsOfManual()) told.insert(row.capability);
   std::set<std::string> found;
@@ -71,7 +71,7 @@ TEST_CASE("each request of the table is served, and each that is served stands i
       INFO(request);
       CHECK(told.insert(request).second);
       if (request.contains("Document/did") || request.starts_with("workspace/did")) continue;
-      const auto answer = session.ask(request, lsp::Json::object());
+      const auto answer = session.ask(request, Json::object());
       CHECK((!answer.contains("error") || answer["error"]["code"] != -32601));
     }
   for (const auto& [method, handler] : lsp::allFeatures().methods) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 using namespace proskill;
-using lsp::Json;
 using test::rangeOf;
 using test::Session;
 

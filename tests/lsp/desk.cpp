@@ -8,8 +8,6 @@
 
 namespace proskill::test {
 
-using lsp::Json;
-
 namespace {
 
 std::string uriOf(const std::string& file) { return "file:///w/" + file; }
@@ -51,7 +49,7 @@ constexpr FollowUp kFollowUps[] = {
     {"textDocument/prepareTypeHierarchy", "typeHierarchy/subtypes", true},
 };
 
-lsp::ClientFeatures featuresOf(lsp::Encoding encoding) {
+lsp::ClientFeatures featuresOf(syntax::Encoding encoding) {
   lsp::ClientFeatures result;
   result.encoding = encoding;
   result.pullDiagnostics = result.relatedInformation = result.snippets = true;
@@ -72,13 +70,13 @@ std::vector<std::string> select(const lsp::Registry& registry, std::string_view 
 }
 
 const Json& itemsOf(const Json& answer) {
-  const auto& items = lsp::memberAt(answer, {"items"});
+  const auto& items = rpc::memberAt(answer, {"items"});
   return items.is_array() ? items : answer;
 }
 
 } // namespace
 
-Desk::Desk(const std::map<std::string, std::string>& files, lsp::Encoding encoding)
+Desk::Desk(const std::map<std::string, std::string>& files, syntax::Encoding encoding)
     : client(featuresOf(encoding)) {
   ide::OpenTexts texts;
   for (const auto& [name, text] : files) {
@@ -112,7 +110,7 @@ const std::string& Desk::text(const std::string& file) const {
 Json Desk::params(const std::string& method, const std::string& file, syntax::Offset at) const {
   const auto& document = documents.at(uriOf(file));
   auto position = [&](syntax::Offset offset) -> Json {
-    auto it = lsp::toEditor(document.text(), document.lines(), offset, client.encoding);
+    auto it = syntax::toEditor(document.text(), document.lines(), offset, client.encoding);
     return {{"line", it.line}, {"character", it.character}};
   };
   const bool whole = kOfDocuments.contains(method);
@@ -142,8 +140,8 @@ Json Desk::raw(const std::string& method, const Json& params) const {
   const lsp::Request request{
       .params = params, .snapshot = *snapshot, .client = client, .cancellation = {}};
   auto answer = registry.methods.find(method)->second.handler(request);
-  if (answer) return Json::parse(lsp::dump(*answer));
-  if (answer.error().code == lsp::ErrorCode::InternalError)
+  if (answer) return Json::parse(rpc::dump(*answer));
+  if (answer.error().code == rpc::ErrorCode::InternalError)
     throw std::runtime_error("internal error: " + answer.error().message);
   return {{"error", answer.error().message}};
 }
@@ -155,7 +153,7 @@ Json Desk::inBytes(const std::string& method, const Json& answer, const std::str
     if (converted.is_object()) converted.erase("resultId"); // stands for the unconverted answer
     return converted;
   }
-  const auto& data = lsp::memberAt(answer, {"data"});
+  const auto& data = rpc::memberAt(answer, {"data"});
   return data.is_array() ? places.convertTokens(data, uri) : Json();
 }
 
@@ -177,7 +175,7 @@ Json Desk::inParts(const std::string& method, const std::string& file) const {
   const auto answer = registry.methods.find(method)->second.handler(request);
   auto items = Json::array();
   if (!answer || !answer->is_array()) return "no list";
-  for (const auto& item : *answer) items.push_back(Json::parse(lsp::dump(item)));
+  for (const auto& item : *answer) items.push_back(Json::parse(rpc::dump(item)));
   return items;
 }
 
@@ -201,7 +199,7 @@ Desk::followUps(const std::string& method, const std::string& file, syntax::Offs
     const auto& items = itemsOf(answer);
     if (!items.is_array()) continue;
     for (const auto& item : items) {
-      const auto& own = lsp::memberAt(item, {"uri"}); // what an item leads to is told from there
+      const auto& own = rpc::memberAt(item, {"uri"}); // what an item leads to is told from there
       const auto uri = own.is_string() ? own.get<std::string>() : uriOf(file);
       const auto found = raw(next, it.asItem ? Json{{"item", item}} : item);
       result.emplace_back(next, inBytes(next, found, uri));

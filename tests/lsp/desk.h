@@ -17,7 +17,7 @@ namespace proskill::test {
 class Desk {
 public:
   /// \param files texts by their names, all of them open
-  Desk(const std::map<std::string, std::string>& files, lsp::Encoding encoding);
+  Desk(const std::map<std::string, std::string>& files, syntax::Encoding encoding);
 
   /// The methods that are asked about a place, those about a document, and those about all.
   [[nodiscard]] std::vector<std::string> methodsOfPlaces() const;
@@ -26,28 +26,28 @@ public:
 
   /// An error is `{"error": message}`. What must not be is thrown as `std::runtime_error`: a bug of
   /// the handler, a place outside of its text or within a character, an empty range upside down.
-  [[nodiscard]] lsp::Json ask(const std::string& method, const std::string& file,
-                              syntax::Offset at) const;
+  [[nodiscard]] Json ask(const std::string& method, const std::string& file,
+                         syntax::Offset at) const;
   /// What an editor asks next of such an answer, as what `resolve` says of its items; each with its
   /// method before it.
-  [[nodiscard]] std::vector<std::pair<std::string, lsp::Json>>
+  [[nodiscard]] std::vector<std::pair<std::string, Json>>
   followUps(const std::string& method, const std::string& file, syntax::Offset at) const;
 
   /// The answer as it is sent. \param more members of the request beside the usual ones
-  [[nodiscard]] lsp::Json answer(const std::string& method, const std::string& file,
-                                 const lsp::Json& more = lsp::Json::object()) const;
+  [[nodiscard]] Json answer(const std::string& method, const std::string& file,
+                            const Json& more = Json::object()) const;
   /// The items of an answer that is a list, as they are where the client takes lists in parts.
-  [[nodiscard]] lsp::Json inParts(const std::string& method, const std::string& file) const;
+  [[nodiscard]] Json inParts(const std::string& method, const std::string& file) const;
 
   [[nodiscard]] const std::string& text(const std::string& file) const;
   void edit(const std::string& file, const syntax::TextEdit& edit);
 
 private:
-  [[nodiscard]] lsp::Json raw(const std::string& method, const lsp::Json& params) const;
-  [[nodiscard]] lsp::Json params(const std::string& method, const std::string& file,
-                                 syntax::Offset at) const;
-  [[nodiscard]] lsp::Json inBytes(const std::string& method, const lsp::Json& answer,
-                                  const std::string& uri) const;
+  [[nodiscard]] Json raw(const std::string& method, const Json& params) const;
+  [[nodiscard]] Json params(const std::string& method, const std::string& file,
+                            syntax::Offset at) const;
+  [[nodiscard]] Json inBytes(const std::string& method, const Json& answer,
+                             const std::string& uri) const;
 
   lsp::Registry registry = lsp::allFeatures();
   lsp::ClientFeatures client;

@@ -8,8 +8,7 @@
 #include <catch2/catch.hpp>
 
 using namespace proskill;
-using lsp::Encoding;
-using lsp::Json;
+using syntax::Encoding;
 using test::Desk;
 using test::Session;
 

@@ -9,7 +9,6 @@
 #include <fstream>
 
 using namespace proskill;
-using lsp::Json;
 using test::rangeOf;
 using test::Session;
 

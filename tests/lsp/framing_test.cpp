@@ -2,14 +2,17 @@
 
 #include <catch2/catch.hpp>
 
+using namespace proskill;
 using namespace proskill::lsp;
+using namespace proskill::rpc;
 
 namespace {
 
 /// Everything that a reader makes of a stream that comes in pieces of that size.
-std::vector<Frame> readAll(std::string_view stream, std::size_t piece, std::size_t limit = 1000) {
-  FrameReader reader(limit);
-  std::vector<Frame> frames;
+std::vector<rpc::Frame> readAll(std::string_view stream, std::size_t piece,
+                                std::size_t limit = 1000) {
+  rpc::FrameReader reader(limit);
+  std::vector<rpc::Frame> frames;
   while (!stream.empty()) {
     reader.feed(stream.substr(0, piece));
     stream.remove_prefix(std::min(piece, stream.size()));
@@ -18,9 +21,9 @@ std::vector<Frame> readAll(std::string_view stream, std::size_t piece, std::size
   return frames;
 }
 
-std::string body(const Frame& frame) {
+std::string body(const rpc::Frame& frame) {
   const auto* text = std::get_if<std::string>(&frame);
-  return text ? *text : "error: " + std::get<FramingError>(frame).message;
+  return text ? *text : "error: " + std::get<rpc::FramingError>(frame).message;
 }
 
 } // namespace
@@ -46,7 +49,7 @@ TEST_CASE("a header may have other fields, and its words any case") {
 TEST_CASE("a header without a length is an error, and the message after it is read") {
   auto frames = readAll("Hello: you\r\n\r\n" + frame("{}"), 3);
   REQUIRE(frames.size() == 2);
-  CHECK(std::holds_alternative<FramingError>(frames[0]));
+  CHECK(std::holds_alternative<rpc::FramingError>(frames[0]));
   CHECK(body(frames[1]) == "{}");
 }
 
@@ -54,7 +57,7 @@ TEST_CASE("a length that is no number is an error") {
   for (auto length : {"-1", "2x", "", "99999999999999999999999"}) {
     auto frames = readAll("Content-Length: " + std::string(length) + "\r\n\r\n" + frame("{}"), 64);
     REQUIRE(frames.size() == 2);
-    CHECK(std::holds_alternative<FramingError>(frames[0]));
+    CHECK(std::holds_alternative<rpc::FramingError>(frames[0]));
     CHECK(body(frames[1]) == "{}");
   }
 }
@@ -62,16 +65,16 @@ TEST_CASE("a length that is no number is an error") {
 TEST_CASE("a body that is too long is skipped as it comes") {
   auto frames = readAll(frame(std::string(2000, 'x')) + frame("{}"), 100);
   REQUIRE(frames.size() == 2);
-  CHECK(std::holds_alternative<FramingError>(frames[0]));
+  CHECK(std::holds_alternative<rpc::FramingError>(frames[0]));
   CHECK(body(frames[1]) == "{}");
 }
 
 TEST_CASE("two gibibytes are announced, and nothing is held for them") {
-  FrameReader reader;
+  rpc::FrameReader reader;
   reader.feed("Content-Length: 2147483648\r\n\r\n");
   auto first = reader.next();
   REQUIRE(first);
-  CHECK(std::holds_alternative<FramingError>(*first));
+  CHECK(std::holds_alternative<rpc::FramingError>(*first));
   reader.feed(std::string(1 << 20, 'x'));
   CHECK(!reader.next());
 }

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 using namespace proskill;
-using lsp::Json;
 using test::rangeOf;
 using test::Session;
 

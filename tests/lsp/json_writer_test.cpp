@@ -3,8 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace proskill;
-using lsp::Json;
-using lsp::JsonWriter;
+using rpc::JsonWriter;
 
 TEST_CASE("what is written is what the library writes") {
   const std::string odd = "a \"b\" \\ \n \x01 é 😀 \xff\xc3 \x7f";
@@ -16,9 +15,9 @@ TEST_CASE("what is written is what the library writes") {
                   {"large", 18446744073709551615U},
                   {"\"key\"", 1},
                   {"nested", {{"a", {{"b", Json::array({Json::array()})}}}}}};
-  CHECK(lsp::dump(json) == json.dump(-1, ' ', false, Json::error_handler_t::replace));
-  CHECK(lsp::dump(odd) == Json(odd).dump(-1, ' ', false, Json::error_handler_t::replace));
-  CHECK(lsp::dump(nullptr) == "null");
+  CHECK(rpc::dump(json) == json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  CHECK(rpc::dump(odd) == Json(odd).dump(-1, ' ', false, Json::error_handler_t::replace));
+  CHECK(rpc::dump(nullptr) == "null");
 }
 
 TEST_CASE("text that is JSON already stands among values as it is") {
@@ -26,16 +25,16 @@ TEST_CASE("text that is JSON already stands among values as it is") {
   text.open('{').member("line", 3U).member("at", -1).member("name", "x").member("is", true);
   text.key("list").open('[').value(1).value("[").open('[').close(']').close(']').close('}');
   CHECK(text.str() == R"({"line":3,"at":-1,"name":"x","is":true,"list":[1,"[",[]]})");
-  const Json json{{"a", lsp::written(text.str())}, {"b", Json::array({lsp::written("1"), 2})}};
-  CHECK(lsp::dump(json) == R"({"a":)" + text.str() + R"(,"b":[1,2]})");
-  CHECK(lsp::sizeOf(json) >= text.str().size());
+  const Json json{{"a", rpc::written(text.str())}, {"b", Json::array({rpc::written("1"), 2})}};
+  CHECK(rpc::dump(json) == R"({"a":)" + text.str() + R"(,"b":[1,2]})");
+  CHECK(rpc::sizeOf(json) >= text.str().size());
 }
 
 TEST_CASE("messages have their parts in the protocol's form") {
-  CHECK(Json::parse(lsp::request("p-1", "m", {{"a", 1}})) ==
+  CHECK(Json::parse(rpc::request("p-1", "m", {{"a", 1}})) ==
         Json{{"jsonrpc", "2.0"}, {"id", "p-1"}, {"method", "m"}, {"params", {{"a", 1}}}});
-  CHECK(Json::parse(lsp::reply(7, lsp::written("[1]"))) ==
+  CHECK(Json::parse(rpc::reply(7, rpc::written("[1]"))) ==
         Json{{"jsonrpc", "2.0"}, {"id", 7}, {"result", {1}}});
-  const auto error = Json::parse(lsp::replyError(nullptr, {lsp::ErrorCode::ParseError, "\xff", 1}));
+  const auto error = Json::parse(rpc::replyError(nullptr, {rpc::ErrorCode::ParseError, "\xff", 1}));
   CHECK(error["error"] == Json{{"code", -32700}, {"message", "\xef\xbf\xbd"}, {"data", 1}});
 }

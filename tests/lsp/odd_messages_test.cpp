@@ -3,8 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace proskill;
-using lsp::Json;
-using lsp::parseMessage;
+using rpc::parseMessage;
 
 namespace {
 

@@ -6,7 +6,6 @@
 
 using namespace proskill;
 using lsp::ClientFeatures;
-using lsp::Json;
 
 /// What clients get that can do less, or more, than the one of the sessions.
 namespace {
@@ -27,7 +26,7 @@ Json ask(const ClientFeatures& client, const std::string& method, Json params) {
       .params = params, .snapshot = snapshot, .client = client, .cancellation = {}};
   auto answer = registry.methods.at(method).handler(request);
   REQUIRE(answer);
-  return Json::parse(lsp::dump(*answer));
+  return Json::parse(rpc::dump(*answer));
 }
 
 Json at(unsigned line, unsigned character) {

@@ -5,11 +5,12 @@
 #include <string>
 
 using namespace proskill;
-using namespace proskill::lsp;
+using namespace proskill::syntax;
 
 namespace {
 
-constexpr Encoding kAll[] = {Encoding::Utf8, Encoding::Utf16, Encoding::Utf32};
+constexpr syntax::Encoding kAll[] = {syntax::Encoding::Utf8, syntax::Encoding::Utf16,
+                                     syntax::Encoding::Utf32};
 
 } // namespace
 
@@ -17,9 +18,9 @@ TEST_CASE("a column is counted in the encoding's units") {
   const std::string text = "; aé€😀z\nb";
   const syntax::LineIndex lines(text);
   auto z = static_cast<syntax::Offset>(text.find('z'));
-  CHECK(toEditor(text, lines, z, Encoding::Utf8) == EditorPosition{0, 12});
-  CHECK(toEditor(text, lines, z, Encoding::Utf16) == EditorPosition{0, 7});
-  CHECK(toEditor(text, lines, z, Encoding::Utf32) == EditorPosition{0, 6});
+  CHECK(syntax::toEditor(text, lines, z, syntax::Encoding::Utf8) == syntax::EditorPosition{0, 12});
+  CHECK(syntax::toEditor(text, lines, z, syntax::Encoding::Utf16) == syntax::EditorPosition{0, 7});
+  CHECK(syntax::toEditor(text, lines, z, syntax::Encoding::Utf32) == syntax::EditorPosition{0, 6});
 }
 
 TEST_CASE("every start of a character goes to the editor and back") {
@@ -30,7 +31,8 @@ TEST_CASE("every start of a character goes to the editor and back") {
       bool inside = at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
       bool inLineEnd = at > 0 && text[at - 1] == '\r';
       if (inside || inLineEnd) continue;
-      CHECK(fromEditor(text, lines, toEditor(text, lines, at, encoding), encoding) == at);
+      CHECK(syntax::fromEditor(text, lines, syntax::toEditor(text, lines, at, encoding),
+                               encoding) == at);
     }
 }
 
@@ -38,15 +40,15 @@ TEST_CASE("a position beyond the line is its end, beyond the text the text's end
   const std::string text = "ab\r\ncd";
   const syntax::LineIndex lines(text);
   for (auto encoding : kAll) {
-    CHECK(fromEditor(text, lines, {0, 99}, encoding) == 2);
-    CHECK(fromEditor(text, lines, {1, 99}, encoding) == 6);
-    CHECK(fromEditor(text, lines, {9, 0}, encoding) == 6);
+    CHECK(syntax::fromEditor(text, lines, {0, 99}, encoding) == 2);
+    CHECK(syntax::fromEditor(text, lines, {1, 99}, encoding) == 6);
+    CHECK(syntax::fromEditor(text, lines, {9, 0}, encoding) == 6);
   }
 }
 
 TEST_CASE("a position within a character is the character's start") {
   const std::string text = "a😀b";
   const syntax::LineIndex lines(text);
-  CHECK(fromEditor(text, lines, {0, 2}, Encoding::Utf16) == 1);
-  CHECK(fromEditor(text, lines, {0, 3}, Encoding::Utf8) == 1);
+  CHECK(syntax::fromEditor(text, lines, {0, 2}, syntax::Encoding::Utf16) == 1);
+  CHECK(syntax::fromEditor(text, lines, {0, 3}, syntax::Encoding::Utf8) == 1);
 }

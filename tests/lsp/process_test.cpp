@@ -14,7 +14,6 @@
 #include <poll.h>
 
 using namespace proskill;
-using lsp::Json;
 
 namespace {
 
@@ -31,14 +30,14 @@ std::string endlessProgram() {
 class ServerProcess {
 public:
   ServerProcess() : child(started()) {
-    send(lsp::request(1, "initialize",
+    send(rpc::request(1, "initialize",
                       {{"capabilities", Json::object()},
                        {"initializationOptions", {{"verify", {{"delay", 0}, {"seconds", 600}}}}}}));
-    send(lsp::notification("initialized", Json::object()));
+    send(rpc::notification("initialized", Json::object()));
   }
 
   void send(const std::string& body) {
-    auto bytes = lsp::frame(body);
+    auto bytes = rpc::frame(body);
     while (!bytes.empty() && !ended) bytes.erase(0, exchange(bytes));
   }
 
@@ -87,7 +86,7 @@ private:
   }
 
   process::Child child;
-  lsp::FrameReader frames;
+  rpc::FrameReader frames;
   bool ended = false;
 };
 
@@ -105,7 +104,7 @@ bool ends(int process) {
 }
 
 int verifyingProcess(ServerProcess& server) {
-  server.send(lsp::notification("textDocument/didOpen", {{"textDocument",
+  server.send(rpc::notification("textDocument/didOpen", {{"textDocument",
                                                           {{"uri", "file:///w/many.proskill"},
                                                            {"languageId", "proskill"},
                                                            {"version", 1},
@@ -131,8 +130,8 @@ TEST_CASE("what verifies ends with the server, however this ends") {
   }
   ServerProcess server;
   const int worker = verifyingProcess(server);
-  server.send(lsp::request(2, "shutdown", nullptr));
-  server.send(lsp::notification("exit", nullptr));
+  server.send(rpc::request(2, "shutdown", nullptr));
+  server.send(rpc::notification("exit", nullptr));
   CHECK(server.ending() == "it ended with exit code 0");
   CHECK(ends(worker));
 }
@@ -141,7 +140,7 @@ TEST_CASE("an edit ends the verification of the older text") {
   ServerProcess server;
   const int worker = verifyingProcess(server);
   server.send(
-      lsp::notification("textDocument/didChange",
+      rpc::notification("textDocument/didChange",
                         {{"textDocument", {{"uri", "file:///w/many.proskill"}, {"version", 2}}},
                          {"contentChanges", Json::array({{{"text", "(defsv"}}})}}));
   server.notified("proskill/verdicts", [](const Json& it) { return it["state"] == "errors"; });

@@ -6,7 +6,6 @@
 #include <set>
 
 using namespace proskill;
-using lsp::Json;
 using test::MemoryFiles;
 using test::rangeOf;
 using test::Session;
@@ -66,8 +65,8 @@ public:
 
   lsp::ClientFeatures client;
   test::Pipe pipe;
-  lsp::Outbox outbox{pipe};
-  lsp::Peer peer{outbox};
+  rpc::Outbox outbox{pipe};
+  rpc::Peer peer{outbox};
   lsp::Refresher refresher{peer, client};
 
 private:

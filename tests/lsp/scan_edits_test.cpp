@@ -6,8 +6,7 @@
 #include <algorithm>
 
 using namespace proskill;
-using lsp::Encoding;
-using lsp::Json;
+using syntax::Encoding;
 using syntax::Offset;
 using test::Desk;
 using test::Files;

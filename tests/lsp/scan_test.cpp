@@ -10,8 +10,7 @@
 #include <sstream>
 
 using namespace proskill;
-using lsp::Encoding;
-using lsp::Json;
+using syntax::Encoding;
 using syntax::Offset;
 using test::Desk;
 using test::example;
@@ -31,14 +30,14 @@ std::vector<Offset> places(const std::string& text) { return test::placesIn(text
 
 bool isNothing(const Json& answer) {
   if (answer.is_object() && answer.contains("error")) return true;
-  const auto& items = lsp::memberAt(answer, {"items"});
+  const auto& items = rpc::memberAt(answer, {"items"});
   return answer.is_null() || answer.empty() || (items.is_array() && items.empty());
 }
 
 /// What makes an answer another one than those before: of lists to choose from the labels, not
 /// where they would go.
 std::string essenceOf(const Json& answer) {
-  const auto& items = lsp::memberAt(answer, {"items"});
+  const auto& items = rpc::memberAt(answer, {"items"});
   if (!items.is_array() || items.empty() || !items[0].contains("label")) return answer.dump();
   std::string result;
   for (const auto& item : items) result += item["label"].dump();

@@ -5,21 +5,23 @@
 #include <latch>
 #include <string>
 
+using namespace proskill;
 using namespace proskill::lsp;
+using namespace proskill::rpc;
 using namespace std::chrono_literals;
 
 TEST_CASE("background work gives way to what somebody waits for") {
   std::string order;
   std::latch begun(1), waiting(1), done(2);
   {
-    Scheduler scheduler(3, 1h);
-    scheduler.post(Priority::Interactive, [&] {
+    rpc::Scheduler scheduler(3, 1h);
+    scheduler.post(rpc::Priority::Interactive, [&] {
       begun.count_down();
       waiting.wait();
       order += "answer ";
       done.count_down();
     });
-    scheduler.post(Priority::Background, [&] {
+    scheduler.post(rpc::Priority::Background, [&] {
       begun.wait();
       waiting.count_down();
       scheduler.giveWay();
@@ -33,12 +35,12 @@ TEST_CASE("background work gives way to what somebody waits for") {
 
 TEST_CASE("background work does not give way for ever") {
   std::latch begun(1), end(1), passed(1);
-  Scheduler scheduler(3, 0ms);
-  scheduler.post(Priority::Interactive, [&] {
+  rpc::Scheduler scheduler(3, 0ms);
+  scheduler.post(rpc::Priority::Interactive, [&] {
     begun.count_down();
     end.wait();
   });
-  scheduler.post(Priority::Background, [&] {
+  scheduler.post(rpc::Priority::Background, [&] {
     begun.wait();
     scheduler.giveWay();
     passed.count_down();

@@ -4,8 +4,6 @@
 
 namespace proskill::test {
 
-using lsp::Json;
-
 namespace {
 
 /// Only a server that hangs takes so long.
@@ -97,11 +95,11 @@ void Session::initialize() {
 }
 
 void Session::notify(std::string_view method, const Json& params) {
-  sendBody(lsp::notification(method, params));
+  sendBody(rpc::notification(method, params));
 }
 
 int Session::send(std::string_view method, const Json& params) {
-  sendBody(lsp::request(++lastId, method, params));
+  sendBody(rpc::request(++lastId, method, params));
   return lastId;
 }
 

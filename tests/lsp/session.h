@@ -15,7 +15,7 @@
 namespace proskill::test {
 
 /// The server's end of a stream that lives in memory.
-class Pipe : public lsp::Connection {
+class Pipe : public rpc::Connection {
 public:
   [[nodiscard]] std::string read() override;
   bool write(std::string_view bytes) override;
@@ -25,7 +25,7 @@ public:
   void send(std::string bytes);
   void hangUp();
   /// The next message of the server; fails the test where none comes.
-  [[nodiscard]] lsp::Json receive();
+  [[nodiscard]] Json receive();
   /// Whether a message has come that was not received.
   [[nodiscard]] bool hasMore();
 
@@ -33,8 +33,8 @@ private:
   std::mutex mutex;
   std::condition_variable wake;
   std::deque<std::string> toServer;
-  std::deque<lsp::Json> toClient;
-  lsp::FrameReader frames;
+  std::deque<Json> toClient;
+  rpc::FrameReader frames;
   bool closed = false;
 };
 
@@ -44,12 +44,12 @@ public:
   struct Options {
     std::shared_ptr<const analysis::FileSystem> disk = std::make_shared<MemoryFiles>();
     std::string encoding = "utf-16";
-    bool pull = false; ///< the client asks for diagnostics instead of being told
-    lsp::Json capabilities = lsp::Json::object(); ///< beside the usual ones
+    bool pull = false;                  ///< the client asks for diagnostics instead of being told
+    Json capabilities = Json::object(); ///< beside the usual ones
     std::chrono::milliseconds debounce{0};
     std::vector<std::string> retried{}; ///< methods that the client asks again after an edit
     /// Nothing is verified unless a test asks for it.
-    lsp::Json initializationOptions = {{"verify", {{"live", false}, {"delay", 3'600'000}}}};
+    Json initializationOptions = {{"verify", {{"live", false}, {"delay", 3'600'000}}}};
     std::vector<std::string> worker{PROSKILL_PROGRAM, "verify-worker"};
   };
 
@@ -62,21 +62,19 @@ public:
 
   void initialize();
   void sendRaw(std::string bytes) { pipe.send(std::move(bytes)); }
-  void sendBody(std::string_view body) { pipe.send(lsp::frame(body)); }
-  void notify(std::string_view method, const lsp::Json& params);
+  void sendBody(std::string_view body) { pipe.send(rpc::frame(body)); }
+  void notify(std::string_view method, const Json& params);
   /// Sends, and gives the identifier.
-  int send(std::string_view method, const lsp::Json& params);
+  int send(std::string_view method, const Json& params);
   /// The whole answer to a request. Notifications that come before are kept.
-  lsp::Json answer(int id);
-  lsp::Json ask(std::string_view method, const lsp::Json& params) {
-    return answer(send(method, params));
-  }
+  Json answer(int id);
+  Json ask(std::string_view method, const Json& params) { return answer(send(method, params)); }
   /// The result of a request that succeeds.
-  lsp::Json result(std::string_view method, const lsp::Json& params);
+  Json result(std::string_view method, const Json& params);
   /// The next notification of that method.
-  lsp::Json notified(std::string_view method);
+  Json notified(std::string_view method);
   /// The next message, whatever it is.
-  lsp::Json receive() { return pipe.receive(); }
+  Json receive() { return pipe.receive(); }
   [[nodiscard]] bool hasMore() { return pipe.hasMore(); }
   void hangUp() { pipe.hangUp(); }
   /// The server's exit code, when it has ended.
@@ -84,21 +82,21 @@ public:
 
   void open(const std::string& uri, const std::string& text, int version = 1);
   /// Replaces what lies between two positions, given as line and column each.
-  void change(const std::string& uri, int version, lsp::Json range, const std::string& text);
+  void change(const std::string& uri, int version, Json range, const std::string& text);
   void close(const std::string& uri);
   /// `result` of a request about a place.
-  lsp::Json at(std::string_view method, const std::string& uri, unsigned line, unsigned character,
-               lsp::Json more = lsp::Json::object());
+  Json at(std::string_view method, const std::string& uri, unsigned line, unsigned character,
+          Json more = Json::object());
 
 private:
   Options options;
   Pipe pipe;
   lsp::Server server;
   std::future<int> running;
-  std::deque<lsp::Json> notifications;
+  std::deque<Json> notifications;
   int lastId = 0;
 };
 
-[[nodiscard]] lsp::Json rangeOf(unsigned line, unsigned from, unsigned to);
+[[nodiscard]] Json rangeOf(unsigned line, unsigned from, unsigned to);
 
 } // namespace proskill::test

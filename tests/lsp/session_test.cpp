@@ -8,7 +8,6 @@
 #include <semaphore>
 
 using namespace proskill;
-using lsp::Json;
 using test::rangeOf;
 using test::Session;
 
@@ -127,7 +126,7 @@ TEST_CASE("an identifier that waits already is refused, and each request is answ
       "textDocument/documentHighlight",
       {{"textDocument", {{"uri", kMain}}}, {"position", {{"line", 0}, {"character", 0}}}});
   files->reached.acquire();
-  session.sendBody(lsp::request(id, "shutdown", nullptr));
+  session.sendBody(rpc::request(id, "shutdown", nullptr));
   CHECK(errorOf(session.answer(id)) == -32600);
   files->gate.count_down();
   CHECK(session.answer(id)["result"] == Json::array());
@@ -310,15 +309,15 @@ TEST_CASE("fifty texts at once") {
 TEST_CASE("the real program serves on its standard streams") {
   std::string input;
   for (const auto& body :
-       {lsp::request(1, "initialize", {{"capabilities", Json::object()}}),
-        lsp::notification("initialized", Json::object()), lsp::request(2, "shutdown", nullptr),
-        lsp::notification("exit", nullptr)})
-    input += lsp::frame(body);
+       {rpc::request(1, "initialize", {{"capabilities", Json::object()}}),
+        rpc::notification("initialized", Json::object()), rpc::request(2, "shutdown", nullptr),
+        rpc::notification("exit", nullptr)})
+    input += rpc::frame(body);
   auto finished =
       test::run({PROSKILL_PROGRAM, "lsp"}, {.input = input, .environment = {}, .onOutput = {}});
   CHECK(finished.exitCode == 0);
   CHECK(finished.err.empty());
-  lsp::FrameReader frames;
+  rpc::FrameReader frames;
   frames.feed(finished.out);
   auto first = Json::parse(std::get<std::string>(*frames.next()));
   CHECK(first["result"]["serverInfo"]["name"] == "proskill");

@@ -8,7 +8,6 @@
 
 using namespace proskill;
 using namespace std::chrono_literals;
-using lsp::Json;
 
 namespace {
 
@@ -86,8 +85,8 @@ TEST_CASE("a mistake in settings is told where it stands") {
 
 TEST_CASE("the same words are shown once a minute, and few in all; the log has them all") {
   test::Pipe pipe;
-  lsp::Outbox outbox(pipe);
-  lsp::Peer peer(outbox);
+  rpc::Outbox outbox(pipe);
+  rpc::Peer peer(outbox);
   lsp::Announcer announcer(peer);
   const lsp::Announcer::Time start{};
   auto shown = [&](const std::string& words, std::chrono::seconds at) {

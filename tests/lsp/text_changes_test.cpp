@@ -8,8 +8,7 @@
 #include <string>
 
 using namespace proskill;
-using lsp::Encoding;
-using lsp::Json;
+using syntax::Encoding;
 
 namespace {
 
@@ -101,10 +100,10 @@ TEST_CASE("a whole text heals the changes before it that do not fit") {
 }
 
 TEST_CASE("an edit makes only those requests stale that came before it") {
-  lsp::Pending pending;
+  rpc::Pending pending;
   const auto hover = [](int id) {
-    lsp::Message message;
-    message.kind = lsp::MessageKind::Request;
+    rpc::Message message;
+    message.kind = rpc::MessageKind::Request;
     message.id = id;
     message.method = "textDocument/hover";
     message.params = {{"textDocument", {{"uri", "file:///a"}}}};

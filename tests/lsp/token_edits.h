@@ -6,8 +6,8 @@ namespace proskill::test {
 
 /// An array of tokens after the protocol's edits, all of which are of the array as it was; they
 /// must be in its order and not overlap. Throws `std::runtime_error` where they are not.
-[[nodiscard]] inline lsp::Json afterEdits(const lsp::Json& tokens, const lsp::Json& edits) {
-  auto result = lsp::Json::array();
+[[nodiscard]] inline Json afterEdits(const Json& tokens, const Json& edits) {
+  auto result = Json::array();
   std::size_t done = 0;
   auto copyTo = [&](std::size_t end) {
     if (end < done || end > tokens.size()) throw std::runtime_error("an edit out of order");

@@ -3,24 +3,25 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill::lsp;
+using namespace proskill::report;
+using lsp::pathOf;
 
 TEST_CASE("a path goes to a URI and back") {
   for (auto path : {"/a/b.proskill", "/with space/é.proskill", "/100%/#x?.proskill", "/a:b"})
-    CHECK(toPath(toUri(path)) == std::filesystem::path(path));
+    CHECK(report::toPath(report::toUri(path)) == std::filesystem::path(path));
 }
 
 TEST_CASE("a URI is decoded however a client writes it") {
-  CHECK(toPath("file:///a%20b/c%3Ad") == std::filesystem::path("/a b/c:d"));
-  CHECK(toPath("file://localhost/a") == std::filesystem::path("/a"));
-  CHECK(toPath("file:///a/../b") == std::filesystem::path("/b"));
-  CHECK(toPath("file:///50%") == std::filesystem::path("/50%"));
-  CHECK(normalised("file:///c%3A/x") == normalised("file:///c:/x"));
+  CHECK(report::toPath("file:///a%20b/c%3Ad") == std::filesystem::path("/a b/c:d"));
+  CHECK(report::toPath("file://localhost/a") == std::filesystem::path("/a"));
+  CHECK(report::toPath("file:///a/../b") == std::filesystem::path("/b"));
+  CHECK(report::toPath("file:///50%") == std::filesystem::path("/50%"));
+  CHECK(report::normalised("file:///c%3A/x") == report::normalised("file:///c:/x"));
 }
 
 TEST_CASE("other schemes have no path and keep their spelling") {
-  CHECK(!toPath("untitled:Untitled-1"));
-  CHECK(normalised("untitled:Untitled-1") == "untitled:Untitled-1");
+  CHECK(!report::toPath("untitled:Untitled-1"));
+  CHECK(report::normalised("untitled:Untitled-1") == "untitled:Untitled-1");
 }
 
 TEST_CASE("a text that is part of a file lies beside it, by a name without quotes and escapes") {
@@ -35,7 +36,7 @@ TEST_CASE("a text that is part of a file lies beside it, by a name without quote
 
 TEST_CASE("a path for a URI of another scheme is that URI again") {
   for (const auto* uri : {"untitled:Untitled-1", "git:/w/a.proskill?x", "untitled:/c:/w/%C3%A9"})
-    CHECK(toUri(pathOf(uri)) == uri);
-  CHECK(toUri("/c:/w") == "file:///c%3A/w");
-  CHECK(toUri("/w/untitled:x") == "file:///w/untitled%3Ax");
+    CHECK(report::toUri(pathOf(uri)) == uri);
+  CHECK(report::toUri("/c:/w") == "file:///c%3A/w");
+  CHECK(report::toUri("/w/untitled:x") == "file:///w/untitled%3Ax");
 }

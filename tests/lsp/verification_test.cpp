@@ -8,7 +8,6 @@
 #include <thread>
 
 using namespace proskill;
-using lsp::Json;
 using test::rangeOf;
 using test::Session;
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace proskill {
+
+/// JSON that people read, too: members keep the order in which they are written.
+using OrderedJson = nlohmann::ordered_json;
+
+} // namespace proskill
