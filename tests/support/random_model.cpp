@@ -1,7 +1,8 @@
 #include "tests/support/random_model.h"
 
 #include "tests/fiacre/build.h"
-#include "tests/support/random_source.h"
+#include "tests/support/random_data.h"
+#include "tests/support/random_observer.h"
 
 #include <algorithm>
 #include <set>
@@ -18,15 +19,9 @@ Expr conditional(Expr test, Expr yes, Expr no) {
           .operands = {std::move(test), std::move(yes), std::move(no)}};
 }
 
-Expr negation(Expr operand) { return unary(Op::Not, std::move(operand)); }
-
 /// `robot[index].field`
 Expr part(std::string at, std::string member) {
   return field(index(name("robot"), name(std::move(at))), std::move(member));
-}
-
-Observable stateOf(std::uint32_t instance, std::string state) {
-  return {.path = {instance}, .name = std::move(state)};
 }
 
 enum class Sort : std::uint8_t { Bool, Number, Colour };
@@ -85,7 +80,7 @@ private:
     addShared("level", range(0, 2), number(random.between(0, 2)), Sort::Number);
     if (random.chance(60))
       addShared("paint", named("colour"), name(random.pick(kColours)), Sort::Colour);
-    if (rich) declareData();
+    if (rich) addRandomData(program, component);
     if (rich || random.chance(60)) return;
     Expr robots{.kind = ExprKind::Array};
     for (int i = 0; i < 2; ++i)
@@ -97,82 +92,6 @@ private:
     for (const char* index : {"left", "right"}) {
       scalars.push_back({part(index, "busy"), Sort::Bool});
       scalars.push_back({part(index, "mood"), Sort::Colour});
-    }
-  }
-
-  /// Variables that are handled with care: nothing fails.
-  void declareData() {
-    program.types.push_back({"letter_type", letterType(), {}});
-    program.types.push_back({"line_type", queue(2, range(0, 2)), {}});
-    program.types.push_back({"cells_type", array(3, range(0, 2)), {}});
-    program.types.push_back({"box_type", queue(2, named("letter_type")), {}});
-    component.variables.push_back({"letter", named("letter_type"), name("nothing"), {}});
-    component.variables.push_back({"line", named("line_type"), Expr{.kind = ExprKind::Queue}, {}});
-    component.variables.push_back(
-        {"cells",
-         named("cells_type"),
-         Expr{.kind = ExprKind::Array, .operands = {number(0), number(1), number(2)}},
-         {}});
-  }
-
-  static Type letterType() {
-    Type type = unionOf({"nothing", "some", "other"});
-    type.members[1].type = {range(0, 2)};
-    type.members[2].type = {boolean()};
-    return type;
-  }
-
-  /// A test of the data.
-  Expr dataTest() {
-    const Expr line = name("line");
-    switch (random.below(5)) {
-    case 0: return unary(Op::Empty, line);
-    case 1: return unary(Op::Full, line);
-    case 2:
-      return binary(Op::And, negation(unary(Op::Empty, line)),
-                    binary(Op::Equal, unary(Op::First, line), name("level")));
-    case 3: return binary(Op::Equal, name("letter"), call("some", {number(random.between(0, 2))}));
-    default:
-      return binary(Op::Equal, index(name("cells"), name("level")), number(random.between(0, 2)));
-    }
-  }
-
-  /// A change of the data that cannot fail.
-  Statement dataChange() {
-    const Expr line = name("line");
-    const Expr level = name("level");
-    switch (random.below(7)) {
-    case 5:
-      return {.kind = StatementKind::Assign,
-              .targets = {index(name("cells"), level), index(name("cells"), number(1))},
-              .values = {index(name("cells"), number(1)), index(name("cells"), level)}};
-    case 0:
-      return ifThen(
-          negation(unary(Op::Full, line)),
-          assign(line, binary(random.chance(50) ? Op::Enqueue : Op::Append, line, level)));
-    case 1:
-      return ifThen(negation(unary(Op::Empty, line)),
-                    Statement{.kind = StatementKind::Assign,
-                              .targets = {level, line},
-                              .values = {unary(Op::First, line), unary(Op::Dequeue, line)}});
-    case 2:
-      return {.kind = StatementKind::Case,
-              .values = {name("letter"), name("nothing"), call("some", {level}),
-                         call("other", {truth(true)}), name("any")},
-              .children = {assign(name("letter"), call("some", {level})),
-                           assign(name("letter"), call("other", {name("flag")})),
-                           assign(name("flag"), truth(false)),
-                           assign(name("letter"), name("nothing"))}};
-    case 3: return assign(index(name("cells"), level), index(name("cells"), number(0)));
-    case 4:
-      return {.kind = StatementKind::While,
-              .values = {binary(Op::Less, level, number(2))},
-              .children = {sequence({assign(index(name("cells"), level), number(0)),
-                                     assign(level, binary(Op::Add, level, number(1)))})}};
-    default:
-      return {.kind = StatementKind::Any,
-              .targets = {level},
-              .values = {binary(Op::LessEqual, level, number(1))}};
     }
   }
 
@@ -271,7 +190,7 @@ private:
   }
 
   Expr test(const std::vector<Scalar>& among) {
-    if (rich && random.chance(35)) return dataTest();
+    if (rich && random.chance(35)) return randomDataTest(random);
     const Scalar& scalar = random.pick(among);
     Expr result = scalar.lvalue;
     if (scalar.sort == Sort::Colour) {
@@ -348,7 +267,7 @@ private:
     }
     if (random.chance(20)) steps.push_back(someTag(index));
     if (random.chance(50)) steps.push_back(change(onPort, index));
-    if (rich && !onPort && random.chance(60)) steps.push_back(dataChange());
+    if (rich && !onPort && random.chance(60)) steps.push_back(randomDataChange(random));
     if (random.chance(25))
       steps.push_back(choice(random.chance(50) ? someTag(index) : change(onPort, index)));
     if (random.chance(15)) steps.push_back(choice(end(process)));
@@ -419,70 +338,6 @@ private:
   std::vector<Scalar> local;                            ///< of the process in hand, too
 };
 
-/// What is seen in states or in steps, of what the properties ask for.
-Observable seen(RandomSource& random, const Program& program, bool ofSteps) {
-  std::vector<Observable> all;
-  for (const auto& property : program.properties)
-    for (const auto& operand : property.pattern.operands)
-      if (watchesSteps(operand) == ofSteps) all.push_back(operand);
-  Observable made = random.pick(all);
-  if (ofSteps && random.chance(30))
-    made = {.kind = ObservableKind::Or, .operands = {made, random.pick(all)}};
-  if (ofSteps && random.chance(20))
-    made = {.kind = ObservableKind::Enter, .operands = {stateOf(1, "s1")}};
-  if (random.chance(30))
-    made = {.kind = ObservableKind::And, .operands = {made, seen(random, program, false)}};
-  if (random.chance(10)) made = {.kind = ObservableKind::Not, .operands = {made}};
-  return made;
-}
-
-Statement timed(std::int64_t from, std::int64_t to) {
-  return {.kind = StatementKind::Wait, .interval = {.lower = from, .upper = to}};
-}
-
-Process watcher(RandomSource& random, const std::string& named) {
-  const auto passes = [&](const std::string& by) {
-    return sequence({port(by), random.chance(30) ? tag("seen") : null(),
-                     random.chance(30) ? Statement{.kind = StatementKind::Loop}
-                                       : to("w" + std::to_string(random.below(3)))});
-  };
-  Process made{.name = named, .ports = {{.name = "p"}, {.name = "q"}}};
-  for (int i = 0; i < 3; ++i) {
-    made.states.push_back({"w" + std::to_string(i), 0});
-    std::vector<Statement> branches{passes(random.chance(50) ? "p" : "q")};
-    if (random.chance(60)) branches.push_back(passes("q"));
-    if (random.chance(30)) branches.push_back(sequence({timed(1, 2), to("w0")}));
-    made.transitions.push_back(
-        {"w" + std::to_string(i), branches.size() == 1 ? branches[0] : select(branches), {}});
-  }
-  return made;
-}
-
-void observe(RandomSource& random, Program& program) {
-  Component made{.name = "watch"};
-  made.ports.push_back({.name = "p", .probe = seen(random, program, false)});
-  made.ports.back().interval = Interval{.lower = 0, .upper = 0};
-  if (random.chance(30)) made.ports.back().interval = Interval{.lower = 1, .upper = 1};
-  made.ports.push_back({.name = "q", .probe = seen(random, program, true)});
-  if (random.chance(30)) made.ports.push_back({.name = "r", .probe = seen(random, program, true)});
-  const auto third = made.ports.back().name;
-  for (const auto* each : {"W", "V"}) program.processes.push_back(watcher(random, each));
-  Instance first{.process = "W", .ports = {"p", "q"}};
-  Instance second{.process = "V", .ports = {"p", third}};
-  made.instances = {{.parts = {first}}};
-  if (random.chance(50)) made.instances[0].parts.push_back(second);
-  program.components.push_back(std::move(made));
-  program.observers.push_back({"watch", program.main});
-  const auto ask = [&](Observable what) {
-    what.observer = "watch";
-    program.properties.push_back(
-        {.name = "w" + std::to_string(program.properties.size()),
-         .pattern = {.kind = PatternKind::Absent, .operands = {std::move(what)}}});
-  };
-  for (int i = 0; i < 3; ++i) ask({.path = {1, 1}, .name = "w" + std::to_string(i)});
-  for (const auto* port : {"p", "q"}) ask({.kind = ObservableKind::Event, .name = port});
-}
-
 } // namespace
 
 Program randomModel(std::uint64_t seed) { return Builder(seed).build(); }
@@ -492,7 +347,7 @@ Program randomModelWithData(std::uint64_t seed) { return Builder(seed, true).bui
 Program randomModelWithObserver(std::uint64_t seed) {
   auto program = Builder(seed, seed % 2 == 1).build();
   RandomSource random(seed);
-  observe(random, program);
+  addRandomObserver(random, program);
   return program;
 }
 
