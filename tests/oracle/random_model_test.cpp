@@ -96,7 +96,7 @@ TEST_CASE("engine and oracle agree on random models with data and priorities") {
 TEST_CASE("engine and oracle agree on random models with observers") {
   std::size_t compared = 0;
   std::size_t seen = 0;
-  constexpr std::uint64_t kObserved = 500;
+  constexpr std::uint64_t kObserved = 1000;
   for (std::uint64_t seed = 0; seed < kObserved; ++seed) {
     const fiacre::Program program = test::randomModelWithObserver(seed);
     const auto judged = agreedOn(program, seed);

@@ -164,17 +164,20 @@ bool ProgressCheck::isAtUpperBound(const Moment& moment, TransitionId transition
          upperBound(of.interval) == signature.invariants[at];
 }
 
-/// Whether time waits for the transition, or for one that has to let it go first.
+/// Whether time waits for the transition, or for one that has to let it go first. Whether somebody
+/// watches the step makes no difference to that.
 bool ProgressCheck::isAwaited(const Moment& moment, TransitionId transition) {
   const auto waits = [&](TransitionId id) {
     return system.transitions[id].urgent || isAtUpperBound(moment, id);
   };
   if (waits(transition)) return true;
   if (!system.hasPriorities) return false;
+  const auto unseen = system.transitions[transition].unseen;
+  const TransitionId plain = unseen == kNone ? transition : unseen;
   bool goesFirst = false;
   eachIn(moment.enabled, [&](TransitionId id) {
     const auto& of = system.transitions[id];
-    const auto has = [&](const auto& all) { return std::ranges::count(all, transition) > 0; };
+    const auto has = [&](const auto& all) { return std::ranges::count(all, plain) > 0; };
     const bool lets = has(of.blockers) || has(of.laterBlockers);
     goesFirst = goesFirst || (lets && waits(id));
   });
