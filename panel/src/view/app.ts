@@ -131,9 +131,10 @@ class App {
     await this.showFirst();
   }
 
-  /** Where nothing was chosen yet, what a reader looks for: the first violated property. */
+  /** Where nothing was chosen yet, what a reader looks for: the first violated property, the program's own before those of every program. */
   private async showFirst(): Promise<void> {
-    const first = this.program?.verdicts.find((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
+    const violated = this.program?.verdicts.filter((verdict) => markOf(verdict) === 'error' && verdict.steps !== null) ?? [];
+    const first = violated.find(({ kind }) => kind === 'property') ?? violated[0];
     if (this.hello.layout === 'all' && this.trace.name === null && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true);
   }
 
