@@ -99,6 +99,11 @@ export class Editor {
     return this.page.locator(`.squiggly-${kind}`);
   }
 
+  /** On the line of the caret: elsewhere verdicts may have theirs. */
+  squigglesHere(kind = 'error') {
+    return this.page.locator(`.view-overlays > div:has(.current-line) .squiggly-${kind}`);
+  }
+
   status() {
     return this.page.locator('[id="proskill.proskill.proskill.status"], [id$="proskill.status"]').first();
   }

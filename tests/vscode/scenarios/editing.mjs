@@ -119,9 +119,9 @@ export const scenarios = {
     await expect('another server', () => server.servers().some((it) => it.pid !== pid && it.args[0] === 'lsp'));
     await editor.goTo(30, 13);
     await editor.type('x');
-    await editor.squiggles().first().waitFor();
+    await editor.squigglesHere().first().waitFor();
     await editor.press('Control+z');
-    await editor.squiggles().first().waitFor({ state: 'detached' });
+    await editor.squigglesHere().first().waitFor({ state: 'detached' });
   },
 
   /** Killed again and again, it is given up, and a message says what to do; asked to, it starts again. */
