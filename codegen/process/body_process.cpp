@@ -17,6 +17,11 @@ namespace {
 std::string syncState(const BodyState& state) { return state.name + "_" + state.next + "_sync"; }
 std::string busyState(const BodyState& state) { return state.name + "_busy"; }
 
+Statement watched(Statement main, std::vector<Statement> abortStatements) {
+  abortStatements.insert(abortStatements.begin(), std::move(main));
+  return select(std::move(abortStatements));
+}
+
 } // namespace
 
 BodyProcess::BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me)
@@ -82,12 +87,6 @@ Statement BodyProcess::unlessHeld(Statement step) {
   auto goesOn = mayStep();
   if (isTrue(goesOn)) return step;
   return ifThenElse(std::move(goesOn), std::move(step), select(abortStatementsWhereHeld()));
-}
-
-/// What strikes is possible all the time.
-Statement BodyProcess::watched(Statement main, std::vector<Statement> strikes) {
-  strikes.insert(strikes.begin(), std::move(main));
-  return select(std::move(strikes));
 }
 
 /// A step for which the body waits.

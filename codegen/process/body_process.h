@@ -46,8 +46,6 @@ private:
   void addParallel(fiacre::Process& process, const BodyState& state);
   void addWaiting(fiacre::Process& process, const BodyState& state, fiacre::Statement main);
   [[nodiscard]] fiacre::Statement unlessHeld(fiacre::Statement step);
-  [[nodiscard]] fiacre::Statement watched(fiacre::Statement main,
-                                          std::vector<fiacre::Statement> strikes);
   [[nodiscard]] fiacre::Statement whenItMay(fiacre::Statement main);
   [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
   [[nodiscard]] fiacre::Statement step(const BodyState& state);

@@ -71,25 +71,23 @@ std::vector<Statement> RuntimeAction::alternatives() {
 }
 
 Statement RuntimeAction::returned() {
-  if (!least) return awaitTask("action_dispatch");
+  if (!least) return sequence({awaitTask(), to("action_dispatch")});
   const auto words =
       frame.origin(skill.skill().timeInterval->range, "its action returns too early");
   auto warning = ifThen(name("undershoot"),
                         at(words, saying("WARNING: undershoot",
                                          tag(context.names.tag({skill.name(), "undershoot"})))));
-  auto await = awaitTask("action_dispatch");
-  await.children.insert(await.children.begin() + 1, std::move(warning));
-  return await;
+  return sequence({awaitTask(), std::move(warning), to("action_dispatch")});
 }
 
 /// The task's result, and where to go with it.
-Statement RuntimeAction::awaitTask(std::string_view next) {
+Statement RuntimeAction::awaitTask() {
   Statement sync;
   sync.kind = fiacre::StatementKind::Sync;
   sync.name = task;
   sync.targets.push_back(name("ret_val"));
   sync.origin = frame.origin(skill.skill().name.range, "its action returns");
-  return sequence({std::move(sync), to(next)});
+  return sync;
 }
 
 /// The lower bound, then the upper one, as the paper counts them: leaving `action_sync` starts its
@@ -122,9 +120,7 @@ Statement RuntimeAction::breakOff(const Ending& ending) {
 /// What the task returns does not matter any more.
 void RuntimeAction::addStopping(fiacre::Process& process) {
   for (const auto& [state, ending] : stopping) {
-    auto returned = awaitTask("");
-    returned.children.pop_back();
-    addState(process, state, frame.place(), sequence({std::move(returned), frame.end(ending)}),
+    addState(process, state, frame.place(), sequence({awaitTask(), frame.end(ending)}),
              "The action was asked to stop.");
   }
 }

@@ -22,7 +22,7 @@ private:
   void addTiming(std::vector<fiacre::Statement>& all);
   [[nodiscard]] fiacre::Statement breakOff(const Ending& ending);
   void addStopping(fiacre::Process& process);
-  [[nodiscard]] fiacre::Statement awaitTask(std::string_view next);
+  [[nodiscard]] fiacre::Statement awaitTask();
 
   Context& context;
   const SkillPlan& skill;
