@@ -14,6 +14,7 @@
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "syntax/diagnostics/suggest.h"
 #include "syntax/text/utf8.h"
@@ -27,11 +28,6 @@
 #include <fcntl.h>
 
 namespace {
-
-/// What sysexits.h calls EX_SOFTWARE: our own mistake, not the user's.
-constexpr int kInternalError = 70;
-constexpr int kOutOfMemory = 71; ///< EX_OSERR
-constexpr int kUsage = 2;
 
 /// What is closed at the beginning stays unusable: no file that is opened later gets its number,
 /// and with that what is printed, or is read as a client's messages.
@@ -71,7 +67,7 @@ std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
   return word.starts_with('-') || known ? "" : word;
 }
 
-int failUnknown(const CLI::App& app, const std::string& word) {
+int failUnknownCommand(const CLI::App& app, const std::string& word) {
   const auto names = commandNames(app);
   const auto meant = proskill::syntax::nearest(word, names);
   std::string message = "there is no command `" + word + "`";
@@ -96,11 +92,11 @@ int main(int argc, char** argv) {
                    addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
-    return failUnknown(app, word);
+    return failUnknownCommand(app, word);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return checkOutput(app.exit(error) == 0 ? 0 : kUsage);
+    return checkOutput(app.exit(error) == 0 ? 0 : kFailed);
   } catch (const std::bad_alloc&) {
     std::cerr << "error: out of memory; `--memory-limit` of `proskill verify` ends an exploration "
                  "before that, with what is decided by then\n";

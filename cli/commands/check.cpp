@@ -3,6 +3,7 @@
 #include "cli/commands/fix.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "disk/disk.h"
@@ -25,11 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum ExitCode { kClean = 0, kFindings = 1, kUsage = 2 };
-
 enum class Format : std::uint8_t { Text, Short, Json, Sarif };
 
-struct Arguments {
+struct CheckArguments {
   std::vector<std::string> files;
   Format format = Format::Text;
   ColourChoice colour = ColourChoice::Auto;
@@ -48,7 +47,7 @@ std::string placed(const fs::path& file, const lsp::SettingsMistake& mistake) {
 /// The programs of the files given. One that another one includes is seen in that one's context.
 class Loader {
 public:
-  explicit Loader(const Arguments& arguments) : arguments(arguments) {}
+  explicit Loader(const CheckArguments& arguments) : arguments(arguments) {}
 
   /// False where a file cannot be read; that is said on standard error.
   bool add(const std::string& file) {
@@ -119,7 +118,7 @@ private:
     });
   }
 
-  const Arguments& arguments;
+  const CheckArguments& arguments;
   disk::DiskFileSystem disk;
   std::vector<Root> roots;
   bool mistaken = false;
@@ -150,7 +149,7 @@ std::string summary(const report::FindingCounts& counts) {
   return (found.empty() ? "nothing to report" : found) + " in " + counted(counts.files, "file");
 }
 
-void write(const Arguments& arguments, const std::vector<report::CheckedProgram>& programs) {
+void write(const CheckArguments& arguments, const std::vector<report::CheckedProgram>& programs) {
   switch (arguments.format) {
   case Format::Text:
     for (const report::CheckedProgram& checked : programs)
@@ -164,7 +163,7 @@ void write(const Arguments& arguments, const std::vector<report::CheckedProgram>
 }
 
 /// \return all files could be read
-bool load(const Arguments& arguments, std::vector<report::CheckedProgram>& programs) {
+bool load(const CheckArguments& arguments, std::vector<report::CheckedProgram>& programs) {
   Loader loader(arguments);
   bool readable = true;
   for (const std::string& file : arguments.files) readable &= loader.add(file);
@@ -174,7 +173,7 @@ bool load(const Arguments& arguments, std::vector<report::CheckedProgram>& progr
 }
 
 /// Mends what can be mended, and looks again. \return all files could be read and written
-bool fix(const Arguments& arguments, std::vector<report::CheckedProgram>& programs) {
+bool fix(const CheckArguments& arguments, std::vector<report::CheckedProgram>& programs) {
   auto fixed = applyFixes(programs);
   if (!fixed) {
     fail(fixed.error());
@@ -185,7 +184,7 @@ bool fix(const Arguments& arguments, std::vector<report::CheckedProgram>& progra
   return fixed->findings == 0 || load(arguments, programs);
 }
 
-int run(const Arguments& arguments) {
+int runCheck(const CheckArguments& arguments) {
   std::vector<report::CheckedProgram> programs;
   bool readable = load(arguments, programs);
   if (readable && arguments.fix) readable = fix(arguments, programs);
@@ -195,14 +194,14 @@ int run(const Arguments& arguments) {
   const report::FindingCounts counts = report::countFindings(programs);
   const bool forPeople = arguments.format == Format::Text || arguments.format == Format::Short;
   if (forPeople && !programs.empty()) std::cerr << summary(counts) << '\n';
-  if (!readable) return kUsage;
-  return counts.errors + counts.warnings > 0 ? kFindings : kClean;
+  if (!readable) return kFailed;
+  return counts.errors + counts.warnings > 0 ? kFound : kDone;
 }
 
 } // namespace
 
 void addCheck(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   auto* command = app.add_subcommand("check", "Find mistakes in programs");
   command
       ->add_option("file", arguments->files, "Root files of programs, or models in Fiacre (.fcr)")
@@ -223,10 +222,10 @@ void addCheck(CLI::App& app, int& exitCode) {
                     "How to print findings; short: one line each");
   addColour(*command, arguments->colour);
   showBelow(*command, {"proskill check mission.proskill", "proskill check --fix *.proskill"},
-            {{kClean, "no errors and no warnings"},
-             {kFindings, "errors or warnings were found"},
-             {kUsage, "the command line is wrong, or a file cannot be read"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+            {{kDone, "no errors and no warnings"},
+             {kFound, "errors or warnings were found"},
+             {kFailed, "the command line is wrong, or a file cannot be read"}});
+  command->callback([arguments, &exitCode] { exitCode = runCheck(*arguments); });
 }
 
 } // namespace proskill::cli

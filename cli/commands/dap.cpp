@@ -1,6 +1,7 @@
 #include "cli/commands/dap.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "dap/adapter.h"
 #include "disk/disk.h"
@@ -22,7 +23,7 @@ int serve(rpc::Connection& connection) {
   return adapter.run();
 }
 
-int run(std::optional<std::uint16_t> port) {
+int runDap(std::optional<std::uint16_t> port) {
   std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
   if (!port) return serve(*rpc::standardStreams());
   auto connection = rpc::acceptLoopback(*port, [](std::uint16_t opened) {
@@ -43,10 +44,10 @@ void addDap(CLI::App& app, int& exitCode) {
                            "free port) instead of standard input"),
        group::kAdvanced, "PORT");
   showBelow(*command, {"proskill dap"},
-            {{0, "the client disconnected"},
-             {1, "the client went away without disconnecting"},
-             {2, "the command line is wrong, or the port cannot be used"}});
-  command->callback([port, &exitCode] { exitCode = run(*port); });
+            {{kDone, "the client disconnected"},
+             {kAbandoned, "the client went away without disconnecting"},
+             {kFailed, "the command line is wrong, or the port cannot be used"}});
+  command->callback([port, &exitCode] { exitCode = runDap(*port); });
 }
 
 } // namespace proskill::cli

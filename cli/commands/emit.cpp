@@ -3,6 +3,7 @@
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "codegen/model.h"
@@ -19,11 +20,9 @@
 namespace proskill::cli {
 namespace {
 
-enum ExitCode { kWritten = 0, kFailed = 2 };
-
 enum class Target : std::uint8_t { Fiacre, Tina, HFiacre };
 
-struct Arguments {
+struct EmitArguments {
   Target target = Target::Fiacre;
   std::string file;
   std::string output;
@@ -33,13 +32,13 @@ struct Arguments {
   codegen::Options options;
 };
 
-codegen::Edition edition(const Arguments& arguments) {
+codegen::Edition edition(const EmitArguments& arguments) {
   if (arguments.target == Target::HFiacre) return codegen::Edition::Runtime;
   if (arguments.target == Target::Tina) return codegen::Edition::Tina;
   return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
-int run(const Arguments& arguments) {
+int runEmit(const EmitArguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
   auto options = arguments.options;
@@ -51,13 +50,13 @@ int run(const Arguments& arguments) {
   }
   const auto text = fiacre::print(model->fiacre, {.prove = arguments.prove});
   const auto failed = disk::writeOutput(arguments.output, text);
-  return failed ? fail(*failed) : kWritten;
+  return failed ? fail(*failed) : kDone;
 }
 
 } // namespace
 
 void addEmit(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<EmitArguments>();
   auto* command = app.add_subcommand("emit", "Print the Fiacre model of a program");
   addChoice<Target>(
       *command, "target", arguments->target,
@@ -93,9 +92,9 @@ void addEmit(CLI::App& app, int& exitCode) {
   showBelow(*command,
             {"proskill emit fiacre mission.proskill",
              "proskill emit hfiacre --rate 50 -o mission.hfcr mission.proskill"},
-            {{kWritten, "the model was written"},
+            {{kDone, "the model was written"},
              {kFailed, "the program has errors, or the command line or the output is wrong"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+  command->callback([arguments, &exitCode] { exitCode = runEmit(*arguments); });
 }
 
 } // namespace proskill::cli

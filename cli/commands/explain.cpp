@@ -1,6 +1,7 @@
 #include "cli/commands/explain.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "ide/description/explanation.h"
@@ -23,7 +24,7 @@ namespace {
 using ide::paragraphOf;
 using ide::titleOf;
 
-struct Arguments {
+struct ExplainArguments {
   std::string code;
   bool list = false;
   bool markdown = false;
@@ -106,7 +107,7 @@ void printMarkdown() {
   }
 }
 
-int failUnknown(const std::string& code) {
+int failUnknownCode(const std::string& code) {
   const auto ids = syntax::allCodes() | std::views::transform(&syntax::CodeInfo::id);
   const auto meant = syntax::nearest(code, ids);
   std::string message = "there is no code `" + code + "`";
@@ -114,20 +115,20 @@ int failUnknown(const std::string& code) {
   return fail(message + " (`proskill explain --list` shows all)");
 }
 
-int run(const Arguments& arguments) {
-  if (arguments.markdown) return printMarkdown(), 0;
-  if (arguments.list) return printList(), 0;
+int runExplain(const ExplainArguments& arguments) {
+  if (arguments.markdown) return printMarkdown(), kDone;
+  if (arguments.list) return printList(), kDone;
   if (arguments.code.empty()) return fail("which code? `proskill explain --list` shows all");
   const syntax::CodeInfo* code = syntax::findCode(arguments.code);
-  if (!code) return failUnknown(arguments.code);
+  if (!code) return failUnknownCode(arguments.code);
   printOne(*code, report::Paint{wantsColour(arguments.colour, STDOUT_FILENO)});
-  return 0;
+  return kDone;
 }
 
 } // namespace
 
 void addExplain(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExplainArguments>();
   auto* command = app.add_subcommand("explain", "Explain a diagnostic, with an example");
   command->add_option("code", arguments->code, "The code that check prints, such as PS0201");
   show(command->add_flag("--list", arguments->list, "List all codes, one line each"),
@@ -135,9 +136,10 @@ void addExplain(CLI::App& app, int& exitCode) {
   show(command->add_flag("--markdown", arguments->markdown, "Print all of them as a manual page"),
        group::kOutput);
   addColour(*command, arguments->colour);
-  showBelow(*command, {"proskill explain PS0201", "proskill explain --list"},
-            {{0, "explained"}, {2, "there is no such code, or the command line is wrong"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+  showBelow(
+      *command, {"proskill explain PS0201", "proskill explain --list"},
+      {{kDone, "explained"}, {kFailed, "there is no such code, or the command line is wrong"}});
+  command->callback([arguments, &exitCode] { exitCode = runExplain(*arguments); });
 }
 
 } // namespace proskill::cli

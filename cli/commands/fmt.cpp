@@ -2,6 +2,7 @@
 
 #include "cli/output/unified_diff.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "disk/output.h"
@@ -21,9 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum ExitCode { kDone = 0, kNotLaidOut = 1, kUsage = 2 };
-
-struct Arguments {
+struct FmtArguments {
   std::vector<std::string> files;
   bool check = false;
   bool diff = false;
@@ -81,20 +80,19 @@ Layout layOutFiacre(const std::string& file, std::string text) {
           edits.value_or(std::vector<syntax::TextEdit>{})};
 }
 
-int formatFile(const Arguments& arguments, const std::string& file) {
+int formatFile(const FmtArguments& arguments, const std::string& file) {
   auto text = readFile(file);
   if (!text) return fail("cannot read `" + file + "`: " + text.error());
   const auto [document, edits] =
       ide::isFiacre(file) ? layOutFiacre(file, std::move(*text)) : layOut(file, std::move(*text));
   if (arguments.diff) std::cout << forOutput(unifiedDiff(file, document, edits));
   if (arguments.check && !edits.empty() && !arguments.diff) std::cout << forOutput(file) << '\n';
-  if (arguments.check || arguments.diff)
-    return arguments.check && !edits.empty() ? kNotLaidOut : kDone;
+  if (arguments.check || arguments.diff) return arguments.check && !edits.empty() ? kFound : kDone;
   if (edits.empty() && file != "-") return kDone;
   return writeBack(file, syntax::applyEdits(document.text(), edits));
 }
 
-int run(const Arguments& arguments) {
+int runFmt(const FmtArguments& arguments) {
   int code = kDone;
   for (const auto& file : arguments.files) code = std::max(code, formatFile(arguments, file));
   std::cout.flush();
@@ -104,7 +102,7 @@ int run(const Arguments& arguments) {
 } // namespace
 
 void addFmt(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FmtArguments>();
   auto* command = app.add_subcommand("fmt", "Format programs and models in Fiacre (.fcr)");
   command->add_option("file", arguments->files, "Files; `-` formats standard input")->required();
   show(command->add_flag("--check", arguments->check,
@@ -114,9 +112,9 @@ void addFmt(CLI::App& app, int& exitCode) {
        group::kOutput);
   showBelow(*command, {"proskill fmt mission.proskill", "proskill fmt --check *.proskill"},
             {{kDone, "all files are formatted"},
-             {kNotLaidOut, "with --check: a file would change"},
-             {kUsage, "the command line is wrong, or a file cannot be read or written"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+             {kFound, "with --check: a file would change"},
+             {kFailed, "the command line is wrong, or a file cannot be read or written"}});
+  command->callback([arguments, &exitCode] { exitCode = runFmt(*arguments); });
 }
 
 } // namespace proskill::cli

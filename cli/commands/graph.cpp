@@ -3,6 +3,7 @@
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/picture_kinds.h"
@@ -22,12 +23,10 @@
 namespace proskill::cli {
 namespace {
 
-enum ExitCode { kDrawn = 0, kFailed = 2 };
-
 const Choices<viz::Format> kFormats{
     {"dot", viz::Format::Dot}, {"svg", viz::Format::Svg}, {"png", viz::Format::Png}};
 
-struct Arguments {
+struct GraphArguments {
   std::string file;
   std::optional<viz::Kind> kind;
   std::string name;
@@ -44,7 +43,7 @@ template <class Value> Choices<std::optional<Value>> optional(const Choices<Valu
 }
 
 /// As asked for, else as the output's name says, else SVG.
-viz::Format formatOf(const Arguments& arguments) {
+viz::Format formatOf(const GraphArguments& arguments) {
   if (arguments.format) return *arguments.format;
   const auto extension = std::filesystem::path(arguments.output).extension().string();
   for (const auto& [name, format] : kFormats)
@@ -53,7 +52,8 @@ viz::Format formatOf(const Arguments& arguments) {
 }
 
 /// The pictures that the arguments choose; the calls where they choose nothing and one is wanted.
-std::vector<viz::Request> choose(const analysis::Program& program, const Arguments& arguments) {
+std::vector<viz::Request> choose(const analysis::Program& program,
+                                 const GraphArguments& arguments) {
   std::vector<viz::Request> chosen;
   if (arguments.kind && !arguments.name.empty()) {
     chosen = {{*arguments.kind, arguments.name, false}};
@@ -70,8 +70,9 @@ std::vector<viz::Request> choose(const analysis::Program& program, const Argumen
   return chosen;
 }
 
-std::expected<std::string, std::string>
-picture(const analysis::Program& program, const Arguments& arguments, const viz::Request& request) {
+std::expected<std::string, std::string> picture(const analysis::Program& program,
+                                                const GraphArguments& arguments,
+                                                const viz::Request& request) {
   const auto graph = viz::draw(program, request);
   if (!graph) return std::unexpected(graph.error());
   return viz::render(*graph, formatOf(arguments),
@@ -84,7 +85,7 @@ std::string nameOf(const viz::Request& request) {
 }
 
 /// One file a picture, whose paths are printed.
-int drawAll(const analysis::Program& program, const Arguments& arguments,
+int drawAll(const analysis::Program& program, const GraphArguments& arguments,
             const std::vector<viz::Request>& requests) {
   const std::filesystem::path directory(arguments.directory);
   std::error_code error;
@@ -99,10 +100,10 @@ int drawAll(const analysis::Program& program, const Arguments& arguments,
     if (const auto failed = disk::writeOutput(path, *bytes)) return fail(*failed);
     std::cout << forOutput(path.string()) << '\n';
   }
-  return kDrawn;
+  return kDone;
 }
 
-int drawOne(const analysis::Program& program, const Arguments& arguments,
+int drawOne(const analysis::Program& program, const GraphArguments& arguments,
             const viz::Request& request) {
   const bool standard = arguments.output.empty() || arguments.output == "-";
   if (standard && formatOf(arguments) == viz::Format::Png && isatty(STDOUT_FILENO) != 0)
@@ -110,7 +111,7 @@ int drawOne(const analysis::Program& program, const Arguments& arguments,
   const auto bytes = picture(program, arguments, request);
   if (!bytes) return fail(bytes.error());
   const auto failed = disk::writeOutput(arguments.output, *bytes);
-  return failed ? fail(*failed) : kDrawn;
+  return failed ? fail(*failed) : kDone;
 }
 
 std::string listOf(const std::vector<viz::Request>& requests) {
@@ -119,7 +120,7 @@ std::string listOf(const std::vector<viz::Request>& requests) {
   return names;
 }
 
-int run(const Arguments& arguments) {
+int runGraph(const GraphArguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
   const auto requests = choose(*program, arguments);
@@ -137,7 +138,7 @@ int run(const Arguments& arguments) {
 } // namespace
 
 void addGraph(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GraphArguments>();
   auto* command = app.add_subcommand("graph", "Draw state variables, skills, bodies and calls");
   command->add_option("file", arguments->file, "Root file of the program")->required();
   addChoice(*command, "--kind", arguments->kind, optional(kPictureKinds),
@@ -164,9 +165,9 @@ void addGraph(CLI::App& app, int& exitCode) {
   showBelow(*command,
             {"proskill graph --kind body --name land -o land.svg mission.proskill",
              "proskill graph --out-dir pictures mission.proskill"},
-            {{kDrawn, "drawn"},
+            {{kDone, "drawn"},
              {kFailed, "the program has errors, or the command line or the output is wrong"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+  command->callback([arguments, &exitCode] { exitCode = runGraph(*arguments); });
 }
 
 } // namespace proskill::cli

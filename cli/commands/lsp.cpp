@@ -1,6 +1,7 @@
 #include "cli/commands/lsp.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "lsp/server/server.h"
@@ -22,9 +23,7 @@ namespace proskill::cli {
 
 namespace {
 
-constexpr int kUsage = 2;
-
-struct Arguments {
+struct LspArguments {
   std::optional<std::uint16_t> port;
   std::string log;
   unsigned debounce = 50;
@@ -75,7 +74,7 @@ int serve(rpc::Connection& connection, lsp::ServerOptions options) {
   return server.run();
 }
 
-int run(const Arguments& arguments) {
+int runLsp(const LspArguments& arguments) {
   tuneHeaps();
   std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
   lsp::ServerOptions options;
@@ -98,7 +97,7 @@ int run(const Arguments& arguments) {
 } // namespace
 
 void addLsp(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LspArguments>();
   auto* command = app.add_subcommand("lsp", "Serve an editor (Language Server Protocol)");
   show(command->add_option("--port", arguments->port,
                            "Wait for one client on this port of the loopback interface (0: any "
@@ -112,10 +111,10 @@ void addLsp(CLI::App& app, int& exitCode) {
   show(command->add_flag("--stdio")->description("Use standard input and output, as by default"),
        group::kAdvanced);
   showBelow(*command, {"proskill lsp", "proskill lsp --log server.log"},
-            {{0, "the client shut the server down"},
-             {1, "the client went away without shutting it down"},
-             {kUsage, "the command line is wrong, or the port or the log cannot be used"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+            {{kDone, "the client shut the server down"},
+             {kAbandoned, "the client went away without shutting it down"},
+             {kFailed, "the command line is wrong, or the port or the log cannot be used"}});
+  command->callback([arguments, &exitCode] { exitCode = runLsp(*arguments); });
 }
 
 } // namespace proskill::cli

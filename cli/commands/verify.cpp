@@ -7,6 +7,7 @@
 #include "cli/output/report.h"
 #include "cli/output/save_traces.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/progress.h"
@@ -30,8 +31,6 @@ namespace proskill::cli {
 
 namespace {
 
-enum ExitCode { kGood = 0, kViolated = 1, kUsage = 2, kInconclusive = 3, kDiffer = 4 };
-
 /// Set by the first Ctrl-C: what is decided is then reported. The second one kills as usual.
 std::atomic<bool> interrupted{false};
 
@@ -52,10 +51,6 @@ verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* pr
   return options;
 }
 
-int failUnsupported(const verify::Unsupported& error) {
-  return fail("this model cannot be explored: " + error.message);
-}
-
 void write(const VerifyArguments& arguments, const report::VerifyReport& report) {
   switch (arguments.format) {
   case VerifyFormat::Text:
@@ -72,8 +67,8 @@ int exitCodeOf(const ide::VerificationReport& report, bool strict) {
     return row.bad() && (strict || row.check->weight == codegen::Weight::Error);
   };
   auto open = [](const ide::VerdictRow& row) { return row.verdict == ide::Verdict::Inconclusive; };
-  if (std::ranges::any_of(report.rows, violated)) return kViolated;
-  return std::ranges::any_of(report.rows, open) ? kInconclusive : kGood;
+  if (std::ranges::any_of(report.rows, violated)) return kFound;
+  return std::ranges::any_of(report.rows, open) ? kInconclusive : kDone;
 }
 
 /// A name that selects nothing is a mistake of the caller's, not a good verdict.
@@ -161,7 +156,7 @@ int runModel(const VerifyArguments& arguments, const analysis::Program& program,
              const codegen::Model& model) {
   if (arguments.list) {
     for (const auto& check : model.checks) fmt::print("{}\n", check.name);
-    return kGood;
+    return kDone;
   }
   if (!arguments.graph.empty()) {
     std::signal(SIGINT, onInterrupt);
@@ -205,11 +200,11 @@ int runFiacre(const VerifyArguments& arguments) {
   auto read = ide::readFiacre(arguments.file, std::move(*text));
   render(std::cerr, read.program, read.diagnostics,
          report::Paint{wantsColour(arguments.colour, STDERR_FILENO)});
-  if (!read.diagnostics.empty()) return kUsage;
+  if (!read.diagnostics.empty()) return kFailed;
   if (!read.isModel())
     return fail(fmt::format("`{}` names no model: write the name of a component at its end",
                             arguments.file));
-  if (!addAll(arguments, read.program, read.model)) return kUsage;
+  if (!addAll(arguments, read.program, read.model)) return kFailed;
   if (read.model.checks.empty() && arguments.graph.empty())
     return fail("nothing is asserted: write `property p is deadlockfree` and `assert p`");
   return runModel(arguments, read.program, read.model);
@@ -221,17 +216,17 @@ codegen::Edition editionFor(const VerifyArguments& arguments) {
   return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
-int run(const VerifyArguments& arguments) {
+int runVerify(const VerifyArguments& arguments) {
   if (ide::isFiacre(arguments.file)) return runFiacre(arguments);
   auto program = loadChecked(arguments.file, arguments.colour);
-  if (!program) return kUsage;
+  if (!program) return kFailed;
   codegen::Options options;
   options.mainSkill = arguments.mainSkill;
   options.edition = editionFor(arguments);
   options.automata = arguments.automata;
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());
-  if (!addAll(arguments, *program, *model)) return kUsage;
+  if (!addAll(arguments, *program, *model)) return kFailed;
   return runModel(arguments, *program, *model);
 }
 
@@ -245,12 +240,12 @@ void addVerify(CLI::App& app, int& exitCode) {
             {"proskill verify mission.proskill",
              "proskill verify --property land --time-limit 60 mission.proskill",
              "proskill verify --format junit mission.proskill > report.xml"},
-            {{kGood, "all properties are as they should be"},
-             {kViolated, "a property is violated (with --strict: or a warning)"},
-             {kUsage, "the program has errors, the command line is wrong, or Tina cannot be run"},
+            {{kDone, "all properties are as they should be"},
+             {kFound, "a property is violated (with --strict: or a warning)"},
+             {kFailed, "the program has errors, the command line is wrong, or Tina cannot be run"},
              {kInconclusive, "nothing is violated, but a limit left properties undecided"},
              {kDiffer, "with --backend both: the engine and Tina disagree"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+  command->callback([arguments, &exitCode] { exitCode = runVerify(*arguments); });
 }
 
 } // namespace proskill::cli

@@ -2,6 +2,7 @@
 
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "view/http_server.h"
@@ -20,9 +21,7 @@ namespace proskill::cli {
 
 namespace {
 
-enum ExitCode { kEnded = 0, kUsage = 2 };
-
-struct Arguments {
+struct ViewArguments {
   std::string file;
   std::string mainSkill;
   std::uint16_t port = 0;
@@ -52,7 +51,7 @@ bool isJson(const std::filesystem::path& path, const std::string& text) {
   return first != std::string::npos && text[first] == '{';
 }
 
-std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const Arguments& arguments,
+std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const ViewArguments& arguments,
                                                                     view::EventFeed& news) {
   const std::filesystem::path path(arguments.file);
   const auto text = disk::DiskFileSystem().read(path);
@@ -64,7 +63,7 @@ std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const Argume
   return liveProgram({arguments.file, arguments.mainSkill, limits}, news);
 }
 
-int run(const Arguments& arguments) {
+int runView(const ViewArguments& arguments) {
   auto server = view::HttpServer::listen(arguments.port);
   if (!server) return fail("cannot listen on the port: " + server.error());
   view::EventFeed news;
@@ -79,13 +78,13 @@ int run(const Arguments& arguments) {
         answer(request, address, **data, news, reply);
       },
       [&] { news.close(); });
-  return kEnded;
+  return kDone;
 }
 
 } // namespace
 
 void addView(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ViewArguments>();
   auto* command =
       app.add_subcommand("view", "Show verdicts, traces and automata in a browser, live");
   command
@@ -113,8 +112,8 @@ void addView(CLI::App& app, int& exitCode) {
                            "Port on the loopback interface (0, the default: any free port)"),
        group::kAdvanced, "PORT");
   showBelow(*command, {"proskill view mission.proskill", "proskill view report.json"},
-            {{kEnded, "ended by Ctrl-C"}, {kUsage, "the file or the port cannot be used"}});
-  command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+            {{kDone, "ended by Ctrl-C"}, {kFailed, "the file or the port cannot be used"}});
+  command->callback([arguments, &exitCode] { exitCode = runView(*arguments); });
 }
 
 } // namespace proskill::cli

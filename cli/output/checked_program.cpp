@@ -1,6 +1,7 @@
 #include "cli/output/checked_program.h"
 
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "report/render.h"
@@ -41,7 +42,11 @@ int failGeneration(const analysis::Program& program, const codegen::GenerationEr
   const auto path = program.files[error.location.file].path.generic_string();
   std::cerr << syntax::printable(path) << ':' << at.line << ':' << at.column
             << ": error: " << syntax::printable(error.message) << '\n';
-  return 2;
+  return kFailed;
+}
+
+int failUnsupported(const verify::Unsupported& error) {
+  return fail("this model cannot be explored: " + error.message);
 }
 
 } // namespace proskill::cli

@@ -2,6 +2,7 @@
 
 #include "cli/terminal/paint.h"
 #include "codegen/model.h"
+#include "verify/verify.h"
 
 #include <optional>
 #include <string>
@@ -13,7 +14,10 @@ namespace proskill::cli {
 [[nodiscard]] std::optional<analysis::Program> loadChecked(const std::string& root,
                                                            ColourChoice colour);
 
-/// Says on standard error why there is no model of a program. The exit code: 2.
+/// Says on standard error why there is no model of a program. \return kFailed
 int failGeneration(const analysis::Program& program, const codegen::GenerationError& error);
+
+/// Says on standard error why the engine cannot explore a model. \return kFailed
+int failUnsupported(const verify::Unsupported& error);
 
 } // namespace proskill::cli

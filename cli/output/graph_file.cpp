@@ -1,6 +1,8 @@
 #include "cli/output/graph_file.h"
 
+#include "cli/output/checked_program.h"
 #include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
 #include "disk/output.h"
 #include "tina/graph_text.h"
 
@@ -12,12 +14,6 @@
 namespace proskill::cli {
 
 namespace {
-
-enum ExitCode { kWritten = 0, kUsage = 2, kInconclusive = 3 };
-
-int failUnsupported(const verify::Unsupported& error) {
-  return fail("this model cannot be explored: " + error.message);
-}
 
 /// One line, as sift ends, and the time.
 void printCounts(const verify::Exploration& counted) {
@@ -35,7 +31,7 @@ int count(const codegen::Model& model, const verify::Options& options) {
   auto counted = verify::countClasses(model.fiacre, options);
   if (!counted) return failUnsupported(counted.error());
   printCounts(*counted);
-  return counted->complete ? kWritten : failIncomplete(*counted);
+  return counted->complete ? kDone : failIncomplete(*counted);
 }
 
 std::optional<std::string> writeGraph(const std::filesystem::path& path,
@@ -68,7 +64,7 @@ int exploreGraph(const std::string& target, verify::GraphKind kind, const codege
   printCounts(graph->counts);
   if (kind != verify::GraphKind::Classes)
     fmt::print("{} state(s), {} edge(s)\n", graph->markingOf.size(), graph->edges.size());
-  return kWritten;
+  return kDone;
 }
 
 } // namespace proskill::cli

@@ -1,5 +1,6 @@
 #include "cli/terminal/error.h"
 
+#include "cli/terminal/exit_code.h"
 #include "syntax/text/utf8.h"
 
 #include <iostream>
@@ -8,9 +9,8 @@
 namespace proskill::cli {
 
 int fail(std::string_view message) {
-  constexpr int kUsage = 2;
   std::cerr << "error: " << syntax::printable(message, "\n\t") << '\n';
-  return kUsage;
+  return kFailed;
 }
 
 std::string forOutput(std::string_view text) {

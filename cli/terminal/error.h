@@ -5,7 +5,7 @@
 
 namespace proskill::cli {
 
-/// Prints `error: …` to standard error. \return 2, the exit code of all mistakes of a user's
+/// Prints `error: …` to standard error. \return kFailed
 int fail(std::string_view message);
 
 /// A text for standard output: on a terminal without what would move its cursor, and as it is for
