@@ -178,7 +178,7 @@ struct Verifiable {
 
 std::expected<Verifiable, std::string> ofFiacre(const WorkerText& text) {
   auto file = ide::readFiacre(text.path, text.text);
-  if (!file.diagnostics.empty())
+  if (file.hasErrors())
     return std::unexpected("the model has errors: " + file.diagnostics[0].message);
   if (!file.isModel()) return std::unexpected("the text names no model");
   return Verifiable{std::move(file.program), std::move(file.model)};

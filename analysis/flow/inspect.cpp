@@ -19,8 +19,10 @@ bool isStyle(const Diagnostic& diagnostic) {
   return syntax::info(diagnostic.code).id.starts_with("PS11");
 }
 
+/// Of a program's form, names and types, or of a model in Fiacre.
 bool isFatal(const Diagnostic& diagnostic) {
-  return isError(diagnostic) && syntax::info(diagnostic.code).id < "PS0500";
+  const auto id = syntax::info(diagnostic.code).id;
+  return isError(diagnostic) && (id < "PS0500" || id.starts_with("PS13"));
 }
 
 /// \return it is told
@@ -59,12 +61,16 @@ std::vector<Diagnostic> inspect(const Program& program, const Analysis& analysis
                  settings);
 }
 
+std::vector<Diagnostic> weighed(std::vector<Diagnostic> diagnostics, const Settings& settings) {
+  std::erase_if(diagnostics, [&](Diagnostic& each) { return !weigh(each, settings); });
+  return diagnostics;
+}
+
 std::vector<Diagnostic> weighed(const Program& program, const Analysis& analysis,
                                 const std::vector<Diagnostic>& ofFlow, const Settings& settings) {
   std::vector<Diagnostic> all = analysis.diagnostics;
   all.insert(all.end(), ofFlow.begin(), ofFlow.end());
-  std::erase_if(all, [&](Diagnostic& each) { return !weigh(each, settings); });
-  return withoutIgnored(program, std::move(all));
+  return withoutIgnored(program, weighed(std::move(all), settings));
 }
 
 std::vector<Diagnostic> inspect(const Program& program, const Settings& settings) {

@@ -32,6 +32,9 @@ inspect(const Program& program, const Analysis& analysis, const Settings& settin
                                                       const Analysis& analysis,
                                                       const std::vector<syntax::Diagnostic>& ofFlow,
                                                       const Settings& settings);
+/// Those that the settings have told, with the severities that they say.
+[[nodiscard]] std::vector<syntax::Diagnostic> weighed(std::vector<syntax::Diagnostic> diagnostics,
+                                                      const Settings& settings);
 
 /// Whether `settings` may have any of the hints of style told.
 [[nodiscard]] bool wantsStyle(const Settings& settings);

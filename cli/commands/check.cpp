@@ -74,7 +74,8 @@ public:
       return false;
     }
     auto read = ide::readFiacre(file, std::move(*text));
-    roots.push_back({canonical, {}, std::move(read.program), std::move(read.diagnostics)});
+    auto found = analysis::flow::weighed(std::move(read.diagnostics), settings(canonical));
+    roots.push_back({canonical, {}, std::move(read.program), std::move(found)});
     return true;
   }
 

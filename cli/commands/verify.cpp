@@ -200,7 +200,7 @@ int runFiacre(const VerifyArguments& arguments) {
   auto read = ide::readFiacre(arguments.file, std::move(*text));
   render(std::cerr, read.program, read.diagnostics,
          report::Paint{wantsColour(arguments.colour, STDERR_FILENO)});
-  if (!read.diagnostics.empty()) return kFailed;
+  if (read.hasErrors()) return kFailed;
   if (!read.isModel())
     return fail(fmt::format("`{}` names no model: write the name of a component at its end",
                             arguments.file));

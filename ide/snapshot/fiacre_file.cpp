@@ -1,11 +1,14 @@
 #include "ide/snapshot/fiacre_file.h"
 
 #include "fiacre/check/check.h"
+#include "fiacre/check/lone_ports.h"
 #include "fiacre/format/format.h"
 #include "fiacre/syntax/parse.h"
 #include "fiacre/syntax/print.h"
 #include "ide/snapshot/fiacre_join.h"
 #include "syntax/diagnostics/codes.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -72,7 +75,38 @@ void addChecks(codegen::Model& model) {
   }
 }
 
+/// Where a component declares a port.
+Range declarationOf(const fiacre::Parsed& parsed, std::string_view text,
+                    const fiacre::LonePort& of) {
+  bool inComponent = false;
+  for (const auto& mention : parsed.mentions) {
+    if (!mention.declares) continue;
+    const auto name = text.substr(mention.begin, mention.end - mention.begin);
+    if (mention.kind == fiacre::NameKind::Component) inComponent = name == of.component;
+    if (inComponent && mention.kind == fiacre::NameKind::Port && name == of.port)
+      return {mention.begin, mention.end};
+  }
+  return {0, 0};
+}
+
+void warnOfLonePorts(FiacreFile& file, const fiacre::Parsed& parsed) {
+  const std::string& text = file.program.files[0].document.text();
+  for (const auto& port : fiacre::lonePorts(file.model.fiacre)) {
+    const auto who = port.only.empty()
+                         ? fmt::format("no two instances wait for each other on `{}`", port.port)
+                         : fmt::format("only {} has the port `{}`", port.only, port.port);
+    file.diagnostics.push_back(
+        syntax::makeDiagnostic(Code::FiacreLonePort, {0, declarationOf(parsed, text, port)}, who));
+  }
+}
+
 } // namespace
+
+bool FiacreFile::hasErrors() const {
+  return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == syntax::Severity::Error;
+  });
+}
 
 /// Problems know the statement that they are in; those of declarations only a name.
 Range rangeOf(const fiacre::Problem& problem, const fiacre::Provenance& provenance,
@@ -120,6 +154,7 @@ FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
     if (auto fix = joinedFrom(result.model, problem.origin, source))
       result.diagnostics.back().fixes.push_back(std::move(*fix));
   }
+  if (result.isModel() && result.diagnostics.empty()) warnOfLonePorts(result, parsed);
   addChecks(result.model);
   return result;
 }

@@ -17,9 +17,10 @@ struct FiacreFile {
   analysis::Program program; ///< no definitions; `files[0]` is the text
   std::vector<syntax::Diagnostic> diagnostics;
   /// A check for each property that is asserted, by its name. Times are in units of the model.
-  /// Means nothing where there are diagnostics.
+  /// Means nothing where there are errors.
   codegen::Model model;
 
+  [[nodiscard]] bool hasErrors() const;
   /// Whether it names what is the model: environments and properties alone are none.
   [[nodiscard]] bool isModel() const { return !model.fiacre.main.empty(); }
 };

@@ -171,7 +171,8 @@ const std::vector<syntax::Diagnostic>& AnalysedProgram::findings() const {
   findingsOnce([this] {
     const auto& root = program.files.front();
     knownFindings = isFiacre(root.path)
-                        ? readFiacre(root.path, root.document.text()).diagnostics
+                        ? analysis::flow::weighed(
+                              readFiacre(root.path, root.document.text()).diagnostics, settings)
                         : analysis::flow::weighed(program, analysis, *flowFindings(), settings);
   });
   return knownFindings;

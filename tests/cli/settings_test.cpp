@@ -38,6 +38,22 @@ TEST_CASE("settings beside the program, or above it, weigh its findings") {
   CHECK(check(directory).out.empty());
 }
 
+TEST_CASE("settings weigh what is found in a model in Fiacre; its errors stay errors") {
+  const TemporaryDirectory directory;
+  const auto model = directory.write("m.fcr", "process P [p: sync] is\nstates a\nfrom a p; loop\n"
+                                              "component m is port p: sync par P [p] end\nm\n");
+  const auto wrong = directory.write("wrong.fcr", "component m is par P end\nm\n");
+  const auto checked = [](const std::string& file) {
+    return run({PROSKILL_PROGRAM, "check", file, "--format=short"});
+  };
+  CHECK(checked(model).out.find("warning[PS1303]") != std::string::npos);
+  directory.write(".proskill.json", R"({"severity": {"PS1303": "error", "PS1302": "off"}})");
+  CHECK(checked(model).exitCode == 1);
+  CHECK(checked(wrong).exitCode == 1);
+  directory.write(".proskill.json", R"({"severity": {"PS1303": "off"}})");
+  CHECK(checked(model).out.empty());
+}
+
 TEST_CASE("settings that mean nothing are a mistake, and say which") {
   const TemporaryDirectory directory;
   directory.write("main.proskill", kIgnoring);

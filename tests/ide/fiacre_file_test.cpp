@@ -28,7 +28,8 @@ std::string told(const std::vector<verify::Change>& changes) {
 } // namespace
 
 TEST_CASE("the codes about Fiacre are raised by their examples") {
-  for (auto code : {syntax::Code::FiacreText, syntax::Code::FiacreModel}) {
+  for (auto code :
+       {syntax::Code::FiacreText, syntax::Code::FiacreModel, syntax::Code::FiacreLonePort}) {
     const auto read = ide::readFiacre("m.fcr", std::string(syntax::info(code).example));
     INFO(syntax::info(code).id);
     REQUIRE_FALSE(read.diagnostics.empty());
@@ -42,6 +43,25 @@ TEST_CASE("a mistake in Fiacre is told at the name that it is about") {
         "`x`: process P, state a: `x` is no variable, and cannot be assigned to\n");
   CHECK(found("process P is\nstates a\nfrom a to b\ncomponent m is par * in P end\nm") ==
         "`b`: process P, state a: the state `b` is not declared\n");
+}
+
+TEST_CASE("a port that nobody else has is told where it is declared, and the model is verified") {
+  const std::string text = "process P [go: sync] is\nstates a, b\nfrom a go; to a\n"
+                           "process Q is\nstates a\n"
+                           "component other [go: sync] is par * in P[go] || P[go] end\n"
+                           "component m is port go: sync par * in P[go] || Q end\nm\n"
+                           "property alive is deadlockfree\nassert alive\n";
+  const auto read = ide::readFiacre("m.fcr", text);
+  REQUIRE(read.diagnostics.size() == 1);
+  const auto& warning = read.diagnostics[0];
+  CHECK(warning.message ==
+        "only P has the port `go`: it is passed alone, whenever its process can");
+  CHECK(warning.severity == syntax::Severity::Warning);
+  CHECK(warning.location.range.begin == text.rfind("go: sync par"));
+  REQUIRE_FALSE(read.hasErrors());
+  const auto report = ide::verifyModel(read.model, {}, {});
+  REQUIRE(report.has_value());
+  CHECK(report->rows[0].verdict == ide::Verdict::Holds);
 }
 
 TEST_CASE("of several instances of a process each has its name in a trace") {
