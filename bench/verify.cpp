@@ -2,7 +2,7 @@
 
 #include "bench/measure.h"
 #include "bench/programs.h"
-#include "tests/support/region_graph.h"
+#include "tests/support/oracle/region_graph.h"
 #include "tests/support/texts.h"
 
 #include "codegen/model.h"

@@ -1,7 +1,7 @@
 #include "report/check_report.h"
 #include "report/ordered_json.h"
-#include "report/render.h"
-#include "report/source_place.h"
+#include "report/text/render.h"
+#include "report/text/source_place.h"
 
 #include <ostream>
 

@@ -1,8 +1,8 @@
 #include "report/check_report.h"
 
-#include "report/render.h"
-#include "report/source_place.h"
-#include "report/text_width.h"
+#include "report/text/render.h"
+#include "report/text/source_place.h"
+#include "report/text/text_width.h"
 #include "syntax/text/utf8.h"
 
 #include <ostream>

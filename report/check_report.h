@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/program/program.h"
-#include "report/paint.h"
+#include "report/text/paint.h"
 
 #include <iosfwd>
 #include <span>

@@ -1,7 +1,7 @@
 #include "ide/description/explanation.h"
 #include "report/check_report.h"
 #include "report/sarif.h"
-#include "report/source_place.h"
+#include "report/text/source_place.h"
 
 #include <ostream>
 

@@ -1,6 +1,6 @@
 #include "report/picture_json.h"
 
-#include "viz/part_ids.h"
+#include "viz/dot/part_ids.h"
 #include "viz/theme.h"
 
 #include <fmt/format.h>

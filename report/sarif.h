@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/source_place.h"
+#include "report/text/source_place.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #include "report/sarif.h"
-#include "report/source_place.h"
+#include "report/text/source_place.h"
 #include "report/verify_report.h"
 
 #include <ostream>

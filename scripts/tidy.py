@@ -44,8 +44,20 @@ def base_of_changes():
 def changed():
     """The files that changed, and since when."""
     base, since = base_of_changes()
-    tracked = git("diff", "--name-only", base) if base else git("ls-files")
-    return set(tracked.stdout.splitlines()), since
+    return (changed_since(base) if base else set(git("ls-files").stdout.splitlines())), since
+
+
+def changed_since(base):
+    """A file that has moved, or includes one that has, and says the same as before, does not count."""
+    fields = iter(git("diff", "-z", "--find-renames", "--ignore-matching-lines=^#include ", "--numstat",
+                      base).stdout.split("\0"))
+    names = set()
+    for field in fields:
+        if field:
+            added, removed, name = field.split("\t")
+            name = name or (next(fields), next(fields))[1]
+            names |= {name} if (added, removed) != ("0", "0") else set()
+    return names
 
 
 class Unit:

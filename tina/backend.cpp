@@ -1,6 +1,6 @@
 #include "tina/backend.h"
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "tina/guide.h"
 #include "tina/outputs.h"
 #include "tina/session.h"

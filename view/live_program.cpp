@@ -1,7 +1,7 @@
 #include "codegen/model.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
-#include "report/source_place.h"
+#include "report/text/source_place.h"
 #include "report/verify_report.h"
 #include "view/panel_data.h"
 

@@ -1,7 +1,7 @@
 #include "view/panel_json.h"
 
 #include "report/picture_json.h"
-#include "report/source_place.h"
+#include "report/text/source_place.h"
 
 #include <map>
 

@@ -1,7 +1,7 @@
 #include "viz/render.h"
 
-#include "viz/dot.h"
-#include "viz/text_layout.h"
+#include "viz/dot/dot.h"
+#include "viz/dot/text_layout.h"
 
 #include <graphviz/gvc.h>
 

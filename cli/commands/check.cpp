@@ -10,7 +10,7 @@
 #include "ide/snapshot/fiacre_file.h"
 #include "lsp/workspace/program_settings.h"
 #include "report/check_report.h"
-#include "report/render.h"
+#include "report/text/render.h"
 
 #include <algorithm>
 #include <iostream>

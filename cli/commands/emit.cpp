@@ -9,8 +9,8 @@
 #include "codegen/model.h"
 #include "disk/disk.h"
 #include "disk/output.h"
-#include "fiacre/syntax/print.h"
-#include "report/render.h"
+#include "fiacre/print/print.h"
+#include "report/text/render.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,8 +5,8 @@
 #include "cli/terminal/help.h"
 #include "cli/terminal/paint.h"
 #include "ide/description/explanation.h"
-#include "report/render.h"
-#include "report/text_width.h"
+#include "report/text/render.h"
+#include "report/text/text_width.h"
 #include "syntax/diagnostics/suggest.h"
 
 #include <CLI/CLI.hpp>

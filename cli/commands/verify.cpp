@@ -15,7 +15,7 @@
 #include "disk/output.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "ide/verdicts/model_additions.h"
-#include "report/render.h"
+#include "report/text/render.h"
 #include "report/verify_report.h"
 #include "syntax/text/utf8.h"
 

@@ -4,8 +4,8 @@
 #include "cli/terminal/exit_code.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
-#include "report/render.h"
-#include "report/source_place.h"
+#include "report/text/render.h"
+#include "report/text/source_place.h"
 #include "syntax/text/utf8.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/paint.h"
+#include "report/text/paint.h"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #include "codegen/term/watched.h"
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 
 namespace proskill::codegen {
 

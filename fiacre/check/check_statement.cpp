@@ -1,5 +1,5 @@
 #include "fiacre/check/check_parts.h"
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 
 #include <fmt/format.h>
 

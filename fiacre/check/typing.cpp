@@ -1,7 +1,7 @@
 #include "fiacre/check/typing.h"
 
+#include "fiacre/print/print.h"
 #include "fiacre/syntax/arithmetic.h"
-#include "fiacre/syntax/print.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "fiacre/format/line_builder.h"
+#include "fiacre/print/writer.h"
 #include "fiacre/syntax/words.h"
-#include "fiacre/syntax/writer.h"
 
 namespace proskill::fiacre {
 namespace {

@@ -1,5 +1,5 @@
 #include "fiacre/format/format_lines.h"
-#include "fiacre/syntax/writer.h"
+#include "fiacre/print/writer.h"
 
 #include <algorithm>
 

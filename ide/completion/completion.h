@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ide/description/markup.h"
-#include "ide/snapshot/place.h"
+#include "ide/names/place.h"
 #include "ide/snapshot/symbol_key.h"
 
 #include <filesystem>

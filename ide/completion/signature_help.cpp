@@ -1,7 +1,7 @@
 #include "ide/completion/signature_help.h"
 
 #include "ide/description/describe.h"
-#include "ide/snapshot/word_at.h"
+#include "ide/names/word_at.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "ide/features/hover.h"
 
 #include "ide/description/describe.h"
+#include "ide/names/word_at.h"
 #include "ide/snapshot/flow_values.h"
-#include "ide/snapshot/word_at.h"
 
 namespace proskill::ide {
 

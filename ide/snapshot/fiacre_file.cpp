@@ -3,8 +3,8 @@
 #include "fiacre/check/check.h"
 #include "fiacre/check/lone_ports.h"
 #include "fiacre/format/format.h"
+#include "fiacre/print/print.h"
 #include "fiacre/syntax/parse.h"
-#include "fiacre/syntax/print.h"
 #include "ide/snapshot/fiacre_join.h"
 #include "syntax/diagnostics/codes.h"
 

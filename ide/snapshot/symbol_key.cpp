@@ -1,6 +1,6 @@
 #include "ide/snapshot/symbol_key.h"
 
-#include "ide/snapshot/path.h"
+#include "ide/names/path.h"
 
 #include <algorithm>
 

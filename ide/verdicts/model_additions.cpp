@@ -1,8 +1,8 @@
 #include "ide/verdicts/model_additions.h"
 
 #include "fiacre/check/check.h"
+#include "fiacre/print/print.h"
 #include "fiacre/syntax/parse.h"
-#include "fiacre/syntax/print.h"
 #include "fiacre/syntax/words.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "syntax/diagnostics/codes.h"

@@ -1,7 +1,7 @@
 #include "lsp/protocol/convert.h"
 #include "lsp/verification/verdict_json.h"
 #include "report/picture_json.h"
-#include "viz/part_ids.h"
+#include "viz/dot/part_ids.h"
 #include "viz/render.h"
 
 #include <algorithm>

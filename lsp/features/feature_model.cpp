@@ -1,5 +1,5 @@
 #include "codegen/model.h"
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/verification/verdict_json.h"
 

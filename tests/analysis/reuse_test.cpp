@@ -1,7 +1,7 @@
 #include "analysis/flow/inspect.h"
 #include "analysis/names/reuse.h"
 #include "tests/support/memory_files.h"
-#include "tests/support/random_edits.h"
+#include "tests/support/random/random_edits.h"
 #include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>

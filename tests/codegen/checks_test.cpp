@@ -1,4 +1,4 @@
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "tests/codegen/model_of.h"
 
 #include <catch2/catch.hpp>

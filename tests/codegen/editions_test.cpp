@@ -1,5 +1,5 @@
 #include "codegen/model.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 #include "verify/verify.h"
 

@@ -1,7 +1,7 @@
 #include "tests/codegen/model_of.h"
 
 #include "fiacre/check/check.h"
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "tests/support/texts.h"
 #include "verify/verify.h"
 

@@ -1,5 +1,5 @@
 #include "tests/codegen/model_of.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

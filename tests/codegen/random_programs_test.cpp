@@ -1,7 +1,7 @@
 #include "codegen/model.h"
 #include "fiacre/check/check.h"
-#include "fiacre/syntax/print.h"
-#include "tests/support/random_program.h"
+#include "fiacre/print/print.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "fiacre/check/check.h"
 #include "tests/codegen/platform.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 #include "verify/verify.h"
 

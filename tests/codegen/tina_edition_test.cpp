@@ -2,7 +2,7 @@
 #include "fiacre/check/check.h"
 #include "fiacre/check/typing.h"
 #include "tests/codegen/model_of.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

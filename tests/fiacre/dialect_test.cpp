@@ -1,7 +1,7 @@
 #include "fiacre/check/check.h"
 #include "fiacre/format/format.h"
+#include "fiacre/print/print.h"
 #include "fiacre/syntax/parse.h"
-#include "fiacre/syntax/print.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,12 @@
 #include "fiacre/format/format.h"
 
 #include "codegen/model.h"
+#include "fiacre/print/print.h"
 #include "fiacre/syntax/lexer.h"
 #include "fiacre/syntax/parse.h"
-#include "fiacre/syntax/print.h"
-#include "tests/support/canonical.h"
-#include "tests/support/random_model.h"
-#include "tests/support/random_program.h"
+#include "tests/support/oracle/canonical.h"
+#include "tests/support/random/random_model.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 #include "tests/where.h"
 

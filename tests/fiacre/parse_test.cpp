@@ -2,10 +2,10 @@
 
 #include "codegen/model.h"
 #include "fiacre/check/check.h"
-#include "fiacre/syntax/print.h"
-#include "tests/support/canonical.h"
-#include "tests/support/random_model.h"
-#include "tests/support/random_program.h"
+#include "fiacre/print/print.h"
+#include "tests/support/oracle/canonical.h"
+#include "tests/support/random/random_model.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

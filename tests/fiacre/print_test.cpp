@@ -1,6 +1,6 @@
 #include "tests/fiacre/printed.h"
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 
 #include <catch2/catch.hpp>
 

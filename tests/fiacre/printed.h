@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "tests/fiacre/build.h"
 
 #include <catch2/catch.hpp>

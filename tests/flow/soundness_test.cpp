@@ -1,6 +1,6 @@
 #include "syntax/diagnostics/diagnostic.h"
 #include "tests/flow/judgement.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include "ide/features/inlay_hints.h"
 #include "ide/features/rename.h"
 #include "tests/support/linked_files.h"
-#include "tests/support/random_edits.h"
+#include "tests/support/random/random_edits.h"
 #include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
-#include "tests/lsp/desk.h"
-#include "tests/lsp/examples.h"
-#include "tests/lsp/token_edits.h"
-#include "tests/support/random_edits.h"
+#include "tests/lsp/support/desk.h"
+#include "tests/lsp/support/examples.h"
+#include "tests/lsp/support/token_edits.h"
+#include "tests/support/random/random_edits.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "tests/lsp/session.h"
+#include "tests/lsp/support/session.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>

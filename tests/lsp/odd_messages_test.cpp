@@ -1,4 +1,4 @@
-#include "tests/lsp/session.h"
+#include "tests/lsp/support/session.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "tests/lsp/desk.h"
-#include "tests/lsp/examples.h"
+#include "tests/lsp/support/desk.h"
+#include "tests/lsp/support/examples.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 #include "lsp/server/announcer.h"
 #include "lsp/workspace/file_cache.h"
 #include "lsp/workspace/program_settings.h"
-#include "tests/lsp/session.h"
+#include "tests/lsp/support/session.h"
 
 #include <catch2/catch.hpp>
 

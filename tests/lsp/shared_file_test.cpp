@@ -2,7 +2,7 @@
 #include "ide/description/diagnostics.h"
 #include "lsp/workspace/file_cache.h"
 #include "tests/support/memory_files.h"
-#include "tests/support/random_edits.h"
+#include "tests/support/random/random_edits.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

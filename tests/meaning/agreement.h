@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/support/form.h"
+#include "tests/support/random/form.h"
 
 #include "verify/verify.h"
 

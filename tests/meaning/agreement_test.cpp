@@ -1,5 +1,5 @@
 #include "tests/meaning/agreement.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 
 #include <catch2/catch.hpp>
 

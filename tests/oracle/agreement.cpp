@@ -1,9 +1,9 @@
 #include "tests/oracle/agreement.h"
 
 #include "tests/oracle/replay.h"
-#include "tests/support/judge.h"
+#include "tests/support/oracle/judge.h"
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/support/region_graph.h"
+#include "tests/support/oracle/region_graph.h"
 #include "verify/verify.h"
 
 #include <optional>

@@ -1,5 +1,5 @@
 #include "tests/oracle/agreement.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
 #include "codegen/model.h"

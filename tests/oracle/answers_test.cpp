@@ -1,4 +1,4 @@
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
 #include "codegen/model.h"

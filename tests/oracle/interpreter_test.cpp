@@ -1,5 +1,5 @@
 #include "tests/fiacre/build.h"
-#include "tests/support/judge.h"
+#include "tests/support/oracle/judge.h"
 
 #include <catch2/catch.hpp>
 

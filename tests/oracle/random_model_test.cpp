@@ -1,9 +1,9 @@
 #include "tests/oracle/agreement.h"
-#include "tests/support/class_graph.h"
-#include "tests/support/random_model.h"
+#include "tests/support/oracle/class_graph.h"
+#include "tests/support/random/random_model.h"
 
 #include "fiacre/check/check.h"
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 
 #include <catch2/catch.hpp>
 

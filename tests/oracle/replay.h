@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/support/judge.h"
+#include "tests/support/oracle/judge.h"
 #include "verify/verify.h"
 
 #include <optional>

@@ -1,9 +1,9 @@
-#include "tests/support/point_judge.h"
-#include "tests/support/random_model.h"
-#include "tests/support/random_source.h"
+#include "tests/support/oracle/point_judge.h"
+#include "tests/support/random/random_model.h"
+#include "tests/support/random/random_source.h"
 
 #include "fiacre/check/check.h"
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "tests/robustness/broken_text.h"
 
-#include "tests/support/random_source.h"
+#include "tests/support/random/random_source.h"
 #include "tests/where.h"
 
 #include <algorithm>

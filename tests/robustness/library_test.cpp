@@ -1,6 +1,6 @@
 #include "analysis/flow/inspect.h"
 #include "tests/robustness/broken_text.h"
-#include "tests/support/random_source.h"
+#include "tests/support/random/random_source.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>

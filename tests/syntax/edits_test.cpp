@@ -1,4 +1,4 @@
-#include "tests/support/random_edits.h"
+#include "tests/support/random/random_edits.h"
 #include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>

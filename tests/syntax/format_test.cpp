@@ -1,6 +1,6 @@
 #include "syntax/format/format.h"
 #include "tests/support/marked_source.h"
-#include "tests/support/random_program.h"
+#include "tests/support/random/random_program.h"
 #include "tests/syntax/programs.h"
 #include "tests/syntax/random_words.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/support/random_source.h"
+#include "tests/support/random/random_source.h"
 
 #include <array>
 #include <string>

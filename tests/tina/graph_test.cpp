@@ -1,9 +1,9 @@
-#include "tests/support/class_graph.h"
-#include "tests/support/random_model.h"
+#include "tests/support/oracle/class_graph.h"
+#include "tests/support/random/random_model.h"
 #include "tests/tina/model.h"
 #include "tina/graph_text.h"
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "tests/support/random_model.h"
+#include "tests/support/random/random_model.h"
 #include "tests/tina/model.h"
 #include "tina/names.h"
 #include "verify/compile/compile.h"

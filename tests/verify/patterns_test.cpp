@@ -1,4 +1,4 @@
-#include "tests/support/random_source.h"
+#include "tests/support/random/random_source.h"
 #include "tests/support/text_model.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "tests/viz/outline.h"
 #include "tests/viz/well_formed.h"
 
-#include "viz/label.h"
+#include "viz/dot/label.h"
 #include "viz/render.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "viz/text_width.h"
+#include "viz/dot/text_width.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "tests/viz/well_formed.h"
 
-#include "viz/label.h"
+#include "viz/dot/label.h"
 
 #include <regex>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "verify/compile/expressions.h"
 
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "verify/unsupported.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "fiacre/syntax/print.h"
+#include "fiacre/print/print.h"
 #include "verify/compile/expressions.h"
 #include "verify/unsupported.h"
 

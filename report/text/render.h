@@ -1,0 +1,20 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "report/text/paint.h"
+
+#include <iosfwd>
+#include <span>
+#include <string_view>
+
+namespace proskill::report {
+
+/// "error", "warning", "hint".
+[[nodiscard]] std::string_view words(syntax::Severity severity);
+
+/// Prints diagnostics for people: code and message, the place, the source with carets below it, the
+/// related places, and what would mend it.
+void render(std::ostream& out, const analysis::Program& program,
+            std::span<const syntax::Diagnostic> diagnostics, const Paint& paint);
+
+} // namespace proskill::report

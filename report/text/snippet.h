@@ -1,0 +1,58 @@
+#pragma once
+
+#include "report/text/paint.h"
+#include "syntax/document.h"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace proskill::report {
+
+/// A stretch of a text that is marked, with what is said about it.
+struct Mark {
+  syntax::Range range;
+  std::string label; ///< may be empty
+  bool primary = false;
+};
+
+/// Lines of a text with marks below them.
+///
+///     12 |   (takeoff height 3.0 height 4.0)
+///        |            ------     ^^^^^^
+///        |            |
+///        |            first given here
+///
+/// A mark over several lines is drawn at its first and its last one. Of a very long line only what
+/// is around the marks is shown.
+class Snippet {
+public:
+  Snippet(const syntax::Document& document, const std::vector<Mark>& marks);
+
+  /// How many columns the greatest line number takes.
+  [[nodiscard]] std::size_t gutterWidth() const;
+  /// `primary` is the colour of the primary marks, the others are blue.
+  void print(std::ostream& out, std::size_t gutter, const Paint& paint, Colour primary) const;
+
+private:
+  /// A mark within one line; bytes of the text.
+  struct Piece {
+    syntax::Range range;
+    std::string label;
+    bool primary;
+  };
+  struct Line {
+    std::uint32_t number; ///< from 0
+    syntax::Range shown;  ///< bytes of the text: the line, or a part of it
+    std::vector<Piece> pieces;
+  };
+
+  void add(const Mark& mark);
+  void addPiece(std::uint32_t line, const Piece& piece);
+  [[nodiscard]] syntax::Range windowAround(syntax::Range line, syntax::Range piece) const;
+
+  const syntax::Document& document;
+  std::vector<Line> lines;
+};
+
+} // namespace proskill::report

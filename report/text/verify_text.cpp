@@ -1,0 +1,207 @@
+#include "report/text/paint.h"
+#include "report/text/source_place.h"
+#include "report/verify_report.h"
+#include "syntax/text/utf8.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <span>
+#include <utility>
+
+namespace proskill::report {
+
+namespace {
+
+using ide::Verdict;
+
+struct Mark {
+  std::string_view sign;
+  Colour colour;
+};
+
+Mark markOf(const ide::VerdictRow& row) {
+  if (row.verdict == Verdict::Inconclusive) return {"?", Colour::Yellow};
+  if (row.good()) return {"✓", Colour::Green};
+  if (row.check->weight == codegen::Weight::Warning) return {"!", Colour::Yellow};
+  return {"✗", Colour::Red};
+}
+
+/// `12.5 s`, with `>` or `<` before a date that is approached but not reached.
+std::string momentText(const ide::Moment& moment, bool latest) {
+  return fmt::format("{}{}", moment.strict ? (latest ? "<" : ">") : "",
+                     syntax::toString(moment.seconds));
+}
+
+/// The window of dates in which the step can happen, over all runs that go this way.
+std::string windowText(const ide::TraceStep& step) {
+  auto earliest = momentText(step.earliest, false);
+  if (!step.latest) return earliest + " s …";
+  auto latest = momentText(*step.latest, true);
+  return earliest == latest ? earliest + " s" : fmt::format("{} … {} s", earliest, latest);
+}
+
+using syntax::countCharacters;
+
+std::string padded(std::string text, std::size_t width) {
+  auto have = countCharacters(text);
+  if (have < width) text.append(width - have, ' ');
+  return text;
+}
+
+std::string changesText(const std::vector<verify::Change>& changes) {
+  std::string text;
+  for (const auto& change : changes)
+    text += fmt::format("{}{}: {} → {}", text.empty() ? "" : ", ", change.variable, change.before,
+                        change.after);
+  return text;
+}
+
+/// The state variables at the start; skills have no status then, which need not be said.
+std::string initialText(const std::vector<verify::Change>& initial) {
+  std::string text;
+  for (const auto& variable : initial)
+    if (variable.variable.find('.') == std::string::npos)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", variable.variable, variable.after);
+  return text;
+}
+
+/// The widths of the columns of a trace.
+struct Layout {
+  std::size_t number = 1;
+  std::size_t window = 0;
+  std::size_t actor = 0;
+  std::size_t words = 0;
+};
+
+Layout layoutOf(const ide::Trace& trace) {
+  Layout layout{std::to_string(trace.steps.size()).size()};
+  for (const auto& step : trace.steps) {
+    layout.window = std::max(layout.window, countCharacters(windowText(step)));
+    layout.actor = std::max(layout.actor, countCharacters(step.actor));
+    layout.words = std::max(layout.words, countCharacters(step.words));
+  }
+  layout.words = std::min<std::size_t>(layout.words, 60);
+  return layout;
+}
+
+void writeStep(std::ostream& out, const VerifyReport& report, const ide::TraceStep& step,
+               std::size_t number, const Layout& layout, const Paint& paint) {
+  auto where = step.location ? place(report.program, *step.location) : std::string();
+  out << fmt::format("    {:>{}}  {}  {}  {}  {}\n", number, layout.number,
+                     padded(windowText(step), layout.window),
+                     paint(Colour::Cyan, padded(step.actor, layout.actor)),
+                     padded(step.words, layout.words), paint(Colour::Dim, where));
+  if (!step.changes.empty())
+    out << std::string(4 + layout.number + 2 + layout.window + 2 + layout.actor + 2, ' ')
+        << paint(Colour::Dim, changesText(step.changes)) << '\n';
+}
+
+std::string rowText(const ide::VerdictRow& row, const Paint& paint) {
+  auto mark = markOf(row);
+  auto text = fmt::format("  {} {}: {}", paint(mark.colour, mark.sign), row.check->words,
+                          paint(mark.colour, ide::toString(row.verdict)));
+  return row.reason.empty() ? text : text + fmt::format(" ({})", row.reason);
+}
+
+bool isReachedStatement(const ide::VerdictRow& row) {
+  return row.check->kind == "reachable" && row.good();
+}
+
+/// The rows of one subject. Statements that can be reached are what everybody expects: they are
+/// counted.
+void writeSubject(std::ostream& out, std::span<const ide::VerdictRow> rows, const Paint& paint) {
+  out << paint(Colour::Bold, rows.front().check->subject) << '\n';
+  auto reached = std::ranges::count_if(rows, isReachedStatement);
+  for (const auto& row : rows)
+    if (!isReachedStatement(row)) out << rowText(row, paint) << '\n';
+  if (reached == 0) return;
+  auto statements =
+      std::ranges::count(rows, "reachable", [](const auto& row) { return row.check->kind; });
+  auto which = statements == 1         ? "its statement"
+               : reached == statements ? fmt::format("all {} statements", statements)
+                                       : fmt::format("{} of {} statements", reached, statements);
+  out << fmt::format("  {} {} can be reached\n", paint(Colour::Green, "✓"), which);
+}
+
+void writeRows(std::ostream& out, const VerifyReport& report, const Paint& paint) {
+  std::span<const ide::VerdictRow> rows = report.result.rows;
+  while (!rows.empty()) {
+    auto other = [&](const auto& row) { return row.check->subject != rows.front().check->subject; };
+    auto end = std::ranges::find_if(rows, other);
+    auto count = static_cast<std::size_t>(end - rows.begin());
+    writeSubject(out, rows.first(count), paint);
+    rows = rows.subspan(count);
+  }
+}
+
+bool wanted(const ide::VerdictRow& row, ShowTraces traces) {
+  if (!row.trace || traces == ShowTraces::None) return false;
+  return traces == ShowTraces::All || row.bad();
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  if (bytes < 1024 * 1024) return fmt::format("{:.0f} KiB", static_cast<double>(bytes) / 1024);
+  return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024 * 1024));
+}
+
+void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& paint) {
+  const auto& rows = report.result.rows;
+  auto count = [&](auto&& predicate) { return std::ranges::count_if(rows, predicate); };
+  auto good = count([](const auto& row) { return row.good(); });
+  auto open = count([](const auto& row) { return row.verdict == Verdict::Inconclusive; });
+  auto errors = count(
+      [](const auto& row) { return row.bad() && row.check->weight == codegen::Weight::Error; });
+  auto warnings = static_cast<std::ptrdiff_t>(rows.size()) - good - open - errors;
+  out << fmt::format("{} properties: {}", rows.size(),
+                     paint(Colour::Green, fmt::format("{} good", good)));
+  if (errors > 0) out << ", " << paint(Colour::Red, fmt::format("{} bad", errors));
+  if (warnings > 0) out << ", " << paint(Colour::Yellow, fmt::format("{} to look at", warnings));
+  if (open > 0) out << ", " << paint(Colour::Yellow, fmt::format("{} inconclusive", open));
+  const auto& explored = report.result.exploration;
+  out << fmt::format("\n{} classes, {} markings, {} transitions, {} in {:.3f} s{}\n",
+                     explored.classes, explored.markings, explored.transitions,
+                     bytesText(explored.bytes), explored.seconds,
+                     explored.complete ? "" : "; stopped: " + explored.stopped);
+}
+
+} // namespace
+
+std::string place(const analysis::Program& program, analysis::Location location) {
+  SourcePlaces places(program);
+  auto [line, column] = places.begin(location);
+  return fmt::format("{}:{}:{}", syntax::printable(places.path(location.file)), line, column);
+}
+
+void writeTrace(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row,
+                bool colour) {
+  Paint paint{colour};
+  auto layout = layoutOf(*row.trace);
+  std::size_t number = 0;
+  for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
+  if (row.trace->loop)
+    out << fmt::format("    and from step {} on again and again\n", *row.trace->loop + 1);
+  else if (row.trace->end)
+    out << fmt::format("    and nothing else until {} s\n", syntax::toString(*row.trace->end));
+}
+
+void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options) {
+  Paint paint{options.colour};
+  writeRows(out, report, paint);
+  bool first = true;
+  for (const auto& row : report.result.rows) {
+    if (!wanted(row, options.traces)) continue;
+    if (std::exchange(first, false))
+      out << "\nevery trace begins with: " << initialText(row.trace->initial) << '\n';
+    auto mark = markOf(row);
+    out << fmt::format("\n{} {}\n", paint(mark.colour, ide::toString(row.verdict)),
+                       paint(Colour::Bold, row.check->words));
+    if (row.location) out << "  --> " << place(report.program, *row.location) << '\n';
+    writeTrace(out, report, row, options.colour);
+  }
+  out << '\n';
+  writeSummary(out, report, paint);
+}
+
+} // namespace proskill::report

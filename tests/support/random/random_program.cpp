@@ -1,0 +1,209 @@
+#include "tests/support/random/random_program.h"
+
+#include "tests/support/random/random_body.h"
+
+#include <algorithm>
+
+namespace proskill::test {
+
+namespace {
+
+/// Writes the definitions, one kind at a time.
+class Definitions {
+public:
+  Definitions(std::uint64_t seed, const ProgramSize& bounds)
+      : random(seed),
+        size(bounds),
+        words(randomWords(random, size)),
+        phrase(random, words, size),
+        bodies(random, words, phrase, size) {}
+
+  std::vector<Form> write() {
+    for (const auto& variable : words.variables) program.push_back(stateVariable(variable));
+    for (const auto& event : words.events)
+      program.push_back({"defevent", event, ":effects", phrase.effects()});
+    for (const auto& resource : words.resources) program.push_back(this->resource(resource));
+    addSkills();
+    if (random.chance(size.environment))
+      program.push_back({"defenvironment", "world", ":body", bodies.ofEnvironment()});
+    for (std::size_t i = random.below(size.properties + 1); i > 0; --i) addProperty(i);
+    return std::move(program);
+  }
+
+private:
+  Form stateVariable(const VariableWords& variable) {
+    Form form{"defsv", variable.name};
+    if (variable.values.empty()) {
+      form.addAll({":init", std::to_string(random.between(variable.low, variable.high)), ":min",
+                   std::to_string(variable.low), ":max", std::to_string(variable.high)});
+      return form;
+    }
+    Form values;
+    for (const auto& value : variable.values) values.add(value);
+    form.addAll({":states", values, ":init", random.pick(variable.values)});
+    if (random.chance(40)) return form;
+    form.add(":transitions");
+    if (random.chance(25))
+      form.add(":all");
+    else
+      form.add(transitions(variable));
+    return form;
+  }
+
+  Form transitions(const VariableWords& variable) {
+    Form moves;
+    for (const auto& from : variable.values)
+      for (const auto& to : variable.values)
+        if (from != to && random.chance(60)) moves.add({from, to});
+    if (moves.items.empty()) moves.add({variable.values[0], variable.values[1]});
+    return moves;
+  }
+
+  Form resource(const std::string& name) {
+    Form form{"defresource", name};
+    if (random.chance(50)) form.addAll({":capacity", std::to_string(random.between(1, 2))});
+    return form;
+  }
+
+  // The main skill comes last, when it is known what the others have left uncalled.
+  void addSkills() {
+    std::vector<Form> forms;
+    for (std::size_t i = words.skills.size(); i-- > 0;) forms.push_back(skill(i));
+    std::ranges::reverse(forms);
+    program.insert(program.end(), forms.begin(), forms.end());
+  }
+
+  Form skill(std::size_t index) {
+    const SkillWords skill = words.skills[index];
+    Form form{"defskill", skill.name};
+    if (skill.monitor) form.addAll({":monitor", "t"});
+    if (!skill.inputs.empty()) form.addAll({":input", inputs(skill)});
+    if (random.chance(30)) form.addAll({":precondition", preconditions()});
+    if (random.chance(30)) form.addAll({":start", phrase.effects()});
+    if (random.chance(skill.composite ? 20 : 35)) form.addAll({":invariant", invariants()});
+    if (random.chance(skill.composite ? 35 : 75))
+      form.addAll({":time_interval", phrase.interval()});
+    if (!skill.composite) form.addAll({":action", action(skill)});
+    if (skill.interruptible) form.addAll({":interrupt", Form{":effects", phrase.effects()}});
+    addOutcomes(form, ":success", skill.successes);
+    addOutcomes(form, ":failure", skill.failures);
+    if (!words.resources.empty() && random.chance(40)) form.addAll({":resources", resources()});
+    if (skill.composite) form.addAll({":body", body(index)});
+    return form;
+  }
+
+  Form body(std::size_t index) {
+    Form body = bodies.ofSkill(index);
+    if (index != 0) return body;
+    for (std::size_t skill : bodies.uncalled())
+      body.items.insert(body.items.begin(), bodies.call(skill, 0));
+    return body;
+  }
+
+  static Form inputs(const SkillWords& skill) {
+    Form form;
+    for (const auto& [name, type] : skill.inputs) form.addAll({"$" + name, type});
+    return form;
+  }
+
+  Form preconditions() {
+    Form form;
+    for (std::size_t i = 1 + random.below(2); i > 0; --i)
+      form.addAll({"p" + std::to_string(i), list(phrase.condition())});
+    return form;
+  }
+
+  Form invariants() {
+    Form form;
+    for (std::size_t i = 1 + random.below(2); i > 0; --i) {
+      Form clause{":guard", list(phrase.condition())};
+      if (random.chance(50)) clause.addAll({":effects", phrase.effects()});
+      form.addAll({"i" + std::to_string(i), clause});
+    }
+    return form;
+  }
+
+  /// A condition that is a bare word, in parentheses: tags stand beside conditions there.
+  static Form list(Form condition) {
+    return condition.isList() ? condition : Form{"not", Form{"not", condition}};
+  }
+
+  static Form action(const SkillWords& skill) {
+    Form form{"command_" + skill.name};
+    for (const auto& [name, _] : skill.inputs) form.add("$" + name);
+    if (skill.inputs.empty()) form.addAll({"1", "2.5", "\"fast\""});
+    return form;
+  }
+
+  Form resources() {
+    Form form;
+    for (const auto& resource : words.resources)
+      if (form.items.empty() || random.chance(50)) form.add(resource);
+    return form;
+  }
+
+  void addOutcomes(Form& form, const char* keyword, const std::vector<std::string>& tags) {
+    if (tags.empty()) return;
+    form.add(keyword);
+    if (tags.size() == 1 && random.chance(60)) {
+      form.add(tags[0]);
+      if (random.chance(70)) form.add(clause());
+      return;
+    }
+    Form all;
+    for (const auto& tag : tags) all.addAll({tag, clause()});
+    form.add(all);
+  }
+
+  Form clause() {
+    Form form;
+    if (random.chance(70)) form.addAll({":effects", phrase.effects()});
+    if (random.chance(30) || form.items.empty())
+      form.addAll({":postcondition", list(phrase.condition())});
+    return form;
+  }
+
+  void addProperty(std::size_t number) {
+    static const std::vector<std::string> heads{"always", "never", "reachable", "absent",
+                                                "present"};
+    Form body{"deadlockfree"};
+    if (random.chance(30))
+      body = ofRuns();
+    else if (!random.chance(15))
+      body = {random.pick(heads), phrase.proposition(2)};
+    program.push_back({"defproperty", "wish" + std::to_string(number), body});
+  }
+
+  Form ofRuns() {
+    if (random.chance(40)) return {"infinitelyoften", phrase.proposition(1)};
+    if (random.chance(40))
+      return {random.chance(50) ? "leadsto" : "precedes", phrase.proposition(1),
+              phrase.proposition(1)};
+    return {"ltl", formula(2)};
+  }
+
+  Form formula(std::size_t depth) {
+    if (depth == 0) return phrase.proposition(1);
+    switch (random.below(4)) {
+    case 0: return {"[]", formula(depth - 1)};
+    case 1: return {"<>", formula(depth - 1)};
+    case 2: return {"until", formula(depth - 1), formula(depth - 1)};
+    default: return {random.chance(50) ? "=>" : "or", formula(depth - 1), formula(depth - 1)};
+    }
+  }
+
+  RandomSource random;
+  ProgramSize size;
+  Words words;
+  Phrases phrase;
+  Bodies bodies;
+  std::vector<Form> program;
+};
+
+} // namespace
+
+std::vector<Form> randomProgram(std::uint64_t seed, const ProgramSize& size) {
+  return Definitions(seed, size).write();
+}
+
+} // namespace proskill::test

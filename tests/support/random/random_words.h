@@ -1,0 +1,70 @@
+#pragma once
+
+#include "tests/support/random/form.h"
+#include "tests/support/random/random_program.h"
+#include "tests/support/random/random_source.h"
+
+#include <optional>
+
+namespace proskill::test {
+
+struct VariableWords {
+  std::string name;
+  std::vector<std::string> values; ///< empty: a natural
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+
+struct SkillWords {
+  std::string name;
+  bool composite = false;
+  bool monitor = false;
+  bool interruptible = false;
+  std::vector<std::string> successes;
+  std::vector<std::string> failures;
+  std::vector<std::pair<std::string, std::string>> inputs; ///< name and type
+};
+
+/// What a random program speaks of, drawn before any of its definitions is written.
+struct Words {
+  std::vector<VariableWords> variables;
+  std::vector<std::string> events;
+  std::vector<std::string> resources;
+  std::vector<SkillWords>
+      skills; ///< composites first, the main one the first; a skill calls those behind it
+  std::vector<std::string> labels; ///< of all bodies, as they are written
+  bool library = false;
+};
+
+[[nodiscard]] Words randomWords(RandomSource& random, const ProgramSize& size);
+
+/// Conditions, effects, intervals: what definitions and statements are made of.
+class Phrases {
+public:
+  Phrases(RandomSource& source, const Words& words, const ProgramSize& bounds)
+      : random(source), vocabulary(words), size(bounds) {}
+
+  [[nodiscard]] Form condition(std::size_t depth = 1);
+  /// With `running`, `occurs`, and the other words of properties.
+  [[nodiscard]] Form proposition(std::size_t depth = 1);
+  /// `(sv V)` or `((sv V) (n (+ n 1)))`.
+  [[nodiscard]] Form effects();
+  [[nodiscard]] std::string duration();
+  [[nodiscard]] std::string interval();
+  [[nodiscard]] std::string literal(const std::string& type);
+
+private:
+  [[nodiscard]] Form comparison();
+  [[nodiscard]] Form comparisonOfNaturals(const VariableWords& variable);
+  [[nodiscard]] Form comparisonOfOutcomes();
+  [[nodiscard]] Form effect(const VariableWords& variable);
+  [[nodiscard]] Form observation();
+  [[nodiscard]] Form connect(bool widened, std::size_t depth);
+  [[nodiscard]] std::string seconds(std::int64_t least);
+
+  RandomSource& random;
+  const Words& vocabulary;
+  const ProgramSize& size;
+};
+
+} // namespace proskill::test
