@@ -21,8 +21,6 @@ constexpr auto kConnectives = std::to_array<Connective>({
     {"and", LtlKind::And, ObservableKind::And},
 });
 
-bool isAtom(const Ltl& ltl) { return ltl.kind == LtlKind::Atom; }
-
 /// What joins formulas of one moment is itself one of a moment.
 Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
   if (!std::ranges::all_of(operands, isAtom))
@@ -30,41 +28,6 @@ Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
   Ltl result{.kind = LtlKind::Atom, .atom = {.kind = connective.observable}};
   for (auto& operand : operands) result.atom.operands.push_back(std::move(operand.atom));
   return result;
-}
-
-Ltl negated(Ltl inner) {
-  if (!isAtom(inner)) return {.kind = LtlKind::Not, .operands = operandsOf(std::move(inner))};
-  return {.kind = LtlKind::Atom,
-          .atom = {.kind = ObservableKind::Not, .operands = operandsOf(std::move(inner.atom))}};
-}
-
-Ltl of(LtlKind kind, std::vector<Ltl> operands) {
-  return {.kind = kind, .operands = std::move(operands)};
-}
-
-/// What a pattern without scope and times says of a run; nothing for others.
-std::optional<Ltl> ofRuns(const Pattern& pattern) {
-  if (pattern.after || pattern.before || pattern.until || pattern.within || pattern.forInterval ||
-      pattern.forDuration || pattern.lasting || pattern.first)
-    return std::nullopt;
-  const auto atom = [&](std::size_t i) { return Ltl{.atom = pattern.operands[i]}; };
-  using enum LtlKind;
-  switch (pattern.kind) {
-  case PatternKind::Ltl: return pattern.ltl;
-  case PatternKind::Present: return of(Finally, {atom(0)});
-  case PatternKind::Always: return of(Globally, {atom(0)});
-  case PatternKind::Absent: return of(Globally, {negated(atom(0))});
-  case PatternKind::InfinitelyOften: return of(Globally, {of(Finally, {atom(0)})});
-  case PatternKind::Mortal: return of(Finally, {of(Globally, {negated(atom(0))})});
-  case PatternKind::LeadsTo: return of(Globally, {of(Implies, {atom(0), of(Finally, {atom(1)})})});
-  case PatternKind::Precedes: // no second before the first
-    return of(LtlKind::Or,
-              {of(Until, {negated(atom(1)), atom(0)}), of(Globally, {negated(atom(1))})});
-  case PatternKind::DeadlockFree:
-  case PatternKind::Progress:
-  case PatternKind::NoError: return std::nullopt;
-  }
-  std::unreachable();
 }
 
 /// The levels and the nodes of a tree of formulas.
@@ -131,11 +94,12 @@ Ltl Parser::formulaUntil() {
   Ltl right = formulaUntil();
   height.addPart();
   height.addNode();
-  if (until) return of(LtlKind::Until, operandsOf(std::move(left), std::move(right)));
+  if (until)
+    return {.kind = LtlKind::Until, .operands = operandsOf(std::move(left), std::move(right))};
   height.addNode();
   height.addNode();
-  return negated(
-      of(LtlKind::Until, operandsOf(negated(std::move(left)), negated(std::move(right)))));
+  return negated({.kind = LtlKind::Until,
+                  .operands = operandsOf(negated(std::move(left)), negated(std::move(right)))});
 }
 
 Ltl Parser::formulaPrefix() {
@@ -268,105 +232,6 @@ Observable Parser::atom() {
   fail("`state`, `value`, `tag` or `event` is missing in the path");
 }
 
-/// A word that begins a pattern; others stand between two formulas.
-bool Parser::isAtPattern(std::size_t ahead) const {
-  constexpr std::string_view kWords[] = {"deadlockfree", "ltl",    "infinitelyoften", "mortal",
-                                         "present",      "absent", "always"};
-  return std::ranges::any_of(kWords, [&](auto word) { return isAt(word, ahead); });
-}
-
-Pattern Parser::pattern() {
-  if (accept("deadlockfree")) return {.kind = PatternKind::DeadlockFree};
-  if (accept("ltl")) return {.kind = PatternKind::Ltl, .ltl = formula()};
-  Pattern result;
-  for (auto [word, kind] : {std::pair{"infinitelyoften", PatternKind::InfinitelyOften},
-                            {"mortal", PatternKind::Mortal},
-                            {"present", PatternKind::Present},
-                            {"absent", PatternKind::Absent},
-                            {"always", PatternKind::Always}})
-    if (accept(word)) result.kind = kind;
-  result.operands.push_back(observable());
-  scopes(result);
-  return result;
-}
-
-/// A pattern as a formula of runs, which others are joined to. \param begun the formula before
-/// `leadsto` or `precedes`, if it is one of these
-Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
-  const bool outside = std::exchange(joinsPatterns, false);
-  const Pattern read = begun ? betweenTwo(momentary(std::move(*begun), first)) : pattern();
-  joinsPatterns = outside;
-  hasPatterns = true;
-  if (auto formula = ofRuns(read)) {
-    height += 3; // which it has at most above its operands
-    return *formula;
-  }
-  report("this pattern is not joined to others: assert it by itself, or write it as `ltl`", first);
-  throw CannotRead();
-}
-
-/// After the first formula.
-Pattern Parser::betweenTwo(Observable first) {
-  Pattern result{.kind = isAt("leadsto") ? PatternKind::LeadsTo : PatternKind::Precedes};
-  ++at;
-  result.first = result.kind == PatternKind::LeadsTo && accept("first");
-  result.operands.push_back(std::move(first));
-  result.operands.push_back(observable());
-  scopes(result);
-  return result;
-}
-
-/// Behind a word of a pattern that may come but once.
-void Parser::once(bool known) {
-  if (!known) return;
-  --at;
-  fail(fmt::format("`{}` comes twice in one pattern", peek().text));
-}
-
-/// `after`, with `until`, and `between` are one.
-void Parser::scopes(Pattern& pattern) {
-  for (;;) {
-    if (accept("after")) {
-      once(pattern.after.has_value());
-      pattern.after = observableUpTo("until");
-      if (accept("until")) pattern.until = observable();
-    } else if (accept("between")) {
-      once(pattern.after.has_value());
-      pattern.between = true;
-      pattern.after = observableUpTo("and");
-      expect("and");
-      pattern.until = observable();
-    } else if (accept("before")) {
-      once(pattern.before.has_value());
-      pattern.before = observable();
-    } else if (!times(pattern)) {
-      return;
-    }
-  }
-}
-
-/// Whether a time came.
-bool Parser::times(Pattern& pattern) {
-  if (accept("within")) {
-    once(pattern.within.has_value());
-    pattern.within = interval();
-  } else if (accept("lasting")) {
-    once(pattern.lasting.has_value());
-    pattern.lasting = time();
-  } else if (accept("for")) {
-    once(pattern.forDuration || pattern.forInterval);
-    if (accept("duration")) {
-      pattern.forDuration = time();
-    } else {
-      expect("interval");
-      pattern.forInterval = interval();
-    }
-  } else {
-    return false;
-  }
-  return true;
-}
-
 /// Where patterns may stand in parentheses, joined by `and`, `or`, `not` and `=>`: `hasPatterns`
 /// tells.
 Ltl Parser::formulaOrPatterns() {
@@ -404,7 +269,7 @@ void Parser::property() {
       return;
     }
   }
-  if (auto named = ofRuns(result.pattern)) formulas[result.name] = std::move(*named);
+  if (auto named = asFormula(result.pattern)) formulas[result.name] = std::move(*named);
   result.origin = origin(begin);
   parsed.program.properties.push_back(std::move(result));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fiacre/syntax/formula.h"
 #include "fiacre/syntax/parse.h"
 
 #include <algorithm>
@@ -169,16 +170,6 @@ private:
   std::size_t copied = 0;                           ///< nodes of those that others named
   std::vector<std::pair<std::string, Token>> paths; ///< names that paths begin with
 };
-
-/// Operands moved to where they stay: a list in braces would copy each with all that is below it.
-template <class Node, class... More>
-[[nodiscard]] std::vector<Node> operandsOf(Node first, More... more) {
-  std::vector<Node> all;
-  all.reserve(1 + sizeof...(more));
-  all.push_back(std::move(first));
-  (all.push_back(std::move(more)), ...);
-  return all;
-}
 
 class Parser::Deeper {
 public:

@@ -40,9 +40,10 @@ def run(*command):
     return done.stdout
 
 
-if not shutil.which("dpkg-deb") or not shutil.which("dpkg-shlibdeps"):
-    print("skipped: dpkg-dev is not installed (apt-get install dpkg-dev)")
-    sys.exit(77)
+for program, debian in [("dpkg-shlibdeps", "dpkg-dev"), ("file", "file")]:
+    if not shutil.which(program):
+        print(f"skipped: {debian} is not installed (apt-get install {debian})")
+        sys.exit(77)
 
 with tempfile.TemporaryDirectory() as directory:
     run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", directory)

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "tests/meaning/endings.h"
+#include "tests/meaning/step.h"
+#include "tests/meaning/steps.h"
+
+namespace proskill::meaning {
+
+using syntax::Statement;
+using syntax::StatementKind;
+
+/// Everything that can happen in one situation.
+class Steps {
+public:
+  Steps(const Script& of, const Situation& at) : script(of), now(at), look(of, at) {}
+
+  std::vector<Step> find();
+
+private:
+  [[nodiscard]] Change change(When when = When::now()) const { return {script, now, when}; }
+  void add(Change made) { all.push_back(made.take()); }
+
+  // Skills
+  void ofSkill(int skill);
+  void ofCalled(int skill);
+  [[nodiscard]] bool resourcesAreFree(int skill) const;
+  void ofRunning(int skill);
+  void end(int skill, const Ending& ending, When when);
+  [[nodiscard]] When within(const syntax::Interval& seconds, int clock) const;
+
+  // Threads
+  void ofThread(int thread);
+  /// Time goes on whatever the guards say.
+  [[nodiscard]] bool waitsForTime(int thread) const { return now.ages[thread].counts; }
+
+  /// A body whose guard is false does nothing more.
+  [[nodiscard]] bool mayGoOn(int thread) const;
+  /// Control stands where time can pass.
+  [[nodiscard]] bool isWaiting(int thread) const;
+  void ofCalledBranch(int thread);
+  /// Nothing that it called is left running.
+  void ofStopping(int thread);
+  [[nodiscard]] bool isOutstanding(int callee, int thread) const;
+  void strike(int thread, const Ending& ending);
+  void ofStop(int thread);
+  void ofGuards(int thread);
+
+  // statement_steps.cpp
+  void ofStatement(int thread, const Place& place);
+  void go(int thread, int target, const syntax::Effects* effects = nullptr,
+          When when = When::now());
+  [[nodiscard]] int armOf(int thread, const Place& place) const;
+  void ofBodyEnd(int thread);
+  /// The first branch that ends the skill decides how.
+  void ofOutcome(int thread, const Statement& statement);
+  void ofFork(int thread, const Place& place);
+  void ofJoin(int thread, const Place& place);
+
+  // Calls
+  [[nodiscard]] bool isFree(int callee) const { return now.skills[callee].caller == kNobody; }
+
+  void ofNewCall(int thread, const Place& place);
+  void ofBusy(int thread, const Place& place);
+  void takeCall(int thread, const Place& place);
+  void ofCall(int thread, const Place& place);
+  [[nodiscard]] bool isCalledOrRuns(int skill) const;
+  void ofInterrupt(int thread, const Place& place);
+
+  // The world
+  void ofEmit(int thread, const Place& place);
+  void occur(Change& made, int event) const;
+  /// Without an environment of its own, everything may happen at any time.
+  void ofTheWorld();
+  /// A composite skill notices an interrupt from outside where it waits for something.
+  [[nodiscard]] bool takesInterrupts(int skill) const;
+  void interruptFromOutside(int skill, When when, int thread, int next);
+  /// When the mission has ended, nothing more is asked of the program: it may idle for ever.
+  void ofTheEnd();
+
+  const Script& script;
+  const Situation& now;
+  Look look;
+  std::vector<Step> all;
+};
+
+} // namespace proskill::meaning

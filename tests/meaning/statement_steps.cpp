@@ -1,0 +1,136 @@
+#include "tests/meaning/situation_steps.h"
+
+#include <algorithm>
+
+namespace proskill::meaning {
+
+void Steps::ofStatement(int thread, const Place& place) {
+  if (!place.statement) return ofBodyEnd(thread);
+  const auto& statement = *place.statement;
+  switch (statement.kind) {
+  case StatementKind::Call: return ofNewCall(thread, place);
+  case StatementKind::Interrupt: return ofInterrupt(thread, place);
+  case StatementKind::WaitCondition:
+    if (look.holds(statement.condition, thread)) go(thread, place.next, &statement.effects);
+    return;
+  case StatementKind::WaitTime:
+    return go(thread, place.next, nullptr, within(statement.duration, thread));
+  case StatementKind::If: return go(thread, armOf(thread, place));
+  case StatementKind::While:
+    return go(thread, look.holds(statement.condition, thread) ? place.targets[0] : place.next);
+  case StatementKind::DoUntil:
+    return go(thread, look.holds(statement.condition, thread) ? place.next : place.targets[0]);
+  case StatementKind::Parallel: return ofFork(thread, place);
+  case StatementKind::Set: return go(thread, place.next, &statement.effects);
+  case StatementKind::Success:
+  case StatementKind::Failure: return ofOutcome(thread, statement);
+  case StatementKind::Emit: return ofEmit(thread, place);
+  case StatementKind::Choose:
+    for (const int target : place.targets) go(thread, target);
+    return;
+  case StatementKind::Break:
+  case StatementKind::Goto:
+  case StatementKind::Printf: return go(thread, place.next);
+  case StatementKind::Label:
+  case StatementKind::Unknown: return;
+  }
+}
+
+void Steps::go(int thread, int target, const syntax::Effects* effects, When when) {
+  auto gone = change(when);
+  if (effects) gone.setEffects(*effects);
+  gone.goTo(thread, target);
+  add(std::move(gone));
+}
+
+int Steps::armOf(int thread, const Place& place) const {
+  const auto& arms = place.statement->arms;
+  for (std::size_t i = 0; i < arms.size(); ++i)
+    if (!arms[i].condition || look.holds(*arms[i].condition, thread)) return place.targets[i];
+  return place.next;
+}
+
+void Steps::ofBodyEnd(int thread) {
+  const auto& of = script.threads[thread];
+  if (of.skill == kNobody) return;
+  if (!of.isBranch())
+    return end(of.skill, plainSuccess(*script.skills[of.skill].node), When::now());
+  auto ended = change();
+  ended.endBranch(thread);
+  add(std::move(ended));
+}
+
+void Steps::ofOutcome(int thread, const Statement& statement) {
+  const auto& of = script.threads[thread];
+  const auto ending = endingOf(*script.skills[of.skill].node, statement);
+  if (!of.isBranch()) return end(of.skill, ending, When::now());
+  auto ended = change();
+  auto& decided = ended.after().decided[of.skill];
+  if (!decided) decided = ending;
+  ended.endBranch(thread);
+  add(std::move(ended));
+}
+
+void Steps::ofFork(int thread, const Place& place) {
+  auto forked = change();
+  for (const int branch : place.branches) forked.goTo(branch, 0, Control::Called);
+  forked.wait(thread, Control::Within);
+  add(std::move(forked));
+}
+
+void Steps::ofJoin(int thread, const Place& place) {
+  if (now.decided[script.threads[thread].skill]) return;
+  for (const int branch : place.branches)
+    if (now.threads[branch].control != Control::Off) return;
+  go(thread, place.next);
+}
+
+void Steps::ofNewCall(int thread, const Place& place) {
+  if (isFree(script.skill(place.statement->head.text))) return takeCall(thread, place);
+  auto found = change();
+  found.note(What::CallBusy, script.threads[thread].skill, place.statement->range.begin);
+  found.wait(thread, Control::Busy);
+  add(std::move(found));
+}
+
+void Steps::ofBusy(int thread, const Place& place) {
+  if (isFree(script.skill(place.statement->head.text))) takeCall(thread, place);
+}
+
+void Steps::takeCall(int thread, const Place& place) {
+  auto called = change();
+  called.call(script.skill(place.statement->head.text), thread);
+  called.wait(thread, Control::Within);
+  add(std::move(called));
+}
+
+void Steps::ofCall(int thread, const Place& place) {
+  const int callee = script.skill(place.statement->head.text);
+  if (isOutstanding(callee, thread)) return;
+  auto returned = change();
+  if (now.skills[callee].last.status == Status::None)
+    returned.note(What::CallRefused, script.threads[thread].skill, place.statement->range.begin);
+  returned.seeReturn(callee, thread);
+  returned.goTo(thread, place.next);
+  add(std::move(returned));
+}
+
+bool Steps::isCalledOrRuns(int skill) const {
+  const auto phase = now.skills[skill].phase;
+  return phase == Phase::Called || phase == Phase::Running;
+}
+
+void Steps::ofInterrupt(int thread, const Place& place) {
+  const int target = script.skill(place.statement->name.text);
+  const bool canBe = target != kNobody && script.skills[target].node->interrupt;
+  if (script.threads[thread].skill == kNobody && canBe && isCalledOrRuns(target)) {
+    if (takesInterrupts(target)) interruptFromOutside(target, When::now(), thread, place.next);
+    return;
+  }
+  auto made = change();
+  if (canBe && isCalledOrRuns(target)) made.after().skills[target].stop = true;
+  made.goTo(thread, place.next);
+  add(std::move(made));
+}
+
+} // namespace proskill::meaning
