@@ -7,12 +7,12 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-constexpr void (*kChecks[])(Report&) = {checkMoves,      checkPreconditions,  checkStatuses,
-                                        checkWaits,      checkTests,          checkUnreachable,
-                                        checkInvariants, checkPostconditions, checkInterrupts,
-                                        checkUnused,     checkValues,         checkResults,
-                                        checkBranches,   checkResourceOrder,  checkSharedSkills,
-                                        checkProgress,   checkDurations,      checkTicks};
+constexpr void (*kChecks[])(Report&) = {
+    checkMoves,      checkPreconditions, checkStatuses,     checkWaits,
+    checkTests,      checkUnreachable,   checkInvariants,   checkPostconditions,
+    checkInterrupts, checkUnused,        checkValues,       checkResults,
+    checkBranches,   checkResourceOrder, checkSharedSkills, checkProgress,
+    checkRounds,     checkDurations,     checkTicks};
 
 } // namespace
 

@@ -56,6 +56,17 @@ void Judgement::judgeCertain(const Diagnostic& claim) {
   case Code::LoopWithoutTime:
     demand(claim, insideEndlessLoop(claim.location), findOf("time_progress", "program"));
     return;
+  case Code::RefusedInLoop:
+  case Code::WaitsOnceInLoop: {
+    // What runs beside it at the same date may help, and then time goes on.
+    const bool alone = std::ranges::count(report->system().all(), true, &Process::root) ==
+                       (report->system().hasFreeEvents() ? 2 : 1);
+    const auto* inside = enclosing(claim.related.at(0).location, {"reachable"});
+    const auto* refused = inside ? find("never_refused", inside->place) : nullptr;
+    if (!alone || (claim.code == Code::RefusedInLoop && !(refused && refused->happens))) return;
+    demand(claim, inside, findOf("time_progress", "program"));
+    return;
+  }
   case Code::AlwaysTooShort: demandOfSkill(claim, "no_undershoot"); return;
   case Code::AlwaysTooLong: demandOfSkill(claim, "no_overshoot"); return;
   default: return;

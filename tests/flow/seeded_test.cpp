@@ -85,6 +85,15 @@ const Seed kSeeds[] = {
      "PS1003", "[0,1]"},
     {"rover/rover.proskill", "mission.proskill", "(^ (wheels Stuck))",
      "(while (wheels Free) (printf \"rolling\"))", "PS1004", "while"},
+    {"rover/rover.proskill", "mission.proskill", "     (do-until (= send_report",
+     "     (while (= energy 0)\n        (charge percent 40))\n     (do-until (= "
+     "send_report",
+     "PS1007", "while"},
+    {"rover/rover.proskill", "mission.proskill", "; Runs beside the mission for ever.",
+     "(defskill stop\n  :monitor t\n  :body ((while true\n           (^ (path Blocked))\n          "
+     " "
+     "(drive_to.interrupt))))",
+     "PS1008", "while"},
     // Events, ranges, and what nothing makes or uses.
     {"lift/lift.proskill", "building.proskill", "(defevent key_turned",
      "(defevent key_back :effects (mode Service))\n(defevent key_turned", "PS0503",

@@ -1,4 +1,5 @@
 #include "analysis/flow/checks/checks.h"
+#include "analysis/flow/checks/loop_statement.h"
 
 #include "analysis/flow/result/loops.h"
 #include "syntax/diagnostics/codes.h"
@@ -80,29 +81,13 @@ private:
   }
 
   void tell(const std::vector<NodeId>& loop) {
-    const syntax::Statement& statement = loopOf(loop);
-    syntax::Range at = statement.head.range.empty() ? statement.range : statement.head.range;
+    const syntax::Statement& statement = loopStatement(process, loop);
     Finding finding =
-        report.findings.report(Code::LoopWithoutTime, report.system().at(process, at));
+        report.findings.report(Code::LoopWithoutTime, beginOf(report, process, statement));
     for (NodeId node : loop)
       if (isExit(node, loop))
         finding.related(report.at(id, node), "nothing in the loop changes what is tested here");
-    if (isLoop(statement) && !statement.branches.empty()) offerWait(finding, statement);
-  }
-
-  static bool isLoop(const syntax::Statement& statement) {
-    return statement.kind == syntax::StatementKind::While ||
-           statement.kind == syntax::StatementKind::DoUntil;
-  }
-
-  /// The outermost `while` or `do` of it, or what it begins with.
-  [[nodiscard]] const syntax::Statement& loopOf(const std::vector<NodeId>& loop) const {
-    const syntax::Statement* found = nullptr;
-    for (NodeId node : loop) {
-      const syntax::Statement* each = (*process.graph)[node].statement;
-      if (isLoop(*each) && (!found || each->range.begin < found->range.begin)) found = each;
-    }
-    return found ? *found : *(*process.graph)[*std::ranges::min_element(loop)].statement;
+    offerWait(finding, report, process, statement);
   }
 
   [[nodiscard]] bool isExit(NodeId node, const std::vector<NodeId>& loop) const {
@@ -111,15 +96,6 @@ private:
              return !edge.stops && edge.target != kNoNode &&
                     std::ranges::find(loop, edge.target) == loop.end();
            });
-  }
-
-  /// Where the loop has statements, behind the last of them.
-  void offerWait(Finding& finding, const syntax::Statement& loop) const {
-    const auto& statements = loop.branches.front().statements;
-    if (statements.empty()) return;
-    Location last = report.system().at(process, statements.back().range);
-    finding.fix("wait 0.1 s in each round", {last.file, {last.range.end, last.range.end}},
-                lineAfter(report, last) + "(^ 0.1)");
   }
 
   Report& report;

@@ -22,6 +22,7 @@ void checkBranches(Report& report);
 void checkResourceOrder(Report& report);
 void checkSharedSkills(Report& report);
 void checkProgress(Report& report);
+void checkRounds(Report& report);
 void checkDurations(Report& report);
 void checkTicks(Report& report);
 void checkStyle(Report& report);

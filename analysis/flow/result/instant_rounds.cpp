@@ -1,0 +1,266 @@
+#include "analysis/flow/result/instant_rounds.h"
+
+#include "analysis/flow/result/report.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace proskill::analysis::flow {
+
+namespace {
+
+constexpr std::size_t kMostSteps = 5000;  ///< of the search in one loop
+constexpr std::size_t kMostRepeats = 100; ///< until the values of a round stay what they are
+
+/// One step without time: over an edge of a node, or, for a call, with a precondition that is
+/// false.
+struct Pass {
+  NodeId node = kNoNode;
+  std::size_t edge = 0;
+  std::size_t precondition = 0;
+};
+
+bool waitsForNothing(const Node& node) {
+  const auto& upper = node.statement->duration.upper;
+  return upper && upper->numerator == 0;
+}
+
+/// What a condition leaves of a state: where it is certain, all of it.
+enum class Need : std::uint8_t { Possible, Certain };
+
+bool require(State& state, const Condition& condition, bool holds, Need need) {
+  if (need == Need::Certain) return holds ? !mayFail(state, condition) : !mayHold(state, condition);
+  refine(state, condition, holds);
+  return state.reachable;
+}
+
+class Rounds {
+public:
+  Rounds(const Solver& solver, ProcessId id, const std::vector<NodeId>& loop)
+      : solver(solver), system(solver.system()), id(id), self(system[id]), loop(loop) {
+    for (const Node& node : self.graph->nodes)
+      if (node.kind == NodeKind::InvariantFailure)
+        guards.push_back(static_cast<NodeId>(&node - self.graph->nodes.data()));
+  }
+
+  std::optional<InstantRound> find() {
+    for (NodeId head : loop)
+      for (const State& start : solver.cases(id, head)) {
+        path.clear();
+        if (search(head, head, start)) return found();
+      }
+    return std::nullopt;
+  }
+
+private:
+  [[nodiscard]] const Node& nodeOf(NodeId node) const { return (*self.graph)[node]; }
+
+  bool search(NodeId head, NodeId node, const State& state) {
+    if (++steps > kMostSteps) return false;
+    for (const Pass& pass : passesOf(node)) {
+      State after = state;
+      const NodeId next = target(pass);
+      if (std::ranges::find(loop, next) == loop.end() || !take(pass, after, Need::Possible))
+        continue;
+      path.push_back(pass);
+      if (next == head ? repeats(std::move(after)) : !isOnPath(next) && search(head, next, after))
+        return true;
+      path.pop_back();
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool isOnPath(NodeId node) const {
+    return std::ranges::find(path, node, &Pass::node) != path.end();
+  }
+
+  [[nodiscard]] std::vector<Pass> passesOf(NodeId node) const {
+    std::vector<Pass> all;
+    const Node& each = nodeOf(node);
+    const bool calls = each.kind == NodeKind::Call;
+    const std::size_t ways = calls ? calleeOf(node).actions[0].conditions.size() : 1;
+    for (std::size_t edge = 0; edge < each.edges.size(); ++edge)
+      for (std::size_t i = 0; i < ways && !each.edges[edge].stops; ++i)
+        all.push_back({node, edge, i});
+    return all;
+  }
+
+  [[nodiscard]] NodeId target(const Pass& pass) const {
+    return nodeOf(pass.node).edges[pass.edge].target;
+  }
+  [[nodiscard]] const Process& calleeOf(NodeId node) const {
+    return system[self.actions[node].target];
+  }
+
+  /// Goes on from what a round left until nothing changes; then every step has to be certain.
+  bool repeats(State state) const {
+    if (std::ranges::none_of(path, [&](const Pass& pass) { return mayWait(pass.node); }))
+      return false; // another check's matter
+    if (dependsOnOthers()) return false;
+    for (std::size_t i = 0; i < kMostRepeats; ++i) {
+      const State before = state;
+      if (!goRound(state, Need::Possible)) return false;
+      if (state.values != before.values) continue;
+      return goRound(state, Need::Certain) && state.values == before.values;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool mayWait(NodeId node) const {
+    return nodeOf(node).kind == NodeKind::Wait || nodeOf(node).kind == NodeKind::Call;
+  }
+
+  /// Of values that others set, only single events make each combination possible for sure: skills
+  /// beside may keep to an order that the solver does not see.
+  [[nodiscard]] bool dependsOnOthers() const {
+    const IdSet read = variablesRead();
+    for (ProcessId other = 0; other < system.size(); ++other)
+      if (system[other].kind != ProcessKind::Events && system.concurrent(id).contains(other) &&
+          system.writes(other).intersects(read))
+        return true;
+    return system.hasFreeEvents() &&
+           std::ranges::any_of(system[system.ofEvents()].actions, [&](const Action& event) {
+             return std::ranges::count_if(event.assignments, [&](const Assignment& each) {
+                      return read.contains(each.variable);
+                    }) > 1;
+           });
+  }
+
+  [[nodiscard]] IdSet variablesRead() const {
+    IdSet read;
+    const auto add = [&](const Process& process, const Condition& condition) {
+      std::set<Slot> slots;
+      collectSlots(condition, slots);
+      for (Slot slot : slots) read.insert(process.slots[slot]);
+    };
+    for (const Pass& pass : path) {
+      for (const Condition& each : self.actions[pass.node].conditions) add(self, each);
+      if (nodeOf(pass.node).kind == NodeKind::Call)
+        add(calleeOf(pass.node), calleeOf(pass.node).actions[0].conditions[pass.precondition]);
+    }
+    for (NodeId guard : guards) add(self, self.actions[guard].conditions.at(0));
+    return read;
+  }
+
+  bool goRound(State& state, Need need) const {
+    return std::ranges::all_of(path, [&](const Pass& pass) { return take(pass, state, need); });
+  }
+
+  /// \return it is possible, or certain
+  bool take(const Pass& pass, State& state, Need need) const {
+    for (NodeId guard : guards)
+      if (!require(state, self.actions[guard].conditions.at(0), true, need)) return false;
+    const Edge& edge = nodeOf(pass.node).edges[pass.edge];
+    if (nodeOf(pass.node).kind == NodeKind::Call) return refuse(pass, state, need);
+    if (nodeOf(pass.node).kind == NodeKind::Interrupt && disturbs(pass.node)) return false;
+    if (edge.guard != Guard::None)
+      for (const Condition& condition : self.actions[pass.node].conditions)
+        if (!require(state, condition, edge.guard == Guard::Holds, need)) return false;
+    if (edge.sets) state = solver.after(std::move(state), self, pass.node);
+    return state.reachable;
+  }
+
+  /// What is interrupted may set something that the loop reads.
+  [[nodiscard]] bool disturbs(NodeId node) const {
+    const ProcessId interrupted = self.actions[node].target;
+    if (interrupted == kNoProcess) return false;
+    return std::ranges::any_of(self.slots.variables(), [&](VariableId variable) {
+      return system.variables()[variable].kind != VariableKind::Called &&
+             system.writes(interrupted).contains(variable);
+    });
+  }
+
+  bool refuse(const Pass& pass, State& state, Need need) const {
+    const Process& callee = calleeOf(pass.node);
+    State entry{.reachable = true, .values = {}};
+    for (VariableId variable : callee.slots.variables()) {
+      const auto mine = self.slots.find(variable);
+      entry.values.push_back(mine ? state.values[*mine] : solver.ever(variable));
+    }
+    if (!require(entry, callee.actions[0].conditions[pass.precondition], false, need)) return false;
+    for (Slot slot = 0; slot < callee.slots.size(); ++slot)
+      if (const auto mine = self.slots.find(callee.slots[slot]))
+        state.values[*mine] = entry.values[slot];
+    for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Called})
+      if (const auto slot = self.slots.find(system.variables().of(kind, callee.definition)))
+        state.values[*slot] = ValueSet::of(0);
+    return true;
+  }
+
+  [[nodiscard]] InstantRound found() const {
+    InstantRound round;
+    for (const Pass& pass : path) {
+      round.nodes.push_back(pass.node);
+      const NodeKind kind = nodeOf(pass.node).kind;
+      if (kind == NodeKind::Call && !round.refusal) round.refusal = {pass.node, pass.precondition};
+      if (kind == NodeKind::Wait && round.wait == kNoNode) round.wait = pass.node;
+    }
+    std::ranges::sort(round.nodes);
+    return round;
+  }
+
+  const Solver& solver;
+  const System& system;
+  ProcessId id;
+  const Process& self;
+  const std::vector<NodeId>& loop;
+  std::vector<NodeId> guards;
+  std::vector<Pass> path;
+  std::size_t steps = 0;
+};
+
+/// Others may have the call wait: they call the same skill, or hold what it needs.
+bool mayBeHeldUp(const System& system, ProcessId caller, ProcessId callee) {
+  const auto& needed = system.skill(system[callee]).resources;
+  const auto holds = [&](ProcessId other) {
+    const Process& process = system[other];
+    if (other == callee || process.kind != ProcessKind::Skill) return false;
+    return std::ranges::any_of(system.skill(process).resources, [&](const syntax::Name& held) {
+      return std::ranges::find(needed, held.text, &syntax::Name::text) != needed.end();
+    });
+  };
+  const auto& beside = system.concurrent(caller);
+  if (std::ranges::any_of(system.callers(callee),
+                          [&](const Site& site) { return beside.contains(site.caller); }))
+    return true;
+  for (ProcessId other = 0; other < system.size(); ++other)
+    if ((beside.contains(other) || system.activity(other).contains(caller)) && holds(other))
+      return true;
+  return false;
+}
+
+} // namespace
+
+bool mayTakeNoTime(const Solver& solver, ProcessId process, NodeId node) {
+  const Node& each = (*solver.system()[process].graph)[node];
+  const ProcessId target = solver.system()[process].actions[node].target;
+  switch (each.kind) {
+  case NodeKind::Interrupt:
+  case NodeKind::Test:
+  case NodeKind::Choose:
+  case NodeKind::Set:
+  case NodeKind::Emit:
+  case NodeKind::Step:
+  case NodeKind::Wait: return true;
+  case NodeKind::Delay: return waitsForNothing(each);
+  case NodeKind::Call:
+    return target != kNoProcess && !mayBeHeldUp(solver.system(), process, target);
+  case NodeKind::Start:
+  case NodeKind::Refused:
+  case NodeKind::Run:
+  case NodeKind::Fork:
+  case NodeKind::Leave:
+  case NodeKind::Outcome:
+  case NodeKind::InvariantFailure:
+  case NodeKind::Interrupted:
+  case NodeKind::End: return false;
+  }
+  std::unreachable();
+}
+
+std::optional<InstantRound> instantRound(const Solver& solver, ProcessId process,
+                                         const std::vector<NodeId>& loop) {
+  return Rounds(solver, process, loop).find();
+}
+
+} // namespace proskill::analysis::flow
