@@ -1,6 +1,6 @@
 """What could not be tried, said once at the end of `./dev test`: each skipped test with its reason.
 
-usage: ctest … --output-junit FILE | skips.py FILE… [--not-tried WHAT REASON]…
+usage: ctest … --output-junit FOLDER/tested-NAME.xml | skips.py FOLDER [--not-tried WHAT REASON]…
 
 Passes on what ctest prints; its closing lines come last, behind the list. With CI=true it fails where a skip is not one
 of tests/skips.txt, whose lines are `test | reason | why it cannot be helped`, with `*` for anything in the first two.
@@ -58,19 +58,22 @@ def report(found):
 
 def main():
     options = argparse.ArgumentParser()
-    options.add_argument("files", nargs="*")
+    options.add_argument("folder", type=pathlib.Path)
     options.add_argument("--not-tried", nargs=2, action="append", default=[])
     options.add_argument("--listed", type=pathlib.Path, default=LISTED)
     chosen = options.parse_args()
     closing = pass_on(sys.stdin)
-    found = sorted({*(skip for file in chosen.files for skip in skips(file)), *map(tuple, chosen.not_tried)})
+    runs = list(chosen.folder.glob("tested-*.xml"))  # now that ctest has written the last of them
+    found = sorted({*(skip for file in runs for skip in skips(file)), *map(tuple, chosen.not_tried)})
     report(found)
     unlisted = [name for name, reason in found if not allowed(name, reason, read_list(chosen.listed))]
     fails = unlisted and os.environ.get("CI") == "true"
+    if not runs:
+        print(f"failed: ctest left no {chosen.folder}/tested-*.xml\n")
     if fails:
         print(f"failed: CI=true, and tests/skips.txt does not allow to skip {', '.join(unlisted)}\n")
     print("".join(closing), end="")
-    return 1 if fails else 0
+    return 1 if fails or not runs else 0
 
 
 if __name__ == "__main__":

@@ -1,6 +1,9 @@
 // VS Code in the browser, as a person uses it: by keys, and by looking at what is shown.
 import { expect } from './expect.mjs';
 
+/** In the empty middle of the status bar. Where the mouse was left by a click, a list that opens later shows a hover, over its own lines. */
+const NOTHING_TO_HOVER = [720, 899];
+
 export class Editor {
   constructor(page, pictures) {
     this.page = page;
@@ -34,6 +37,7 @@ export class Editor {
     let patience = 1500;
     await expect(`${row} in the list of ${key}`, async () => {
       patience *= 2;
+      await this.page.mouse.move(...NOTHING_TO_HOVER);
       await this.press('Escape', key);
       const input = this.quickInput().locator('input.input');
       await input.waitFor({ timeout: patience });
