@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-using namespace proskill::test;
+namespace proskill::test::fmt_test {
 
 namespace {
 
@@ -117,3 +117,5 @@ TEST_CASE("fmt tells of files that cannot be read") {
   CHECK(result.exitCode == 2);
   CHECK(result.err.starts_with("error: cannot read `no_such_file.proskill`: "));
 }
+
+} // namespace proskill::test::fmt_test

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-using namespace proskill::test;
+namespace proskill::test::graph_test {
 
 namespace {
 
@@ -93,3 +93,5 @@ TEST_CASE("graph asks which one where there are several, and says what there is 
   CHECK(graph({"--kind", "tree"}).exitCode == 2);
   CHECK(graph({"-o", "/no/such/directory/a.svg"}).exitCode == 2);
 }
+
+} // namespace proskill::test::graph_test

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-using namespace proskill::test;
+namespace proskill::test::state_graph_test {
 
 namespace {
 
@@ -69,3 +69,5 @@ TEST_CASE("a state graph is only for a file of a known kind, where there is room
   CHECK_THAT(nowhere.err, Catch::Contains("cannot be written: No such file or directory"));
   CHECK(std::filesystem::is_empty(files.path()));
 }
+
+} // namespace proskill::test::state_graph_test

@@ -11,7 +11,8 @@
 #include <fstream>
 #include <iterator>
 
-using namespace proskill::test;
+namespace proskill::test::tina_test {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -233,3 +234,5 @@ TEST_CASE("what is added to a program goes to Tina, and comes back, as what it h
   CHECK(row["trace"]["steps"].back()["location"]["file"] == scene.program);
   CHECK(verify({"--backend", "both"}).exitCode == 1);
 }
+
+} // namespace proskill::test::tina_test

@@ -16,7 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-using namespace proskill::test;
+namespace proskill::test::verify_test {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -264,3 +265,5 @@ TEST_CASE("Ctrl-C on a terminal with its line of progress keeps what is decided"
   CHECK(seen.find("`battery` makes no forbidden move: \x1b[1;31mviolated") != std::string::npos);
   CHECK(seen.find("inconclusive") != std::string::npos);
 }
+
+} // namespace proskill::test::verify_test

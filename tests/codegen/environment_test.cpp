@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::environment_test {
+
 using Catch::Contains;
 
 namespace {
@@ -117,3 +118,5 @@ TEST_CASE("in a library a monitor and the most general caller share the skills")
   CHECK(found.at("watch.never_busy.call[wave]") == "violated");
   CHECK(found.at("program.time_progress") == "holds");
 }
+
+} // namespace proskill::test::environment_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-using namespace proskill;
+namespace proskill::test::provenance_test {
 
 namespace {
 
@@ -124,3 +124,5 @@ TEST_CASE("every process and state of a random program has a place, and every st
     }
   }
 }
+
+} // namespace proskill::test::provenance_test

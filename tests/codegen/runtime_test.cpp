@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::runtime_test {
+
 using Catch::Contains;
 using codegen::Edition;
 
@@ -149,3 +150,5 @@ TEST_CASE("every wait of a runtime model is punctual") {
   for (const auto& process : program.processes)
     for (const auto& from : process.transitions) visit(visit, from.statement);
 }
+
+} // namespace proskill::test::runtime_test

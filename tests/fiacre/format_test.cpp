@@ -17,7 +17,7 @@
 #include <random>
 #include <sstream>
 
-using namespace proskill;
+namespace proskill::test::format_test {
 
 namespace {
 
@@ -235,3 +235,5 @@ TEST_CASE("what cannot be read is not laid out") {
   CHECK_FALSE(fiacre::format("process P is states a from a to"));
   CHECK_FALSE(fiacre::formatChanges("/* no end"));
 }
+
+} // namespace proskill::test::format_test

@@ -10,7 +10,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::parse_test {
+
 using codegen::Edition;
 
 namespace {
@@ -377,3 +378,5 @@ TEST_CASE("a scope or a time that comes twice is a mistake, and so is one that i
   CHECK_THAT(problems("(P/state a leadsto P/state b within [0,1]) and (absent P/state b)"),
              Catch::Contains("`P`: " + std::string(apart)));
 }
+
+} // namespace proskill::test::parse_test

@@ -4,7 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::inspect_test {
+
 using analysis::flow::Settings;
 using syntax::Code;
 using syntax::Severity;
@@ -63,3 +64,5 @@ TEST_CASE("Hints of style come when they are asked for") {
   CHECK(codes(text, {.style = true}) == "PS1101");
   CHECK(codes(text, {.severities = {{Code::NameNotLowerCase, Severity::Hint}}}) == "PS1101");
 }
+
+} // namespace proskill::test::inspect_test

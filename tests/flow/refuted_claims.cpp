@@ -1,6 +1,7 @@
 #include "tests/flow/flow_claims.h"
 
 #include "analysis/flow/result/durations.h"
+#include "syntax/diagnostics/codes.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <span>
 
-using namespace proskill;
+namespace proskill::test::seeded_test {
 
 namespace {
 
@@ -336,3 +336,5 @@ TEST_CASE("Every check of the flow has a mistake that was made for it") {
     CHECK((!isOfFlow(info) || sown.contains(info.id)));
   }
 }
+
+} // namespace proskill::test::seeded_test

@@ -3,7 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::hover_test {
+
 using test::MarkedProgram;
 
 namespace {
@@ -114,3 +115,5 @@ TEST_CASE("for who shows no markdown, the same as plain text") {
   CHECK(text.contains("Low -> Empty, Good"));
   CHECK_FALSE(text.contains("`"));
 }
+
+} // namespace proskill::test::hover_test

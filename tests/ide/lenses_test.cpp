@@ -3,7 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::lenses_test {
+
 using test::MarkedProgram;
 
 namespace {
@@ -91,3 +92,5 @@ TEST_CASE("references are counted in words") {
   CHECK(ide::referencesTitle(0) == "0 references");
   CHECK(ide::referencesTitle(1) == "1 reference");
 }
+
+} // namespace proskill::test::lenses_test

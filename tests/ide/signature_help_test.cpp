@@ -3,7 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::signature_help_test {
+
 using test::MarkedProgram;
 
 namespace {
@@ -68,3 +69,5 @@ TEST_CASE("a text that is nested without end, or is one line of strings, is look
   CHECK(helpText("(defskill m :body (" + ifs + "(printf ^").starts_with("(printf"));
   CHECK(helpText(kGo + "(defskill m :body ((go " + strings + "x ^").starts_with("(go"));
 }
+
+} // namespace proskill::test::signature_help_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::odd_messages_test {
+
 using rpc::parseMessage;
 
 namespace {
@@ -63,3 +64,5 @@ TEST_CASE("a message that cannot be read is answered with an error, and the user
   session.sendBody("{\"jsonrpc\":\"2.0\",\"method\":\"textDocument/didChange\",\"params\":{");
   CHECK(session.notified("window/showMessage")["type"] == 1);
 }
+
+} // namespace proskill::test::odd_messages_test

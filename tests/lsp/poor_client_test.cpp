@@ -4,7 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::poor_client_test {
+
 using lsp::ClientFeatures;
 
 /// What clients get that can do less, or more, than the one of the sessions.
@@ -95,3 +96,5 @@ TEST_CASE("parts of a signature as offsets, which are those of UTF-16") {
   CHECK(label.contains("…"));
   CHECK(signature["parameters"][0]["label"] == Json::array({0, label.size() - 2}));
 }
+
+} // namespace proskill::test::poor_client_test

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill::report;
+using namespace proskill;
 using lsp::pathOf;
 
 TEST_CASE("a path goes to a URI and back") {

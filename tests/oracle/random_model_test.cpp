@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::random_model_test {
 
 namespace {
 
@@ -128,3 +128,5 @@ TEST_CASE("the engine counts state classes as the textbook does") {
   }
   CHECK(compared > kModels * 3 / 4);
 }
+
+} // namespace proskill::test::random_model_test

@@ -5,7 +5,8 @@
 
 #include <map>
 
-using namespace proskill;
+namespace proskill::test::random_program_test {
+
 using namespace proskill::syntax;
 
 namespace {
@@ -197,3 +198,5 @@ TEST_CASE("a minimised program is as small as can be and still shows what was lo
   CHECK(test::textOf(small).size() < test::textOf(program).size() / 3);
   CHECK(small.size() <= 2);
 }
+
+} // namespace proskill::test::random_program_test

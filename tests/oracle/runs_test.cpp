@@ -8,7 +8,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::runs_test {
+
 using fiacre::Interval;
 using fiacre::Ltl;
 using fiacre::LtlKind;
@@ -165,3 +166,5 @@ TEST_CASE("formulas of LTL are decided as by all that may be true of a position"
   CHECK(compared > 500);
   CHECK(violated > compared / 5);
 }
+
+} // namespace proskill::test::runs_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::skills_test {
+
 using syntax::Rational;
 using syntax::Skill;
 using test::Parsed;
@@ -109,3 +110,5 @@ TEST_CASE("a bad word is reported as such, and nowhere else") {
   CHECK(codes(":start (motion Contrôlé)") == "PS0106");
   CHECK(codes(":body ((fly height 0.00000000000000000000001))") == "PS0107");
 }
+
+} // namespace proskill::test::skills_test

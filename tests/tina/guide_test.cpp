@@ -9,7 +9,8 @@
 
 #include <sstream>
 
-using namespace proskill;
+namespace proskill::test::guide_test {
+
 using verify::Truth;
 
 namespace {
@@ -73,3 +74,5 @@ TEST_CASE("traces of random models are followed by their names alone, and found 
   CHECK(followed > 300);
   CHECK(absent > 100);
 }
+
+} // namespace proskill::test::guide_test

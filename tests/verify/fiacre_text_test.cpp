@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::fiacre_text_test {
 
 using test::Text;
 
@@ -292,3 +292,5 @@ TEST_CASE("a formula that has no value in a state does not hold there") {
   CHECK(model.isTrue("absent main/1/value (first q = 0)"));
   CHECK(model.isFalse("absent main/1/value (not (x = 1))"));
 }
+
+} // namespace proskill::test::fiacre_text_test

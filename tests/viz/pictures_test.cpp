@@ -4,7 +4,8 @@
 
 #include <filesystem>
 
-using namespace proskill;
+namespace proskill::test::pictures_test {
+
 using namespace proskill::viz;
 using namespace proskill::viz::test;
 
@@ -380,3 +381,5 @@ TEST_CASE("every node of every example has a place in its file") {
     }
   }
 }
+
+} // namespace proskill::test::pictures_test

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-using namespace proskill;
+namespace proskill::test::completion_test {
+
 using test::rangeOf;
 using test::Session;
 
@@ -85,3 +86,5 @@ TEST_CASE("an item that means nothing any more is given back as it is") {
     CHECK(session.result("completionItem/resolve", item) == item);
   }
 }
+
+} // namespace proskill::test::completion_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::features_test {
+
 using test::rangeOf;
 using test::Session;
 
@@ -163,3 +164,5 @@ TEST_CASE("tags and labels are edited together") {
   CHECK(linked["ranges"] == Json::array({rangeOf(1, 38, 42)}));
   CHECK(session.at("textDocument/linkedEditingRange", kMain, 1, 11) == nullptr);
 }
+
+} // namespace proskill::test::features_test

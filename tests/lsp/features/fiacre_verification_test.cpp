@@ -8,7 +8,8 @@
 
 #include <fstream>
 
-using namespace proskill;
+namespace proskill::test::fiacre_verification_test {
+
 using test::rangeOf;
 using test::Session;
 
@@ -177,3 +178,5 @@ TEST_CASE("the models of a folder are found") {
   for (const auto& path : lsp::programFiles(directory.path(""))) found.push_back(path.filename());
   CHECK(found == std::vector<std::string>{"a.fcr", "b.proskill"});
 }
+
+} // namespace proskill::test::fiacre_verification_test

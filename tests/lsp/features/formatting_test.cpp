@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::formatting_test {
+
 using test::Session;
 
 namespace {
@@ -50,3 +51,5 @@ TEST_CASE("formatting of lines, and of what is typed") {
   CHECK(session.answer(session.send("textDocument/rangeFormatting", params()))["error"]["code"] ==
         -32602);
 }
+
+} // namespace proskill::test::formatting_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::hints_test {
+
 using test::rangeOf;
 using test::Session;
 
@@ -82,3 +83,5 @@ TEST_CASE("a hint of an earlier text is not completed") {
   session.close(kMain);
   CHECK(session.ask("inlayHint/resolve", hint)["error"]["code"] == -32602);
 }
+
+} // namespace proskill::test::hints_test

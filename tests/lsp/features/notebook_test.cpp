@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::notebook_test {
+
 using test::MemoryFiles;
 using test::rangeOf;
 using test::Session;
@@ -333,3 +334,5 @@ TEST_CASE("the program of a notebook is verified, and its verdicts are stale whe
   notebook.splice(2, 0, {"c"}, Json::array({item("c", "(defevent more :effects (lamp On))")}));
   current(true);
 }
+
+} // namespace proskill::test::notebook_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::pictures_test {
+
 using test::rangeOf;
 using test::Session;
 
@@ -124,3 +125,5 @@ TEST_CASE("places of pictures are in the client's encoding") {
       if (node["label"] == "A") CHECK(node["location"]["range"]["start"]["character"] == column);
   }
 }
+
+} // namespace proskill::test::pictures_test

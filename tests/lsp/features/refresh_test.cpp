@@ -5,7 +5,8 @@
 
 #include <set>
 
-using namespace proskill;
+namespace proskill::test::refresh_test {
+
 using test::MemoryFiles;
 using test::rangeOf;
 using test::Session;
@@ -203,3 +204,5 @@ TEST_CASE("Neovim is told diagnostics: it does not ask again for those of other 
   CHECK_FALSE(neovim.refreshes.contains("workspace/diagnostic/refresh"));
   CHECK(lsp::readClientFeatures(capabilities, "another").pullDiagnostics);
 }
+
+} // namespace proskill::test::refresh_test

@@ -3,7 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::tokens_test {
+
 using test::Session;
 
 namespace {
@@ -89,3 +90,5 @@ TEST_CASE("folds, selections and links of a session") {
   CHECK(selections[0]["parent"]["range"] == test::rangeOf(2, 24, 34));
   CHECK(selections[1]["range"] == test::rangeOf(0, 0, 4));
 }
+
+} // namespace proskill::test::tokens_test

@@ -7,7 +7,8 @@
 #include <fstream>
 #include <thread>
 
-using namespace proskill;
+namespace proskill::test::verification_test {
+
 using test::rangeOf;
 using test::Session;
 
@@ -333,3 +334,5 @@ TEST_CASE("what there is to verify is a tree with places") {
   CHECK(broken["error"].get<std::string>().starts_with("the program has errors"));
   CHECK(broken["subjects"].empty());
 }
+
+} // namespace proskill::test::verification_test
