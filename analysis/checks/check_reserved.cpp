@@ -10,11 +10,25 @@ using syntax::StatementKind;
 
 namespace {
 
+bool isTruth(std::string_view word) { return word == "true" || word == "false"; }
+
+Finding refuse(Context& context, std::string_view what, const Name& name, Location at) {
+  return context.findings.report(Code::ReservedName, at, what, name.text);
+}
+
 /// `(= skill.res no_result)` asks whether there is a result at all.
 void checkTag(Context& context, const Definition<syntax::Skill>& skill, const Name& tag) {
-  if (tag.text != kNoResult) return;
-  context.findings.report(Code::ReservedTag, skill.at(tag.range), tag.text)
-      .fix("call it `no_tag`", skill.at(tag.range), "no_tag");
+  const Location at = skill.at(tag.range);
+  if (isTruth(tag.text)) refuse(context, "tag", tag, at);
+  if (tag.text == kNoResult) refuse(context, "tag", tag, at).fix("call it `no_tag`", at, "no_tag");
+}
+
+/// In a condition these words are truth values, whatever they are called elsewhere.
+void checkVariable(Context& context, const Definition<syntax::StateVariable>& variable) {
+  if (isTruth(variable->name.text))
+    refuse(context, "state variable", variable->name, variable.at(variable->name.range));
+  for (const Name& value : variable->states)
+    if (isTruth(value.text)) refuse(context, "value", value, variable.at(value.range));
 }
 
 void checkTags(Context& context, const Definition<syntax::Skill>& skill) {
@@ -31,6 +45,8 @@ void checkTags(Context& context, const Definition<syntax::Skill>& skill) {
 } // namespace
 
 void checkReserved(Context& context) {
+  context.each(context.program.stateVariables,
+               [&](const auto& variable) { checkVariable(context, variable); });
   context.each(context.program.skills, [&](const auto& skill) { checkTags(context, skill); });
 }
 

@@ -3,6 +3,8 @@
 #include "analysis/names/expressions.h"
 #include "syntax/diagnostics/codes.h"
 
+#include <algorithm>
+
 namespace proskill::analysis {
 
 using syntax::Code;
@@ -38,10 +40,17 @@ private:
     if (init.kind == ExprKind::Missing) return;
     if (wanted.kind == TypeKind::Value && init.kind == ExprKind::Symbol)
       names.use(SymbolKind::Value, init.name, Role::Mention, symbol);
-    else if (wanted.kind == TypeKind::Value)
+    else if (wanted.kind == TypeKind::Value && !isListed(init))
       context.findings.report(Code::InitialNotValue, at(init), variable.name());
-    else if (isNatural(init))
+    else if (wanted.kind != TypeKind::Value && isNatural(init))
       names.checkDomain(init, wanted);
+  }
+
+  /// A truth value that is among the values, where it is refused.
+  [[nodiscard]] bool isListed(const Expr& init) const {
+    const auto range = init.range;
+    const auto word = context.text(variable.file).substr(range.begin, range.length());
+    return std::ranges::find(variable->states, word, &syntax::Name::text) != variable->states.end();
   }
 
   void range() {

@@ -69,10 +69,12 @@ void readStates(Builder& builder, Field& field, StateVariable& variable) {
   constexpr auto kNeeds = "a list of names, such as `(Good Low Critical)`";
   const Node* value = onlyValue(builder, field, kNeeds);
   if (!value) return;
-  if (value->kind == NodeKind::NameList)
+  if (value->kind == NodeKind::NameList) {
     variable.states = namesOf(builder, *value);
-  else
+    if (!Parts(*value).peek()) builder.report(Code::EmptyForm, value->range);
+  } else {
     reportMalformed(builder, field, *value, kNeeds);
+  }
 }
 
 void readPairs(Builder& builder, const Node& list, StateVariable& variable) {

@@ -196,6 +196,20 @@ TEST_CASE("no tag is called as the absence of one") {
         "");
 }
 
+TEST_CASE("nothing that is compared is called as a truth value") {
+  CHECK(findings("(defsv v :states (true Off) :init true)") == "PS0222 true");
+  CHECK(findings("(defsv false :states (On Off) :init On)") == "PS0222 false");
+  CHECK(findings("(defskill s :action (s) :failure (lost true))") == "PS0222 true");
+  CHECK(findings("(defskill s :action (s) :input ($true bool))") == "");
+  CHECK(findings("(defevent true :effects (level 1))" + kWorld) == "");
+}
+
+TEST_CASE("a state variable has values") {
+  CHECK(findings("(defsv v :states () :init Good)") == "PS0110 ()");
+  CHECK(findings("(defsv v :states () :init Good) (defskill m :body ((^ (v Good))))") ==
+        "PS0110 ()");
+}
+
 TEST_CASE("an unknown name is not reported again by what depends on it") {
   CHECK(findings(mission("(^ (= wind Strong))")) == "PS0202 wind");
   CHECK(findings(mission("(^ (and (wind Strong) (> (+ wind 1) level)))")) == "PS0202 wind");

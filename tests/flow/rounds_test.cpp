@@ -1,0 +1,66 @@
+#include "analysis/flow/inspect.h"
+#include "syntax/diagnostics/codes.h"
+#include "tests/support/texts.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+
+namespace {
+
+/// What is said of a program, hints of style apart.
+std::string codes(const std::string& program) {
+  std::string all;
+  for (const auto& it : analysis::flow::inspect(test::programOfText(program), {}))
+    all += syntax::info(it.code).id;
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("A loop that a refused call keeps going is told at its beginning") {
+  const std::string door = "(defsv door :states (Closed Open) :init Closed)\n"
+                           "(defevent opens :effects (door Open))\n"
+                           "(defskill drive :precondition (clear (door Open)) "
+                           ":time_interval [1,2] :action (d) :success ok :failure ko)\n";
+  const auto told = [&](const std::string& body) {
+    return codes(door + "(defskill m :body (" + body + "))");
+  };
+  CHECK(told("(while (/= drive.status success) (drive))") == "PS1007");
+  CHECK(told("(do (drive) until (= drive.status success))") == "PS1007");
+  CHECK(told("(label again) (drive) (if (= drive.status no_status) (goto again))") == "PS1007");
+  // it waits, looks before it calls, or leaves when it was refused
+  CHECK(told("(while (/= drive.status success) (drive) (^ 1))").empty());
+  CHECK(told("(while true (^ (door Open)) (drive) (if (= drive.status failure) break))").empty());
+  CHECK(told("(while true (if (door Open) (drive)) (if (= drive.status failure) break) (^ 1))")
+            .empty());
+  CHECK(told("(while true (drive) (if (/= drive.status success) break))").empty());
+}
+
+TEST_CASE("A refused call that skills beside rule out is not told") {
+  const std::string others = "(defsv cabin :states (Idle Doors Motor) :init Idle)\n"
+                             "(defsv doors :states (Closed Open) :init Closed)\n"
+                             "(defskill go :precondition (closed (doors Closed)) "
+                             ":time_interval [1,2] :action (g))\n"
+                             "(defskill m :body ((^ (cabin Idle) :effects (cabin Motor)) "
+                             "(while (/= go.status success) (go)) (set (cabin Idle))))\n"
+                             "(defskill w :monitor t :body ((^ 1) (^ (cabin Idle) :effects (cabin "
+                             "Doors)) (set (doors Open)) (set (doors Closed)) (set (cabin Idle))))";
+  CHECK(codes(others).empty());
+}
+
+TEST_CASE("A loop whose wait does not wait again is told at its beginning") {
+  const auto told = [](const std::string& body) {
+    return codes("(defsv battery :states (Good Critical) :init Good)\n"
+                 "(defevent goes_critical :effects (battery Critical))\n"
+                 "(defevent charged :effects (battery Good))\n"
+                 "(defskill a :time_interval [1,2] :action (a) :interrupt ())\n"
+                 "(defskill m :body ((a) (a)))\n"
+                 "(defskill w :monitor t :body (" +
+                 body + "))");
+  };
+  CHECK(told("(while true (^ (battery Critical)) (a.interrupt))") == "PS1008");
+  CHECK(told("(while true (^ (battery Critical)) (a.interrupt) (^ (battery Good)))").empty());
+  CHECK(told("(while true (^ (battery Critical)) (a.interrupt) (^ 1))").empty());
+  CHECK(told("(while true (^ (battery Critical) :effects (battery Good)) (a.interrupt))").empty());
+}
