@@ -37,7 +37,8 @@ Guide::Guide(verify::Compiled compiled, const fiacre::Provenance& provenance,
       system(withTruth(std::move(compiled.system))),
       enabling(system),
       names(system, main),
-      witness(system, none, provenance) {}
+      unlimited(noLimits),
+      witness(system, none, provenance, unlimited) {}
 
 std::expected<std::unique_ptr<Guide>, verify::Unsupported>
 Guide::make(const fiacre::Program& program, const fiacre::Provenance& provenance,

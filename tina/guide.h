@@ -70,6 +70,8 @@ private:
   verify::Enabling enabling;
   Names names;
   verify::Reductions none;
+  verify::Options noLimits; ///< traces of the tools' runs are short
+  verify::LimitWatch unlimited;
   verify::Witness witness;
 };
 

@@ -16,18 +16,26 @@ namespace proskill::verify {
 
 namespace {
 
-Answer answerOf(const Goal& goal, const std::optional<Evidence>& evidence,
-                const SearchResult& found, const Witness& witness) {
-  const Exploration& exploration = found.statistics;
-  if (goal.kind == GoalKind::Unsupported) return {Truth::Unknown, std::nullopt, goal.reason};
-  if (evidence) {
-    auto trace = witness.trace(goal, *evidence);
+Answer unknown(std::string reason) { return {Truth::Unknown, std::nullopt, std::move(reason)}; }
+
+/// What evidence says, with its trace. Where a limit is met first there is none, but the verdict
+/// stands.
+Answer answerBy(const Goal& goal, const Evidence& evidence, const Witness& witness) {
+  try {
+    auto trace = witness.trace(goal, evidence);
     if (trace) return {Truth::False, std::move(*trace), {}};
-    return {Truth::Unknown, std::nullopt, "internal error, please report it: " + trace.error()};
+    return unknown("internal error, please report it: " + trace.error());
+  } catch (const LimitMet& limit) {
+    return {Truth::False, std::nullopt, "without a trace: " + limit.which};
   }
-  if (!exploration.complete) return {Truth::Unknown, std::nullopt, exploration.stopped};
-  if (goal.kind == GoalKind::Stuck && !found.progressStopped.empty())
-    return {Truth::Unknown, std::nullopt, found.progressStopped};
+}
+
+/// The answer where nothing was found.
+Answer answerWithoutEvidence(const Goal& goal, const Exploration& exploration,
+                             const std::string& progressStopped) {
+  if (goal.kind == GoalKind::Unsupported) return unknown(goal.reason);
+  if (!exploration.complete) return unknown(exploration.stopped);
+  if (goal.kind == GoalKind::Stuck && !progressStopped.empty()) return unknown(progressStopped);
   return {Truth::True, std::nullopt, {}};
 }
 
@@ -46,35 +54,128 @@ std::vector<Goal> watchedBy(const Monitor& monitor) {
   return all;
 }
 
-struct Watching {
-  Answer answer;
-  Exploration statistics;
-  std::optional<Unsupported> failure;
-};
+/// Answers questions to a compiled model, each as soon as it is decided.
+class Verification {
+public:
+  Verification(const Compiled& model, const fiacre::Provenance& origins, const Options& with,
+               LimitWatch& watch, Result& to)
+      : compiled(model),
+        provenance(origins),
+        options(with),
+        limits(watch),
+        result(to),
+        whole(withStateLayout(model.system)),
+        isAnswered(model.goals.size()) {
+    result.exploration.complete = true;
+  }
 
-/// Answers a question about runs, by an exploration of its own.
-Watching watch(const System& compiled, const System& whole, const Goal& goal,
-               const fiacre::Provenance& provenance, const Options& options, bool errorsAreAsked,
-               LimitWatch& limits) {
-  const auto seen = watchedBy(goal.monitor);
-  const auto takes = [&](Reduction reduction) {
-    return options.reductions.contains(reduction) && !compiled.hasPriorities;
-  };
-  const bool slices = takes(Reduction::DeadVariables) && goal.monitor.ofPoints;
-  const Relevance relevance = slices ? findRelevant(compiled, seen) : everything(compiled);
-  const System system = withStateLayout(compiled, relevance.cells);
-  const LiveVariables live(system, seen, relevance.dropped);
-  auto found = watchFor(system, goal.monitor, takes(Reduction::LiveVariables) ? &live : nullptr,
-                        relevance.dropped, errorsAreAsked, limits);
-  if (!found.failure.empty())
-    return {{}, found.statistics, Unsupported{found.failure, found.failureOrigin}};
-  if (found.evidence) found.statistics.complete = true;
-  const Reductions used{.dropped = relevance.dropped};
-  const Witness witness(whole, used, provenance);
-  return {answerOf(goal, found.evidence, {.statistics = found.statistics}, witness),
-          found.statistics,
-          {}};
-}
+  /// \throw LimitMet where it is met before there is anything to explore
+  std::optional<Unsupported> run() {
+    const bool onlyRuns =
+        !compiled.goals.empty() && std::ranges::all_of(compiled.goals, [](const Goal& goal) {
+          return goal.kind == GoalKind::Run;
+        });
+    if (!onlyRuns)
+      if (auto failure = explore()) return failure;
+    for (std::size_t i = 0; i < compiled.goals.size(); ++i)
+      if (compiled.goals[i].kind == GoalKind::Run)
+        if (auto failure = watch(i)) return failure;
+    return std::nullopt;
+  }
+
+  /// Leaves open what is not decided.
+  void giveUp(const std::string& reason) {
+    result.exploration.complete = false;
+    result.exploration.stopped = reason;
+    for (std::size_t i = 0; i < isAnswered.size(); ++i)
+      if (!isAnswered[i]) answer(i, unknown(reason));
+  }
+
+private:
+  /// Argued without priorities: steps that a reduction drops or puts off might go before others.
+  [[nodiscard]] bool takes(Reduction reduction) const {
+    const std::set<Reduction> withPriorities{Reduction::Inclusion, Reduction::Extrapolation};
+    return options.reductions.contains(reduction) &&
+           (!compiled.system.hasPriorities || withPriorities.contains(reduction));
+  }
+
+  /// Answers the questions about states and steps, by one exploration.
+  std::optional<Unsupported> explore() {
+    const auto& goals = compiled.goals;
+    const Relevance relevance = takes(Reduction::DeadVariables)
+                                    ? findRelevant(compiled.system, goals, limits)
+                                    : everything(compiled.system);
+    const System system = withStateLayout(compiled.system, relevance.cells);
+    const StubbornSets stubbornSets(system, goals, relevance.dropped, limits);
+    const LiveVariables liveVariables(system, goals, relevance.dropped, limits);
+    const FreeInputs freeInputs(system, goals, relevance.dropped);
+    const bool open = takes(Reduction::FreeInputs) && !freeInputs.none();
+    const Reductions reductions{
+        .inclusion = takes(Reduction::Inclusion),
+        .stubbornSets = takes(Reduction::StubbornSets) ? &stubbornSets : nullptr,
+        .liveVariables = takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
+        .freeInputs = open ? &freeInputs : nullptr,
+        .dropped = relevance.dropped};
+    const auto extrapolation =
+        takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
+    const Witness witness(whole, reductions, provenance, limits);
+    const auto found = search(system, goals, reductions, extrapolation, limits,
+                              [&](std::size_t i, const Evidence& evidence) {
+                                answer(i, answerBy(goals[i], evidence, witness));
+                              });
+    if (found.failure) return found.failure;
+    result.exploration = found.statistics;
+    for (std::size_t i = 0; i < goals.size(); ++i)
+      if (goals[i].kind != GoalKind::Run && !found.goals[i])
+        answer(i, answerWithoutEvidence(goals[i], found.statistics, found.progressStopped));
+    return std::nullopt;
+  }
+
+  /// Answers a question about runs, by an exploration of its own.
+  std::optional<Unsupported> watch(std::size_t index) {
+    const Goal& goal = compiled.goals[index];
+    const auto seen = watchedBy(goal.monitor);
+    const auto takesHere = [&](Reduction reduction) {
+      return options.reductions.contains(reduction) && !compiled.system.hasPriorities;
+    };
+    const bool slices = takesHere(Reduction::DeadVariables) && goal.monitor.ofPoints;
+    const Relevance relevance =
+        slices ? findRelevant(compiled.system, seen, limits) : everything(compiled.system);
+    const System system = withStateLayout(compiled.system, relevance.cells);
+    const LiveVariables live(system, seen, relevance.dropped, limits);
+    auto found =
+        watchFor(system, goal.monitor, takesHere(Reduction::LiveVariables) ? &live : nullptr,
+                 relevance.dropped, errorsAreAsked(), limits);
+    if (!found.failure.empty()) return Unsupported{found.failure, found.failureOrigin};
+    if (found.evidence) found.statistics.complete = true;
+    add(result.exploration, found.statistics);
+    const Reductions used{.dropped = relevance.dropped};
+    const Witness witness(whole, used, provenance, limits);
+    answer(index, found.evidence ? answerBy(goal, *found.evidence, witness)
+                                 : answerWithoutEvidence(goal, found.statistics, {}));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool errorsAreAsked() const {
+    return std::ranges::any_of(compiled.goals,
+                               [](const Goal& goal) { return goal.kind == GoalKind::Error; });
+  }
+
+  void answer(std::size_t index, Answer made) {
+    isAnswered[index] = true;
+    result.answers[index] = std::move(made);
+    if (options.decided && result.answers[index].truth != Truth::Unknown)
+      options.decided(index, result.answers[index]);
+  }
+
+  const Compiled& compiled;
+  const fiacre::Provenance& provenance;
+  const Options& options;
+  LimitWatch& limits;
+  Result& result;
+  System whole; ///< with every cell kept
+  std::vector<bool> isAnswered;
+};
 
 } // namespace
 
@@ -83,55 +184,22 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
                                           const std::vector<Question>& questions,
                                           const Options& options) {
   LimitWatch limits(options);
-  auto compiled = compile(program, provenance, questions);
-  if (!compiled) return std::unexpected(compiled.error());
-  // Argued without priorities: steps that one drops or puts off might go before others.
-  const std::set<Reduction> withPriorities{Reduction::Inclusion, Reduction::Extrapolation};
-  const auto takes = [&](Reduction reduction) {
-    return options.reductions.contains(reduction) &&
-           (!compiled->system.hasPriorities || withPriorities.contains(reduction));
-  };
-  const Relevance relevance = takes(Reduction::DeadVariables)
-                                  ? findRelevant(compiled->system, compiled->goals)
-                                  : everything(compiled->system);
-  const System system = withStateLayout(compiled->system, relevance.cells);
-  const StubbornSets stubbornSets(system, compiled->goals, relevance.dropped);
-  const LiveVariables liveVariables(system, compiled->goals, relevance.dropped);
-  const FreeInputs freeInputs(system, compiled->goals, relevance.dropped);
-  const bool open = takes(Reduction::FreeInputs) && !freeInputs.none();
-  const Reductions reductions{
-      .inclusion = takes(Reduction::Inclusion),
-      .stubbornSets = takes(Reduction::StubbornSets) ? &stubbornSets : nullptr,
-      .liveVariables = takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
-      .freeInputs = open ? &freeInputs : nullptr,
-      .dropped = relevance.dropped};
-  const auto extrapolation =
-      takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
-  const bool errorsAreAsked = std::ranges::any_of(
-      compiled->goals, [](const Goal& goal) { return goal.kind == GoalKind::Error; });
-  const bool onlyRuns =
-      !compiled->goals.empty() && std::ranges::all_of(compiled->goals, [](const Goal& goal) {
-        return goal.kind == GoalKind::Run;
-      });
-  SearchResult found{.statistics = {.complete = true}};
-  if (!onlyRuns) found = search(system, compiled->goals, reductions, extrapolation, limits);
-  if (found.failure) return std::unexpected(*found.failure);
-  const System whole = withStateLayout(compiled->system);
-  const Witness witness(whole, reductions, provenance);
   Result result;
-  result.exploration = found.statistics;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const Goal& goal = compiled->goals[i];
-    if (goal.kind != GoalKind::Run) {
-      result.answers.push_back(answerOf(goal, found.goals[i], found, witness));
-      continue;
+  result.answers.resize(questions.size());
+  try {
+    const auto compiled = compile(program, provenance, questions, &limits);
+    if (!compiled) return std::unexpected(compiled.error());
+    Verification verification(*compiled, provenance, options, limits, result);
+    try {
+      if (auto failure = verification.run()) return std::unexpected(*failure);
+    } catch (const LimitMet& limit) {
+      verification.giveUp(limit.which);
     }
-    auto watched =
-        watch(compiled->system, whole, goal, provenance, options, errorsAreAsked, limits);
-    if (watched.failure) return std::unexpected(*watched.failure);
-    result.answers.push_back(std::move(watched.answer));
-    add(result.exploration, watched.statistics);
+  } catch (const LimitMet& limit) {
+    result.exploration.stopped = limit.which;
+    for (auto& answer : result.answers) answer = unknown(limit.which);
   }
+  result.exploration.seconds = limits.seconds();
   return result;
 }
 

@@ -75,9 +75,10 @@ enum class Reduction : std::uint8_t {
   Extrapolation, ///< bounds beyond the largest constants are forgotten (LU)
 };
 
+/// They hold in every phase. What is decided when one is met stays decided.
 struct Limits {
   std::optional<double> seconds;
-  std::optional<std::uint64_t> bytes;
+  std::optional<std::uint64_t> bytes; ///< resident, of the whole process
   std::optional<std::uint64_t> classes;
 };
 
@@ -99,6 +100,9 @@ struct Options {
   unsigned jobs = 1;
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(const Progress&)> progress; ///< called a few times a second
+  /// Called once with each question, by its place, as soon as it is decided.
+  std::function<void(std::size_t, const Answer&)> decided;
+  std::function<double()> clock; ///< seconds since some moment; empty: the machine's
 };
 
 /// What was explored.

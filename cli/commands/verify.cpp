@@ -39,10 +39,16 @@ void onInterrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+double secondsSince(std::chrono::steady_clock::time_point moment) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment).count();
+}
+
+/// The time limit is one of the whole command.
 verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* progress) {
   verify::Options options;
   options.reductions = chosenReductions(arguments.reduce);
-  options.limits.seconds = arguments.timeLimit;
+  if (arguments.timeLimit)
+    options.limits.seconds = std::max(0.0, *arguments.timeLimit - secondsSince(arguments.begun));
   if (arguments.memoryLimit) options.limits.bytes = *arguments.memoryLimit * 1024 * 1024;
   options.limits.classes = arguments.classLimit;
   options.jobs = arguments.jobs;

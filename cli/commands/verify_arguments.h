@@ -7,6 +7,7 @@
 #include "report/verify_report.h"
 #include "verify/graph/state_graph.h"
 
+#include <chrono>
 #include <set>
 
 namespace proskill::cli {
@@ -24,6 +25,7 @@ struct VerifyArguments {
   report::ShowTraces traces = report::ShowTraces::Failed;
   ColourChoice colour = ColourChoice::Auto;
   unsigned jobs = 1;
+  std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
   std::optional<double> timeLimit;
   std::optional<std::uint64_t> memoryLimit; // MiB
   std::optional<std::uint64_t> classLimit;

@@ -21,20 +21,24 @@ Moment moment(const verify::Date& date, Rational unit) {
   return {seconds(date.value, 1, unit), date.strict};
 }
 
-Trace translate(const verify::Trace& raw, const codegen::Model& model) {
-  Trace trace{raw.initial, {}};
+Trace translate(verify::Trace raw, const codegen::Model& model) {
+  Trace trace{std::move(raw.initial), {}};
+  trace.steps.reserve(raw.steps.size());
+  const auto last = raw.steps.empty() ? 0 : raw.steps.back().date;
   Rational before;
-  for (const auto& rawStep : raw.steps) {
-    auto step = inWords(rawStep, model.provenance);
-    step.earliest = moment(rawStep.earliest, model.unit);
-    if (rawStep.latest) step.latest = moment(*rawStep.latest, model.unit);
-    step.date = seconds(rawStep.date, raw.scale, model.unit);
+  for (auto& rawStep : raw.steps) {
+    const auto earliest = moment(rawStep.earliest, model.unit);
+    const auto latest = rawStep.latest;
+    const auto date = seconds(rawStep.date, raw.scale, model.unit);
+    auto step = inWords(std::move(rawStep), model.provenance);
+    step.earliest = earliest;
+    if (latest) step.latest = moment(*latest, model.unit);
+    step.date = date;
     step.delay = difference(step.date, before);
     before = step.date;
     trace.steps.push_back(std::move(step));
   }
   trace.loop = raw.loop;
-  const auto last = raw.steps.empty() ? 0 : raw.steps.back().date;
   if (raw.end > last) trace.end = seconds(raw.end, raw.scale, model.unit);
   return trace;
 }
@@ -47,13 +51,12 @@ Verdict verdictOf(const codegen::Check& check, verify::Truth truth) {
   return holds ? Verdict::Unreachable : Verdict::Reachable;
 }
 
-VerdictRow row(const codegen::Check& check, const verify::Answer& answer,
-               const codegen::Model& model) {
+VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen::Model& model) {
   VerdictRow result;
   result.check = &check;
   result.verdict = verdictOf(check, answer.truth);
   result.location = locate(model.provenance.origins[check.origin]);
-  if (answer.trace) result.trace = translate(*answer.trace, model);
+  if (answer.trace) result.trace = translate(std::move(*answer.trace), model);
   result.reason = answer.reason;
   return result;
 }
@@ -100,7 +103,7 @@ syntax::Rational difference(Rational later, Rational earlier) {
 }
 
 /// The last origin that says something names the step; the last one with a place locates it.
-TraceStep inWords(const verify::Step& raw, const fiacre::Provenance& provenance) {
+TraceStep inWords(verify::Step raw, const fiacre::Provenance& provenance) {
   TraceStep step;
   for (auto id : raw.origins) {
     const auto& origin = provenance.origins[id];
@@ -110,9 +113,9 @@ TraceStep inWords(const verify::Step& raw, const fiacre::Provenance& provenance)
   }
   if (provenance.byHand) step.actor = fmt::format("{}", fmt::join(raw.instances, ", "));
   if (!raw.failure.empty()) step.words += (step.words.empty() ? "" : ": ") + raw.failure;
-  step.changes = raw.changes;
-  step.transitions = raw.transitions;
-  step.origins = raw.origins;
+  step.changes = std::move(raw.changes);
+  step.transitions = std::move(raw.transitions);
+  step.origins = std::move(raw.origins);
   return step;
 }
 
@@ -149,10 +152,10 @@ Asked askedOf(const codegen::Model& model, const std::vector<std::string>& names
 }
 
 VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
-                            const verify::Result& result) {
+                            verify::Result result) {
   VerificationReport report{{}, result.exploration};
   for (std::size_t i = 0; i < asked.checks.size(); ++i)
-    report.rows.push_back(row(*asked.checks[i], result.answers[i], model));
+    report.rows.push_back(row(*asked.checks[i], std::move(result.answers[i]), model));
   return report;
 }
 
@@ -164,11 +167,13 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
   if (const auto beside = progressBeside(model, asked)) questions.push_back(*beside);
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
-  auto report = reportOf(model, asked, *result);
+  bool timeStops = false;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const bool progress = i >= asked.checks.size() || isProgress(*asked.checks[i]);
-    if (progress && result->answers[i].truth == verify::Truth::False) sayTimePasses(model, report);
+    timeStops = timeStops || (progress && result->answers[i].truth == verify::Truth::False);
   }
+  auto report = reportOf(model, asked, std::move(*result));
+  if (timeStops) sayTimePasses(model, report);
   return report;
 }
 

@@ -36,7 +36,7 @@ struct TraceStep {
 };
 
 /// A step in the program's words, without its dates.
-[[nodiscard]] TraceStep inWords(const verify::Step& step, const fiacre::Provenance& provenance);
+[[nodiscard]] TraceStep inWords(verify::Step step, const fiacre::Provenance& provenance);
 
 /// Seconds of a number of units, each 1/scale of the model's unit; a date that does not fit is as
 /// good as the largest that does.
@@ -85,7 +85,7 @@ struct Asked {
 
 /// The verdicts that answers to these questions are, whoever gave them.
 [[nodiscard]] VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
-                                          const verify::Result& result);
+                                          verify::Result result);
 
 /// Verdicts on the selected checks of the model, in the model's order, from one exploration.
 [[nodiscard]] std::expected<VerificationReport, verify::Unsupported>

@@ -58,9 +58,14 @@ using Probes = std::vector<std::optional<NodeId>>;
 
 class Assembler {
 public:
-  Assembler(const Elaboration& from, Probes watched, Expressions& in, const Events& known,
-            System& to)
-      : model(from), probes(std::move(watched)), expressions(in), events(known), system(to) {}
+  Assembler(const Elaboration& from, Probes watched, const Types& all, Expressions& in,
+            const Events& known, System& to)
+      : model(from),
+        probes(std::move(watched)),
+        types(all),
+        expressions(in),
+        events(known),
+        system(to) {}
 
   void run() {
     for (const auto& interval : model.intervals) {
@@ -104,6 +109,7 @@ private:
       if (state == process.states.end())
         unsupported("`from " + from.state + "` is no state of `" + process.name + "`");
       auto location = static_cast<std::uint32_t>(state - process.states.begin());
+      types.checkLimits();
       auto all = pathsOf(from, location, context, expressions);
       addErrors(all);
       for (auto& path : all) {
@@ -149,6 +155,7 @@ private:
 
   [[nodiscard]] bool mayBeSeen(const Transition& step, std::uint32_t port,
                                const std::vector<PathId>& parts) {
+    types.checkLimits();
     if (step.fails || observes(model, system, step)) return false;
     Bits happening;
     for (auto event : step.events) happening.insert(event);
@@ -209,6 +216,7 @@ private:
   void addTransition(std::vector<PathId> parts, std::optional<NodeId> agree = {}) {
     if (system.transitions.size() >= kMostTransitions)
       unsupported("too many steps: more than 30000");
+    types.checkLimits();
     auto& nodes = expressions.nodes();
     Transition made;
     made.guard = agree.value_or(nodes.number(1));
@@ -265,6 +273,7 @@ private:
       std::vector<std::vector<PathId>> longer;
       for (const auto& before : together)
         for (const auto& choice : choices) {
+          types.checkLimits();
           longer.push_back(before);
           longer.back().insert(longer.back().end(), choice.begin(), choice.end());
         }
@@ -329,6 +338,7 @@ private:
 
   const Elaboration& model;
   Probes probes;
+  const Types& types;
   Expressions& expressions;
   const Events& events;
   System& system;
@@ -340,10 +350,11 @@ private:
 
 std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
                                              const fiacre::Provenance& provenance,
-                                             const std::vector<Question>& questions) {
+                                             const std::vector<Question>& questions,
+                                             LimitWatch* limits) {
   try {
     Compiled made;
-    Types types(program);
+    Types types(program, limits);
     Expressions expressions(program, types, made.system);
     Elaboration model = elaborate(program, types, expressions, made.system);
     Events events(made.system);
@@ -355,7 +366,7 @@ std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
       probes.push_back(probe ? std::optional(observer.node(*probe)) : std::nullopt);
       made.system.hasPriorities = made.system.hasPriorities || probe;
     }
-    Assembler(model, std::move(probes), expressions, events, made.system).run();
+    Assembler(model, std::move(probes), types, expressions, events, made.system).run();
     assignClocks(made.system);
     watch(provenance, model, types, made.system);
     return made;

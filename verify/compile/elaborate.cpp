@@ -18,6 +18,7 @@ namespace {
 /// The names of the cells of a variable, in the order of Types::flatten.
 void cellNames(const Types& types, const Type& named, const std::string& name,
                std::vector<std::string>& all) {
+  types.checkLimits();
   const Type& type = types.resolve(named);
   if (type.kind == TypeKind::Record) {
     for (const auto& member : type.members)
@@ -221,6 +222,7 @@ private:
     if (value.parts.size() != scalars.size())
       unsupported("`" + name + "` starts with a value of another type");
     for (std::size_t i = 0; i < scalars.size(); ++i) {
+      types.checkLimits();
       auto initial = firstValue(system, value.parts[i]);
       value.parts[i] =
           expressions.nodes().cell(addCell(names[i], types.bounds(*scalars[i]), initial));

@@ -17,6 +17,9 @@ constexpr int kMostInitTurns = 100'000;
 } // namespace
 
 std::int64_t firstValue(const System& system, NodeId node) {
+  const Node& of = system.nodes[node];
+  if (of.op == NodeOp::Number) return of.number;
+  if (of.op == NodeOp::Cell) return system.cells[of.a].initial;
   std::vector<std::int64_t> first;
   first.reserve(system.cells.size());
   for (const auto& cell : system.cells) first.push_back(cell.initial);

@@ -55,10 +55,9 @@ void Priorities::addAll() {
 
 void Priorities::putObserversBefore() {
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
-    for (TransitionId j = 0; j < system.transitions.size(); ++j)
-      if (observes(model, system, system.transitions[i]) &&
-          !observes(model, system, system.transitions[j]))
-        putBefore(i, j);
+    if (observes(model, system, system.transitions[i]))
+      for (TransitionId j = 0; j < system.transitions.size(); ++j)
+        if (!observes(model, system, system.transitions[j])) putBefore(i, j);
 }
 
 std::vector<Bits> Priorities::portsBelow() const {

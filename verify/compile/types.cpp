@@ -9,7 +9,7 @@ namespace proskill::verify {
 using fiacre::Type;
 using fiacre::TypeKind;
 
-Types::Types(const fiacre::Program& program) {
+Types::Types(const fiacre::Program& program, LimitWatch* watch) : limits(watch) {
   for (const auto& type : program.types) declared.emplace(type.name, &type.type);
 }
 
@@ -31,6 +31,7 @@ std::size_t Types::scalars(const Type& type) const {
 }
 
 void Types::flatten(const Type& named, std::vector<const Type*>& all) const {
+  checkLimits();
   const Type& type = resolve(named);
   switch (type.kind) {
   case TypeKind::Record:

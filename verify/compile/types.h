@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fiacre/syntax/tree.h"
+#include "verify/limits.h"
 
 #include <cstdint>
 #include <map>
@@ -15,7 +16,12 @@ namespace proskill::verify {
 /// The types of a program: names looked up, sizes and bounds of values.
 class Types {
 public:
-  explicit Types(const fiacre::Program& program);
+  /// \param limits looked at while long types are walked through; may be null
+  explicit Types(const fiacre::Program& program, LimitWatch* limits = nullptr);
+  /// \throw LimitMet
+  void checkLimits() const {
+    if (limits) limits->check();
+  }
 
   /// The type behind the names.
   [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
@@ -45,6 +51,7 @@ public:
   [[nodiscard]] Bounds bounds(const fiacre::Type& scalar) const;
 
 private:
+  LimitWatch* limits;
   std::map<std::string, const fiacre::Type*, std::less<>> declared;
   mutable std::map<std::int64_t, fiacre::Type> lengths; ///< types of the lengths of queues
 };

@@ -11,8 +11,13 @@
 namespace proskill::verify {
 
 Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reductions& with,
-                   Extrapolation extrapolation, LimitWatch& watch)
-    : system(of), goals(asked), reductions(with), limits(watch), graph(of, with, extrapolation) {
+                   Extrapolation extrapolation, LimitWatch& watch, OnFound tell)
+    : system(of),
+      goals(asked),
+      reductions(with),
+      limits(watch),
+      onFound(std::move(tell)),
+      graph(of, with, extrapolation) {
   goalsOfEvent.resize(system.eventCount);
   hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
   result.goals.resize(goals.size());
@@ -33,25 +38,26 @@ std::uint64_t ZoneGraph::bytes() const {
          nodes.capacity() * sizeof(ZoneNode);
 }
 
-Progress Explorer::progress(NodeIndex next) const {
+std::uint64_t ZoneGraph::growth() const {
+  return timing.growth() + states.growth() + growthOf(signatureOf) + growthOf(headOf) +
+         growthOf(coverOf) + growthOf(nodes);
+}
+
+Progress Explorer::progress() const {
   return {graph.nodes.size(), graph.states.size(), graph.nodes.size() - next,
           graph.bytes(),      limits.seconds(),    goals.size() - open,
           goals.size()};
 }
 
 Explored Explorer::run() {
-  start();
-  constexpr NodeIndex kBetweenChecks = 8;
-  NodeIndex next = 0;
-  for (; next < graph.nodes.size() && result.failure.empty() && !allDecided(); ++next) {
-    if (next % kBetweenChecks == 0) {
-      result.statistics.stopped = limits.met(progress(next));
-      if (!result.statistics.stopped.empty()) break;
-    }
-    if (!graph.nodes[next].covered) expand(next);
-  }
   auto& statistics = result.statistics;
-  statistics.complete = next == graph.nodes.size() && result.failure.empty();
+  try {
+    explore();
+  } catch (const LimitMet& limit) {
+    statistics.stopped = limit.which;
+  }
+  statistics.complete =
+      next == graph.nodes.size() && result.failure.empty() && statistics.stopped.empty();
   if (!statistics.complete && statistics.stopped.empty())
     statistics.stopped = result.failure.empty() ? "all questions decided" : "an error of the model";
   statistics.classes = graph.nodes.size();
@@ -60,6 +66,18 @@ Explored Explorer::run() {
   statistics.bytes = graph.bytes();
   statistics.seconds = limits.seconds();
   return std::move(result);
+}
+
+/// \throw LimitMet
+void Explorer::explore() {
+  start();
+  constexpr NodeIndex kBetweenChecks = 8;
+  for (; next < graph.nodes.size() && result.failure.empty() && !allDecided(); ++next) {
+    if (next % kBetweenChecks == 0)
+      if (auto limit = limits.met(progress(), graph.growth()); !limit.empty())
+        throw LimitMet{std::move(limit)};
+    if (!graph.nodes[next].covered) expand(next);
+  }
 }
 
 void Explorer::start() {
@@ -174,6 +192,7 @@ void Explorer::follow(NodeIndex parent, TransitionId transition, std::uint32_t c
 
 /// Fires a transition and notices what it shows. False where it cannot be fired after all.
 bool Explorer::advance(Current& current, TransitionId transition) {
+  limits.check();
   log.clear();
   passed.push_back(transition);
   if (!stepGoals.empty()) before = current.state;
@@ -324,6 +343,7 @@ void Explorer::found(std::size_t goal) {
   Steps& steps = result.goals[goal].emplace();
   if (expanding != kNone) steps = pathTo(expanding);
   steps.insert(steps.end(), passed.begin(), passed.end());
+  if (onFound) onFound(goal, steps);
 }
 
 } // namespace proskill::verify

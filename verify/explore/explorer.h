@@ -1,7 +1,7 @@
 #pragma once
 
-#include "verify/explore/limits.h"
 #include "verify/explore/zone_cover.h"
+#include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/reduce/reductions.h"
 #include "verify/state/enabled.h"
@@ -22,6 +22,9 @@ struct Explored {
   std::string failure; ///< an error of the model: a value out of range
   fiacre::OriginId failureOrigin = 0;
 };
+
+/// Gets a goal, by its place, and the way to what it asks for.
+using OnFound = std::function<void(std::size_t, const Steps&)>;
 
 using NodeIndex = std::uint32_t;
 
@@ -53,14 +56,17 @@ struct ZoneGraph {
         timing(system, extrapolation),
         states(system.storedWords) {}
   [[nodiscard]] std::uint64_t bytes() const;
+  /// What the next few steps may add at once, since a table is nearly full.
+  [[nodiscard]] std::uint64_t growth() const;
 };
 
 /// Breadth-first search of the zone graph.
 class Explorer {
 public:
   /// \pre the arguments outlive this
+  /// \param onFound called with each goal as soon as a way to what it asks for is found
   Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
-           Extrapolation extrapolation, LimitWatch& limits);
+           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {});
 
   /// To be called once.
   Explored run();
@@ -78,6 +84,7 @@ private:
     ZoneId zone = 0;
   };
 
+  void explore();
   void start();
   void load(NodeIndex index);
   void expand(NodeIndex index);
@@ -99,7 +106,7 @@ private:
   [[nodiscard]] bool fails(const TransitionSet& enabled) const;
   void found(std::size_t goal);
   [[nodiscard]] bool allDecided() const { return open == 0 && !goals.empty(); }
-  [[nodiscard]] Progress progress(NodeIndex next) const;
+  [[nodiscard]] Progress progress() const;
   /// Takes safe steps from a state on by `advance`, which gets each transition and says whether to
   /// go on.
   void followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
@@ -121,8 +128,10 @@ private:
   const std::vector<Goal>& goals;
   const Reductions& reductions;
   LimitWatch& limits;
+  OnFound onFound;
   ZoneGraph graph;
   Explored result;
+  NodeIndex next = 0; ///< to be expanded
 
   bool hasErrors = false; ///< some transition is an error
   std::size_t open = 0;   ///< goals that are not decided

@@ -47,6 +47,8 @@ public:
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
   [[nodiscard]] const WatchNode& at(NodeIndex node) const { return nodes[node]; }
   [[nodiscard]] std::uint64_t bytes() const;
+  /// What the next few steps may add at once, since a table is nearly full.
+  [[nodiscard]] std::uint64_t growth() const { return growthOf(nodes) + growthOf(arcs); }
 
   void addNode(const WatchNode& node);
   /// Only where cycles are looked for.

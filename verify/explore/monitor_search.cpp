@@ -32,27 +32,14 @@ public:
   }
 
   Watched run() {
-    start();
-    constexpr NodeIndex kBetweenChecks = 256;
-    NodeIndex next = 0;
-    NodeIndex looked = 512; ///< nodes when cycles were last looked for
-    for (; next < graph.size() && !done(); ++next) {
-      // A cycle of a part is one of the whole. Each time the part has doubled: the looks together
-      // cost no more than one more at the end.
-      if (cycles && next == 2 * looked) {
-        looked = next;
-        lookForCycle();
-        if (done()) break;
-      }
-      if (next % kBetweenChecks == 0) {
-        result.statistics.stopped = limits.met(progress(next));
-        if (!result.statistics.stopped.empty()) break;
-      }
-      expand(next);
-    }
-    if (!done() && next == graph.size() && cycles) lookForCycle();
     auto& statistics = result.statistics;
-    statistics.complete = next == graph.size() && result.failure.empty();
+    try {
+      explore();
+    } catch (const LimitMet& limit) {
+      statistics.stopped = limit.which;
+    }
+    statistics.complete =
+        next == graph.size() && result.failure.empty() && statistics.stopped.empty();
     if (!statistics.complete && statistics.stopped.empty())
       statistics.stopped =
           result.failure.empty() ? "a violation was found" : "an error of the model";
@@ -65,12 +52,37 @@ public:
   }
 
 private:
+  /// \throw LimitMet
+  void explore() {
+    start();
+    constexpr NodeIndex kBetweenChecks = 8;
+    NodeIndex looked = 512; ///< nodes when cycles were last looked for
+    for (; next < graph.size() && !done(); ++next) {
+      // A cycle of a part is one of the whole. Each time the part has doubled: the looks together
+      // cost no more than one more at the end.
+      if (cycles && next == 2 * looked) {
+        looked = next;
+        lookForCycle();
+        if (done()) break;
+      }
+      if (next % kBetweenChecks == 0)
+        if (auto limit = limits.met(progress(), growth()); !limit.empty())
+          throw LimitMet{std::move(limit)};
+      expand(next);
+    }
+    if (!done() && next == graph.size() && cycles) lookForCycle();
+  }
+
   void lookForCycle() { result.evidence = graph.evidenceOfCycle(); }
   [[nodiscard]] bool done() const { return result.evidence || !result.failure.empty(); }
   [[nodiscard]] std::uint64_t bytes() const {
     return zones.bytes() + states.bytes() + timing.bytes() + graph.bytes();
   }
-  [[nodiscard]] Progress progress(NodeIndex next) const {
+  [[nodiscard]] std::uint64_t growth() const {
+    return zones.growth() + states.growth() + timing.growth() + graph.growth() +
+           growthOf(signatureOf) + growthOf(headOf);
+  }
+  [[nodiscard]] Progress progress() const {
     return {graph.size(), states.size(), graph.size() - next, bytes(), limits.seconds()};
   }
 
@@ -226,6 +238,7 @@ private:
 
   void take(NodeIndex index, const WatchNode& node, SignatureId signature,
             TransitionId transition) {
+    limits.check();
     Dbm zone = zones.zone(node.zone);
     if (!timing.allow(zone, signature, transition)) return;
     ++result.statistics.transitions;
@@ -276,6 +289,7 @@ private:
   std::vector<SignatureId> signatureOf; ///< by state
   std::vector<NodeIndex> headOf;        ///< by state
   Watched result;
+  NodeIndex next = 0; ///< to be expanded
 
   StateId loadedState = kNone;
   std::vector<Word> loaded;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "verify/explore/limits.h"
 #include "verify/explore/search.h"
+#include "verify/limits.h"
 #include "verify/model/monitor.h"
 #include "verify/reduce/live_variables.h"
 

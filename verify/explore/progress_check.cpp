@@ -24,7 +24,7 @@ ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ZoneGraph
       reductions(with),
       graph(explored),
       limits(watch),
-      recurrent(recurrentSteps(of, with.dropped)),
+      recurrent(recurrentSteps(of, with.dropped, watch)),
       levelsFrom(with.freeInputs ? of.storedWords * 2 : of.storedWords),
       moments(static_cast<std::uint32_t>(levelsFrom + wordsOfLevels(of))) {}
 
@@ -89,12 +89,12 @@ void ProgressCheck::loadNode(StateId state, Moment& moment) {
 bool ProgressCheck::split(const Dbm& zone, std::size_t clock, Moment& moment) {
   if (clock == moment.levels.size()) return hasStuckChoice(moment);
   const auto at = static_cast<std::uint32_t>(clock + 1);
-  const auto limits = thresholds(moment.signature)[clock].lower;
-  for (std::size_t level = 0; level <= limits.size(); ++level) {
+  const auto& lower = thresholds(moment.signature)[clock].lower;
+  for (std::size_t level = 0; level <= lower.size(); ++level) {
     Dbm part = zone;
-    if (level > 0 && !part.constrain(0, at, limits[level - 1])) return false;
+    if (level > 0 && !part.constrain(0, at, lower[level - 1])) return false;
     // Not 0 - x <= -c is x - 0 < c.
-    if (level < limits.size() && !part.constrain(at, 0, 1 - limits[level])) continue;
+    if (level < lower.size() && !part.constrain(at, 0, 1 - lower[level])) continue;
     moment.levels[clock] = static_cast<std::uint8_t>(level);
     if (split(part, clock + 1, moment)) return true;
   }
@@ -111,7 +111,8 @@ bool ProgressCheck::isStopped() {
   stoppedBy = limits.met({.classes = graph.nodes.size(),
                           .markings = graph.states.size(),
                           .bytes = bytes,
-                          .seconds = limits.seconds()});
+                          .seconds = limits.seconds()},
+                         graph.growth() + moments.growth() + growthOf(verdicts) + growthOf(metIn));
   return !stoppedBy.empty();
 }
 

@@ -40,11 +40,12 @@ bool isReal(const System& system, const Evidence& evidence) {
   });
 }
 
+/// \throw LimitMet
 std::optional<Evidence> findStuck(const System& system, const Reductions& reductions,
-                                  Explorer& explorer, LimitWatch& limits, std::string& stopped) {
+                                  Explorer& explorer, LimitWatch& limits) {
   ProgressCheck check(system, reductions, explorer.explored(), limits);
   auto stuck = check.find();
-  stopped = check.stopped();
+  if (!check.stopped().empty()) throw LimitMet{check.stopped()};
   if (!stuck) return std::nullopt;
   const ZoneGraph& graph = explorer.explored();
   Evidence evidence{explorer.pathTo(stuck->node), stuck->clocks};
@@ -54,6 +55,42 @@ std::optional<Evidence> findStuck(const System& system, const Reductions& reduct
   const auto inputs = reductions.freeInputs->between(stored.data(), stuck->state.data());
   evidence.steps.insert(evidence.steps.end(), inputs.begin(), inputs.end());
   return evidence;
+}
+
+/// The same with finer zones, in an exploration of its own.
+/// \throw LimitMet
+std::optional<Evidence> findStuckFiner(const System& system, const std::vector<Goal>& goals,
+                                       const Reductions& reductions, LimitWatch& limits,
+                                       SearchResult& result) {
+  std::vector<Goal> stuckGoals;
+  std::ranges::copy_if(goals, std::back_inserter(stuckGoals), isStuckGoal);
+  Explorer finer(system, stuckGoals, reductions, Extrapolation::Maximum, limits);
+  Explored again = finer.run();
+  const bool complete = result.statistics.complete;
+  add(result.statistics, again.statistics);
+  if (complete && !again.statistics.complete) { // the other questions are decided
+    result.statistics.complete = true;
+    result.statistics.stopped.clear();
+  }
+  auto stuck = findStuck(system, reductions, finer, limits);
+  if (!stuck && !again.statistics.complete) throw LimitMet{again.statistics.stopped};
+  return stuck;
+}
+
+/// Whether time can stop. Says in the result which limit left that open.
+std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>& goals,
+                                  const Reductions& reductions, Extrapolation extrapolation,
+                                  Explorer& explorer, LimitWatch& limits, SearchResult& result) {
+  try {
+    auto stuck = findStuck(system, reductions, explorer, limits);
+    // Extra+LU may put clocks nearer to their upper bounds than they get; the maximum does not.
+    if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck))
+      return findStuckFiner(system, goals, reductions, limits, result);
+    return stuck;
+  } catch (const LimitMet& limit) {
+    result.progressStopped = limit.which;
+    return std::nullopt;
+  }
 }
 
 } // namespace
@@ -70,38 +107,28 @@ void add(Exploration& to, const Exploration& more) {
 }
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
-                    const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits) {
+                    const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits,
+                    const OnEvidence& onFound) {
   SearchResult result;
   result.goals.resize(goals.size());
-  Explorer explorer(system, goals, reductions, extrapolation, limits);
+  const auto note = [&](std::size_t goal, const Evidence& evidence) {
+    result.goals[goal] = evidence;
+    onFound(goal, evidence);
+  };
+  Explorer explorer(system, goals, reductions, extrapolation, limits,
+                    [&](std::size_t goal, const Steps& steps) {
+                      note(goal, Evidence{steps, {}});
+                    });
   Explored explored = explorer.run();
   result.statistics = explored.statistics;
   if (!explored.failure.empty())
     result.failure = Unsupported{explored.failure, explored.failureOrigin};
-  if (result.failure) return result;
-  for (std::size_t i = 0; i < goals.size(); ++i)
-    if (explored.goals[i]) result.goals[i] = Evidence{*explored.goals[i], {}};
-  if (std::ranges::none_of(goals, isStuckGoal)) return result;
+  if (result.failure || std::ranges::none_of(goals, isStuckGoal)) return result;
 
-  auto stuck = findStuck(system, reductions, explorer, limits, result.progressStopped);
-  // Extra+LU may put clocks nearer to their upper bounds than they get; the maximum does not.
-  if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck)) {
-    std::vector<Goal> stuckGoals;
-    std::ranges::copy_if(goals, std::back_inserter(stuckGoals), isStuckGoal);
-    Explorer finer(system, stuckGoals, reductions, Extrapolation::Maximum, limits);
-    Explored again = finer.run();
-    const bool complete = result.statistics.complete;
-    add(result.statistics, again.statistics);
-    if (complete && !again.statistics.complete) { // the other questions are decided
-      result.statistics.complete = true;
-      result.statistics.stopped.clear();
-    }
-    stuck = findStuck(system, reductions, finer, limits, result.progressStopped);
-    if (!again.statistics.complete) result.progressStopped = again.statistics.stopped;
-  }
+  const auto stuck = findStuck(system, goals, reductions, extrapolation, explorer, limits, result);
   result.statistics.seconds = limits.seconds();
-  for (std::size_t i = 0; i < goals.size(); ++i)
-    if (isStuckGoal(goals[i])) result.goals[i] = stuck;
+  for (std::size_t i = 0; stuck && i < goals.size(); ++i)
+    if (isStuckGoal(goals[i])) note(i, *stuck);
   return result;
 }
 

@@ -36,10 +36,13 @@ struct SearchResult {
 /// Counts one more exploration of the same system. \param more the later one: its time is of both
 void add(Exploration& to, const Exploration& more);
 
+/// Gets a goal, by its place, and what was found of it, as soon as it is.
+using OnEvidence = std::function<void(std::size_t, const Evidence&)>;
+
 /// Looks for all goals: one exploration, and one more, with finer zones, where the first could not
 /// tell whether time can stop.
 [[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,
                                   const Reductions& reductions, Extrapolation extrapolation,
-                                  LimitWatch& limits);
+                                  LimitWatch& limits, const OnEvidence& onFound);
 
 } // namespace proskill::verify

@@ -1,6 +1,6 @@
 #include "verify/compile/compile.h"
-#include "verify/explore/limits.h"
 #include "verify/graph/graph_recorder.h"
+#include "verify/limits.h"
 #include "verify/state/enabled.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/firing_domains.h"
@@ -245,9 +245,9 @@ std::optional<Unsupported> withoutClasses(const System& system) {
 } // namespace
 
 std::expected<StateGraph, Unsupported> stateGraph(const fiacre::Program& program, GraphKind kind,
-                                                  const Options& options) {
+                                                  const Options& options) try {
   LimitWatch limits(options);
-  auto compiled = compile(program, {}, {});
+  auto compiled = compile(program, {}, {}, &limits);
   if (!compiled) return std::unexpected(compiled.error());
   const bool timed = kind != GraphKind::Untimed;
   const System system =
@@ -261,16 +261,22 @@ std::expected<StateGraph, Unsupported> stateGraph(const fiacre::Program& program
   if (counted->complete) graph = classes.recorded();
   graph.counts = *counted;
   return graph;
+} catch (const LimitMet& limit) {
+  StateGraph nothing;
+  nothing.counts.stopped = limit.which;
+  return nothing;
 }
 
 std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& program,
-                                                     const Options& options) {
+                                                     const Options& options) try {
   LimitWatch limits(options);
-  auto compiled = compile(program, {}, {});
+  auto compiled = compile(program, {}, {}, &limits);
   if (!compiled) return std::unexpected(compiled.error());
   const System system = withStateLayout(std::move(compiled->system));
   if (auto why = withoutClasses(system)) return std::unexpected(*why);
   return ClassGraph(system, limits).run();
+} catch (const LimitMet& limit) {
+  return Exploration{.stopped = limit.which};
 }
 
 } // namespace proskill::verify

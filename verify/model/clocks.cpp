@@ -6,22 +6,37 @@ namespace proskill::verify {
 
 namespace {
 
-/// Cells that may change while the instance stays where it is: what others write, and what it
-/// writes itself on a path that ends in `loop`.
-Bits changingAround(const System& system, InstanceId instance) {
-  Bits cells;
-  for (const auto& path : system.paths)
-    if (path.instance != instance || path.loops) cells |= path.writes;
-  return cells;
-}
+/// Who writes which cells.
+class Writers {
+public:
+  explicit Writers(const System& system) : only(system.cells.size(), kNone) {
+    for (const auto& path : system.paths)
+      path.writes.each([&](CellId cell) {
+        const bool first = only[cell] == kNone;
+        if (path.loops || (!first && only[cell] != path.instance)) many.insert(cell);
+        only[cell] = path.instance;
+      });
+  }
+
+  /// Whether one of the cells may change while the instance stays where it is: what others write,
+  /// and what it writes itself on a path that ends in `loop`.
+  [[nodiscard]] bool changeAround(InstanceId instance, const Bits& cells) const {
+    bool change = cells.meets(many);
+    cells.each(
+        [&](CellId cell) { change = change || (only[cell] != kNone && only[cell] != instance); });
+    return change;
+  }
+
+private:
+  std::vector<InstanceId> only; ///< by cell: an instance that writes it
+  Bits many; ///< cells that several instances write, or one that stays where it is
+};
 
 } // namespace
 
 void assignClocks(System& system) {
   std::map<InstanceId, ClockId> shared;
-  std::vector<Bits> changing;
-  for (InstanceId i = 0; i < system.instances.size(); ++i)
-    changing.push_back(changingAround(system, i));
+  const Writers writers(system);
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     Transition& transition = system.transitions[i];
     if (!isClocked(transition.interval)) continue;
@@ -33,7 +48,7 @@ void assignClocks(System& system) {
     Bits others = transition.guardReads;
     others.erase(system.instances[path.instance].location);
     bool steady = transition.port == kNone && !path.loops && !path.tentative &&
-                  !others.meets(changing[path.instance]);
+                  !writers.changeAround(path.instance, others);
     const auto next = static_cast<ClockId>(system.clocks.size());
     transition.clock = steady ? shared.try_emplace(path.instance, next).first->second : next;
     if (transition.clock == next)

@@ -20,7 +20,10 @@ std::vector<std::uint32_t> targetsOf(const Path& path) {
 
 class Slicer {
 public:
-  Slicer(const System& of, const std::vector<Goal>& asked) : system(of), goals(asked) {}
+  Slicer(const System& of, const std::vector<Goal>& asked, LimitWatch& watch)
+      : system(of), goals(asked), limits(watch), pathsOf(of.instances.size()) {
+    for (PathId i = 0; i < system.paths.size(); ++i) pathsOf[system.paths[i].instance].push_back(i);
+  }
 
   Relevance run() {
     for (const auto& goal : goals) {
@@ -51,8 +54,8 @@ private:
   [[nodiscard]] bool onlyWatches(InstanceId instance) const {
     bool stops = std::ranges::any_of(
         goals, [](const auto& goal) { return goal.kind == GoalKind::Deadlock; });
-    for (const auto& path : system.paths) {
-      if (path.instance != instance) continue;
+    for (auto id : pathsOf[instance]) {
+      const Path& path = system.paths[id];
       const auto interval = path.wait.value_or(fiacre::Interval{});
       bool immediate = interval.upper == 0;
       if (path.port != kNone || path.mayFail || (interval.upper && !immediate)) return false;
@@ -68,9 +71,11 @@ private:
     const auto count = system.instances[instance].locations.size();
     std::vector<Bits> reached(count);
     for (std::size_t round = 0; round < count; ++round) {
-      for (const auto& path : system.paths) {
+      for (auto id : pathsOf[instance]) {
+        limits.check();
+        const Path& path = system.paths[id];
         bool urgent = path.wait && path.wait->upper;
-        if (path.instance != instance || (urgentOnly && !urgent)) continue;
+        if (urgentOnly && !urgent) continue;
         for (auto target : targetsOf(path)) {
           reached[path.location].insert(target);
           reached[path.location] |= Bits(reached[target]);
@@ -87,6 +92,7 @@ private:
     const Bits cellsBefore = relevant.cells;
     const Bits keptBefore = kept;
     for (const auto& path : system.paths) {
+      limits.check();
       if (!kept.contains(path.instance)) {
         if (path.writes.meets(relevant.cells)) keep(path.instance);
         continue;
@@ -105,6 +111,8 @@ private:
 
   const System& system;
   const std::vector<Goal>& goals;
+  LimitWatch& limits;
+  std::vector<std::vector<PathId>> pathsOf; ///< by instance
   Relevance relevant;
   Bits observed; ///< events
   Bits kept;     ///< instances
@@ -112,8 +120,8 @@ private:
 
 } // namespace
 
-Relevance findRelevant(const System& system, const std::vector<Goal>& goals) {
-  return Slicer(system, goals).run();
+Relevance findRelevant(const System& system, const std::vector<Goal>& goals, LimitWatch& limits) {
+  return Slicer(system, goals, limits).run();
 }
 
 Relevance everything(const System& system) {

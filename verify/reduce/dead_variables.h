@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/model/system.h"
 
@@ -13,8 +14,9 @@ struct Relevance {
 
 /// The cone of influence of the goals: cells that nothing relevant reads are not told apart, and
 /// processes that only watch are left out. Weiser, "Program slicing", TSE 1984; in timed nets a
-/// process must also be unable to stop time.
-[[nodiscard]] Relevance findRelevant(const System& system, const std::vector<Goal>& goals);
+/// process must also be unable to stop time. \throw LimitMet
+[[nodiscard]] Relevance findRelevant(const System& system, const std::vector<Goal>& goals,
+                                     LimitWatch& limits);
 
 /// With nothing left out.
 [[nodiscard]] Relevance everything(const System& system);

@@ -15,12 +15,17 @@ namespace {
 /// The values that the code of one transition reads are chosen in at most this many ways.
 constexpr std::size_t kMostChoices = 1024;
 
-bool isWatched(const System& system, const std::vector<Goal>& goals, const Transition& transition) {
+/// The events that goals ask for.
+Bits observedBy(const System& system, const std::vector<Goal>& goals) {
   Bits observed;
   for (const auto& goal : goals) {
     observed |= goal.events;
     addEvents(system, goal.condition, observed);
   }
+  return observed;
+}
+
+bool isWatched(const System& system, const Bits& observed, const Transition& transition) {
   bool seen = std::ranges::any_of(transition.events,
                                   [&](EventId event) { return observed.contains(event); });
   for (auto part : transition.parts)
@@ -37,6 +42,7 @@ FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const B
       setters((of.transitions.size() + 63) / 64),
       silent(setters),
       evaluation(of) {
+  const Bits observed = observedBy(of, goals);
   for (auto& variable : variables) variable.readers.assign(setters.size(), 0);
   forgetMany(dropped);
   variableOf.assign(system->transitions.size(), kNone);
@@ -44,7 +50,7 @@ FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const B
     for (auto setter : variables[v].setters) {
       insert(setters, setter);
       variableOf[setter] = v;
-      if (!isWatched(*system, goals, system->transitions[setter])) insert(silent, setter);
+      if (!isWatched(*system, observed, system->transitions[setter])) insert(silent, setter);
     }
   findReads(dropped);
   findPlaces(dropped);

@@ -25,20 +25,24 @@ void intersect(Bits& set, const Bits& other) {
 
 } // namespace
 
-LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
-    : system(of), keyMask(of.storedWords), keys(of.storedWords) {
+LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped,
+                             LimitWatch& watch)
+    : system(of), limits(watch), keyMask(of.storedWords), keys(of.storedWords) {
   for (const auto& goal : goals) addReads(system, goal.condition, always);
   for (const auto& instance : system.instances) always.insert(instance.location);
   Bits used;
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
     if (!dropped.contains(i))
       for (auto part : system.transitions[i].parts) used.insert(part);
-  Bits allCells;
   for (CellId i = 0; i < system.cells.size(); ++i) allCells.insert(i);
   PathsOf paths(system.instances.size());
+  writing.resize(system.cells.size());
   for (PathId i = 0; i < system.paths.size(); ++i) {
+    limits.check();
     written.push_back(surelyWritten(system.paths[i], allCells));
-    if (used.contains(i)) paths[system.paths[i].instance].push_back(i);
+    if (!used.contains(i)) continue;
+    paths[system.paths[i].instance].push_back(i);
+    system.paths[i].writes.each([&](CellId cell) { writing[cell].push_back(i); });
   }
   Bits tells;
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
@@ -79,6 +83,7 @@ void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
 /// The paths of each location, with those conditions that say which cells will be written anew.
 void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
   for (auto id : paths[instance]) {
+    limits.check();
     const Path& path = system.paths[id];
     Way& way = places[instance][path.location].ways.emplace_back(Way{id, {}, path.guardReads});
     way.live |= path.reads;
@@ -88,7 +93,7 @@ void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
       addReads(system, node, cells);
       if (cells.count() != 1) continue;
       conditions |= cells;
-      way.needs.push_back({node, rewrittenFor(paths, instance, node)});
+      way.needs.push_back({node, rewrittenFor(instance, node)});
     }
     std::erase_if(way.needs, [&](Need& need) {
       need.rewritten -= conditions;
@@ -98,40 +103,62 @@ void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
 }
 
 /// What every path of another instance surely writes that may make the condition true.
-Bits LiveVariables::rewrittenFor(const PathsOf& paths, InstanceId instance,
-                                 NodeId condition) const {
-  Bits cells;
-  for (CellId i = 0; i < system.cells.size(); ++i) cells.insert(i);
-  for (InstanceId other = 0; other < system.instances.size(); ++other)
-    for (auto id : paths[other])
-      if (other != instance && mayMakeTrue(system, system.paths[id], condition))
+/// \pre it is a condition on one cell
+Bits LiveVariables::rewrittenFor(InstanceId instance, NodeId condition) const {
+  Bits read;
+  addReads(system, condition, read);
+  Bits cells = allCells;
+  read.each([&](CellId cell) {
+    for (auto id : writing[cell])
+      if (system.paths[id].instance != instance && mayMakeTrue(system, system.paths[id], condition))
         for (const auto& [_, sure] : written[id]) intersect(cells, sure);
+  });
   return cells;
 }
 
+/// What is live before a path follows from what is live behind it, so the last places come first.
 void LiveVariables::findLive(std::vector<Place>& all) {
-  const auto follow = [&](Place& from, Way& way) {
-    const Path& path = system.paths[way.path];
-    Bits live = way.live;
-    Bits later = path.writes;
-    for (const auto& [target, sure] : written[way.path]) {
-      for (const auto& next : all[target].ways) {
-        Bits beyond = next.live;
-        beyond -= sure;
-        for (const auto& need : next.needs)
-          if (makesFalse(system, path, sure, need.condition)) beyond -= need.rewritten;
-        live |= beyond;
-      }
-      later |= all[target].later;
-    }
-    const bool grew = grow(way.live, live);
-    return grow(from.later, later) || grew;
-  };
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (auto& place : all)
-      for (auto& way : place.ways) changed = follow(place, way) || changed;
+  std::vector<std::vector<std::uint32_t>> before(all.size()); // who leads to a place
+  std::vector<std::uint32_t> todo;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    todo.push_back(i);
+    for (const auto& way : all[i].ways)
+      for (const auto& [target, _] : written[way.path]) before[target].push_back(i);
   }
+  std::vector<bool> waiting(all.size(), true);
+  while (!todo.empty()) {
+    const auto at = todo.back();
+    todo.pop_back();
+    waiting[at] = false;
+    bool grew = false;
+    for (auto& way : all[at].ways) grew = follow(all, all[at], way) || grew;
+    if (!grew) continue;
+    for (auto other : before[at])
+      if (!waiting[other]) {
+        waiting[other] = true;
+        todo.push_back(other);
+      }
+  }
+}
+
+/// Adds to a way what may be read behind it. \return something was added
+bool LiveVariables::follow(const std::vector<Place>& all, Place& from, Way& way) {
+  limits.check();
+  const Path& path = system.paths[way.path];
+  Bits live = way.live;
+  Bits later = path.writes;
+  for (const auto& [target, sure] : written[way.path]) {
+    for (const auto& next : all[target].ways) {
+      Bits beyond = next.live;
+      beyond -= sure;
+      for (const auto& need : next.needs)
+        if (makesFalse(system, path, sure, need.condition)) beyond -= need.rewritten;
+      live |= beyond;
+    }
+    later |= all[target].later;
+  }
+  const bool grew = grow(way.live, live);
+  return grow(from.later, later) || grew;
 }
 
 void LiveVariables::clean(Word* state) const {

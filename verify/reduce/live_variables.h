@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/state/store.h"
 
@@ -13,8 +14,9 @@ namespace proskill::verify {
 /// ever write again reads nothing any more.
 class LiveVariables {
 public:
-  /// \pre the system has a state layout
-  LiveVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
+  /// \pre the system has a state layout \throw LimitMet
+  LiveVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
+                LimitWatch& limits);
 
   /// Sets the dead cells of a packed state to their least value.
   void clean(Word* state) const;
@@ -44,13 +46,16 @@ private:
 
   void findNeeded(const PathsOf& paths, InstanceId instance);
   void findWays(const PathsOf& paths, InstanceId instance);
-  [[nodiscard]] Bits rewrittenFor(const PathsOf& paths, InstanceId instance,
-                                  NodeId condition) const;
+  [[nodiscard]] Bits rewrittenFor(InstanceId instance, NodeId condition) const;
   void findLive(std::vector<Place>& all);
+  bool follow(const std::vector<Place>& all, Place& from, Way& way);
   [[nodiscard]] std::vector<Word> maskOf(const Word* state) const;
   [[nodiscard]] std::vector<Bits> frozenNeeds(const Word* state) const;
 
   const System& system;
+  LimitWatch& limits;
+  Bits allCells;
+  std::vector<std::vector<PathId>> writing;           ///< by cell: paths that may be taken
   std::vector<std::vector<Place>> places;             ///< by instance and location
   std::vector<std::map<std::uint32_t, Bits>> written; ///< by path: surelyWritten
   Bits always;                                        ///< cells that goals look at, and locations

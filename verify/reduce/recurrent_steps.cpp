@@ -3,7 +3,6 @@
 #include "graph/components.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/partial_evaluation.h"
-#include "verify/state/state_layout.h"
 
 #include <algorithm>
 #include <map>
@@ -19,8 +18,14 @@ using Values = Word;
 
 class RecurrenceSearch {
 public:
-  RecurrenceSearch(const System& of, const Bits& dropped)
-      : system(of), evaluation(of), left((of.transitions.size() + 63) / 64), kept(left) {
+  RecurrenceSearch(const System& of, const Bits& dropped, LimitWatch& watch)
+      : system(of),
+        limits(watch),
+        evaluation(of),
+        left((of.transitions.size() + 63) / 64),
+        kept(left),
+        anywhere(of.words),
+        unknown(of.words, ~Word{0}) {
     for (const auto& instance : system.instances) locations.insert(instance.location);
     for (TransitionId i = 0; i < system.transitions.size(); ++i) {
       if (dropped.contains(i)) continue;
@@ -28,10 +33,13 @@ public:
       if (mayBeStuck(transition)) insert(kept, i);
       if (transition.urgent || mayBeStuck(transition)) insert(left, i);
     }
+    findUses();
   }
 
   TransitionSet run() {
-    left = onCycles(left);
+    Bits all;
+    for (InstanceId i = 0; i < system.instances.size(); ++i) all.insert(i);
+    left = onCycles(left, all);
     while (takeAway()) {
     }
     for (std::size_t k = 0; k < left.size(); ++k) left[k] |= kept[k];
@@ -43,6 +51,20 @@ private:
     return system.hasPriorities || transition.tentative ||
            std::ranges::any_of(transition.parts,
                                [&](PathId part) { return system.paths[part].mayFail; });
+  }
+
+  /// Which of those left have to do with which cells and instances.
+  void findUses() {
+    readers.resize(system.cells.size());
+    writers.resize(system.cells.size());
+    movers.resize(system.instances.size());
+    eachIn(left, [&](TransitionId id) {
+      const auto& transition = system.transitions[id];
+      transition.guardReads.each([&](CellId cell) { readers[cell].push_back(id); });
+      transition.writes.each([&](CellId cell) { writers[cell].push_back(id); });
+      for (auto part : transition.parts)
+        movers[system.paths[part].instance].push_back(moveBy(id, system.paths[part]));
+    });
   }
 
   /// One round over all variables that some of those left read. \return something was taken away
@@ -59,21 +81,34 @@ private:
     return left != before;
   }
 
-  /// Either the cell is written again and again, or it keeps one of its values.
+  /// Either the cell is written again and again, or it keeps one of its values. Those left before
+  /// lie on cycles, so only where some are taken away others may lose theirs.
   TransitionSet recurringWith(CellId cell) {
+    limits.check();
     const auto count = system.cells[cell].high - system.cells[cell].low + 1;
     Values all = count == kMostBits ? ~Values{0} : (Values{1} << count) - 1;
     Values written = 0;
-    eachIn(left, [&](TransitionId id) { written |= writtenBy(id, cell, all); });
+    for (auto id : writers[cell])
+      if (contains(left, id)) written |= writtenBy(id, cell, all);
     TransitionSet found(left.size());
+    bool keepsAll = false;
     const auto join = [&](Values values, bool constant) {
+      if (keepsAll) return;
       TransitionSet some = left;
-      eachIn(left, [&](TransitionId id) {
-        const bool changes =
-            constant && surelyWrites(id, cell) && (writtenBy(id, cell, all) & values) == 0;
-        if (changes || (allowedBy(id, cell) & values) == 0) erase(some, id);
-      });
-      some = onCycles(some);
+      Bits touched;
+      const auto takeOut = [&](TransitionId id) {
+        erase(some, id);
+        for (auto part : system.transitions[id].parts) touched.insert(system.paths[part].instance);
+      };
+      for (auto id : readers[cell])
+        if (contains(left, id) && (allowedBy(id, cell) & values) == 0) takeOut(id);
+      if (constant)
+        for (auto id : writers[cell])
+          if (contains(some, id) && (writtenBy(id, cell, all) & values) == 0 &&
+              surelyWrites(id, cell))
+            takeOut(id);
+      keepsAll = touched.empty();
+      some = onCycles(std::move(some), touched);
       for (std::size_t k = 0; k < some.size(); ++k) found[k] |= some[k];
     };
     if (written != 0) join(written, false);
@@ -112,16 +147,16 @@ private:
     const auto [entry, isNew] = allowed.try_emplace({id, cell}, ~Values{0});
     if (!isNew || !system.transitions[id].guardReads.contains(cell)) return entry->second;
     const Cell& place = system.cells[cell];
-    std::vector<Word> unknown(system.words, ~Word{0});
-    std::vector<Word> state = initialState(system);
+    limits.check();
     unknown[place.word] &= ~place.mask;
     for (std::int64_t value = place.low; value <= place.high; ++value) {
-      writeCell(system, cell, value, state.data());
+      writeCell(system, cell, value, anywhere.data());
       BitField undecided;
       const auto truth = evaluation.guard(system, system.transitions[id],
-                                          {state.data(), unknown.data()}, undecided);
+                                          {anywhere.data(), unknown.data()}, undecided);
       if (truth == PartialTruth::False) entry->second &= ~(Values{1} << (value - place.low));
     }
+    unknown[place.word] |= place.mask;
     return entry->second;
   }
 
@@ -134,19 +169,18 @@ private:
   };
 
   /// Those whose parts all lie on cycles made of the rest.
-  [[nodiscard]] TransitionSet onCycles(TransitionSet some) const {
-    for (bool again = true; again;) {
-      again = false;
-      std::vector<std::vector<Move>> moves(system.instances.size());
-      eachIn(some, [&](TransitionId id) {
-        for (auto part : system.transitions[id].parts)
-          moves[system.paths[part].instance].push_back(moveBy(id, system.paths[part]));
-      });
-      for (InstanceId i = 0; i < moves.size(); ++i)
-        for (auto id : offCycles(moves[i], system.instances[i].locations.size())) {
+  /// \param touched instances that may have lost cycles
+  [[nodiscard]] TransitionSet onCycles(TransitionSet some, Bits touched) const {
+    while (!touched.empty()) {
+      Bits next;
+      touched.each([&](InstanceId instance) {
+        limits.check();
+        for (auto id : offCycles(instance, some)) {
           erase(some, id);
-          again = true;
+          for (auto part : system.transitions[id].parts) next.insert(system.paths[part].instance);
         }
+      });
+      touched = std::move(next);
     }
     return some;
   }
@@ -160,10 +194,14 @@ private:
     return move;
   }
 
-  [[nodiscard]] static std::vector<TransitionId> offCycles(const std::vector<Move>& moves,
-                                                           std::size_t count) {
+  [[nodiscard]] std::vector<TransitionId> offCycles(InstanceId instance,
+                                                    const TransitionSet& some) const {
     std::vector<TransitionId> off;
+    std::vector<Move> moves;
+    std::ranges::copy_if(movers[instance], std::back_inserter(moves),
+                         [&](const Move& move) { return contains(some, move.transition); });
     if (moves.empty()) return off;
+    const std::size_t count = system.instances[instance].locations.size();
     std::vector<std::vector<graph::Node>> next(count);
     for (const auto& move : moves)
       for (auto to : move.to) next[move.from].push_back(to);
@@ -178,18 +216,24 @@ private:
   }
 
   const System& system;
+  LimitWatch& limits;
   PartialEvaluation evaluation;
   TransitionSet left;
   TransitionSet kept; ///< whether they can happen is known only when they do
   Bits locations;     ///< cells
+  std::vector<std::vector<TransitionId>> readers; ///< by cell: guards
+  std::vector<std::vector<TransitionId>> writers; ///< by cell
+  std::vector<std::vector<Move>> movers;          ///< by instance
+  std::vector<Word> anywhere;                     ///< a state of which one cell is looked at
+  std::vector<Word> unknown;                      ///< the bits of the others
   std::map<PathId, std::map<std::uint32_t, Bits>> sure;
   std::map<std::pair<TransitionId, CellId>, Values> allowed;
 };
 
 } // namespace
 
-TransitionSet recurrentSteps(const System& system, const Bits& dropped) {
-  return RecurrenceSearch(system, dropped).run();
+TransitionSet recurrentSteps(const System& system, const Bits& dropped, LimitWatch& limits) {
+  return RecurrenceSearch(system, dropped, limits).run();
 }
 
 } // namespace proskill::verify

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/limits.h"
 #include "verify/model/system.h"
 #include "verify/state/transition_set.h"
 
@@ -12,7 +13,8 @@ namespace proskill::verify {
 /// - what lies on no cycle of its instance's locations;
 /// - what needs a variable to have a value that none of those left would give it again, and those
 ///   that need different values of a variable that none of them changes.
-/// Steps that may fail or may turn out to be impossible are always among them.
-[[nodiscard]] TransitionSet recurrentSteps(const System& system, const Bits& dropped);
+/// Steps that may fail or may turn out to be impossible are always among them. \throw LimitMet
+[[nodiscard]] TransitionSet recurrentSteps(const System& system, const Bits& dropped,
+                                           LimitWatch& limits);
 
 } // namespace proskill::verify

@@ -20,13 +20,6 @@ std::vector<std::pair<InstanceId, std::uint32_t>> placesOf(const System& system,
   return all;
 }
 
-bool sharePlace(const System& system, const Transition& a, const Transition& b) {
-  auto theirs = placesOf(system, b);
-  return std::ranges::any_of(placesOf(system, a), [&](const auto& place) {
-    return std::ranges::find(theirs, place) != theirs.end();
-  });
-}
-
 bool shareInstance(const System& system, const Transition& a, const Transition& b) {
   auto theirs = placesOf(system, b);
   return std::ranges::any_of(placesOf(system, a), [&](const auto& place) {
@@ -45,46 +38,86 @@ Bits dataWrites(const System& system, const Transition& transition) {
 
 } // namespace
 
-StubbornSets::StubbornSets(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
-    : system(of), none((of.transitions.size() + 63) / 64) {
-  findDependence(dropped);
-  findNeeds(dropped);
+/// Which transitions have to do with a cell or a place; those that are left out do not.
+struct StubbornSets::Touching {
+  using Transitions = std::vector<TransitionId>;
+
+  Touching(const System& system, const Bits& dropped)
+      : writers(system.cells.size()),
+        readers(system.cells.size()),
+        guardedByClock(system.cells.size()) {
+    for (const auto& instance : system.instances) at.emplace_back(instance.locations.size());
+    for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+      const auto& transition = system.transitions[i];
+      if (transition.clock != kNone && system.clocks[transition.clock].instance == kNone)
+        transition.guardReads.each([&](CellId cell) { guardedByClock[cell].push_back(i); });
+      if (dropped.contains(i)) continue;
+      Bits read = transition.reads;
+      read |= transition.guardReads;
+      read.each([&](CellId cell) { readers[cell].push_back(i); });
+      transition.writes.each([&](CellId cell) { writers[cell].push_back(i); });
+      for (const auto& [instance, location] : placesOf(system, transition))
+        at[instance][location].push_back(i);
+    }
+  }
+
+  std::vector<Transitions> writers;         ///< by cell
+  std::vector<Transitions> readers;         ///< by cell: in their guards or their code
+  std::vector<Transitions> guardedByClock;  ///< by cell: guards of those with a clock of their own
+  std::vector<std::vector<Transitions>> at; ///< by instance and location
+};
+
+StubbornSets::StubbornSets(const System& of, const std::vector<Goal>& goals, const Bits& dropped,
+                           LimitWatch& watch)
+    : system(of), limits(watch), none((of.transitions.size() + 63) / 64) {
+  const Touching touching(system, dropped);
+  findDependence(touching, dropped);
+  findNeeds(touching, dropped);
   findWays(dropped);
-  findCandidates(goals, dropped);
+  findCandidates(touching, goals, dropped);
 }
 
-void StubbornSets::findDependence(const Bits& dropped) {
-  dependent.assign(system.transitions.size(), none);
+void StubbornSets::findDependence(const Touching& touching, const Bits& dropped) {
+  dependent.resize(system.transitions.size());
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
-    const auto& a = system.transitions[i];
-    if (!a.urgent || dropped.contains(i)) continue;
-    Bits touched = a.reads;
-    touched |= a.guardReads;
-    touched |= a.writes;
-    for (TransitionId j = 0; j < system.transitions.size(); ++j) {
-      const auto& b = system.transitions[j];
-      if (i == j || dropped.contains(j)) continue;
-      bool meet = sharePlace(system, a, b) || b.writes.meets(touched) || a.writes.meets(b.reads) ||
-                  a.writes.meets(b.guardReads);
-      if (meet) insert(dependent[i], j);
-    }
+    const auto& transition = system.transitions[i];
+    if (!transition.urgent || dropped.contains(i)) continue;
+    limits.check();
+    TransitionSet& found = dependent[i] = none;
+    const auto add = [&](const Touching::Transitions& all) {
+      for (auto other : all) insert(found, other);
+    };
+    Bits touched = transition.reads;
+    touched |= transition.guardReads;
+    touched |= transition.writes;
+    touched.each([&](CellId cell) { add(touching.writers[cell]); });
+    transition.writes.each([&](CellId cell) { add(touching.readers[cell]); });
+    for (const auto& [instance, location] : placesOf(system, transition))
+      add(touching.at[instance][location]);
+    erase(found, i);
   }
 }
 
 /// Those that can help a condition to become true.
-const TransitionSet& StubbornSets::helpersOf(NodeId node, const Bits& dropped) {
+const TransitionSet& StubbornSets::helpersOf(const Touching& touching, NodeId node) {
   auto [entry, isNew] = helpers.try_emplace(node, none);
   if (!isNew) return entry->second;
-  for (TransitionId i = 0; i < system.transitions.size(); ++i)
-    if (!dropped.contains(i) && std::ranges::any_of(system.transitions[i].parts, [&](PathId part) {
-          return mayMakeTrue(system, system.paths[part], node);
-        }))
-      insert(entry->second, i);
+  limits.check();
+  Bits cells;
+  addReads(system, node, cells);
+  cells.each([&](CellId cell) {
+    for (auto i : touching.writers[cell])
+      if (std::ranges::any_of(system.transitions[i].parts, [&](PathId part) {
+            return mayMakeTrue(system, system.paths[part], node);
+          }))
+        insert(entry->second, i);
+  });
   return entry->second;
 }
 
-void StubbornSets::findNeeds(const Bits& dropped) {
+void StubbornSets::findNeeds(const Touching& touching, const Bits& dropped) {
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+    limits.check();
     const auto& transition = system.transitions[i];
     auto& made = needs.emplace_back();
     made.locations = placesOf(system, transition);
@@ -92,12 +125,12 @@ void StubbornSets::findNeeds(const Bits& dropped) {
     if (dropped.contains(i)) continue;
     for (auto part : transition.parts)
       for (auto node : conjunctsOf(system, system.paths[part].guard))
-        made.conditions.push_back({node, &helpersOf(node, dropped)});
+        made.conditions.push_back({node, &helpersOf(touching, node)});
     if (!made.tentative) continue;
     made.anyHelper = none;
-    for (TransitionId j = 0; j < system.transitions.size(); ++j)
-      if (!dropped.contains(j) && system.transitions[j].writes.meets(transition.guardReads))
-        insert(made.anyHelper, j);
+    transition.guardReads.each([&](CellId cell) {
+      for (auto writer : touching.writers[cell]) insert(made.anyHelper, writer);
+    });
   }
 }
 
@@ -137,9 +170,23 @@ const TransitionSet& StubbornSets::waysTo(InstanceId instance, std::uint32_t fro
   return entry->second;
 }
 
+/// Those that nothing ever keeps from being enabled.
+TransitionSet StubbornSets::alwaysPossible() const {
+  TransitionSet all = none;
+  for (TransitionId i = 0; i < needs.size(); ++i) {
+    const auto& needed = needs[i];
+    const bool anywhere = std::ranges::all_of(needed.locations, [&](const auto& place) {
+      return system.instances[place.first].locations.size() == 1;
+    });
+    if (anywhere && needed.conditions.empty() && !needed.tentative) insert(all, i);
+  }
+  return all;
+}
+
 /// Urgent transitions that no goal sees, that start or stop no clock of another process by what
 /// they write, and that depend on none that is always possible.
-void StubbornSets::findCandidates(const std::vector<Goal>& goals, const Bits& dropped) {
+void StubbornSets::findCandidates(const Touching& touching, const std::vector<Goal>& goals,
+                                  const Bits& dropped) {
   candidates = none;
   Bits visibleCells;
   Bits visibleEvents;
@@ -148,10 +195,12 @@ void StubbornSets::findCandidates(const std::vector<Goal>& goals, const Bits& dr
     addReads(system, goal.condition, visibleCells);
     addEvents(system, goal.condition, visibleEvents);
   }
+  const TransitionSet possible = alwaysPossible();
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     const auto& transition = system.transitions[i];
     if (!transition.urgent || dropped.contains(i) || transition.writes.meets(visibleCells))
       continue;
+    limits.check();
     bool seen = std::ranges::any_of(transition.events,
                                     [&](EventId event) { return visibleEvents.contains(event); });
     for (auto part : transition.parts) seen = seen || system.paths[part].mayFail;
@@ -159,19 +208,15 @@ void StubbornSets::findCandidates(const std::vector<Goal>& goals, const Bits& dr
       for (const auto& instruction : system.paths[part].code)
         seen = seen || (instruction.event != kNone && visibleEvents.contains(instruction.event));
     const Bits writes = dataWrites(system, transition);
-    for (const auto& other : system.transitions) {
-      bool ownClock = other.clock != kNone && system.clocks[other.clock].instance == kNone;
-      bool restarts = shareInstance(system, transition, other) && !transition.consumed.empty();
-      seen = seen || (ownClock && !restarts && writes.meets(other.guardReads));
-    }
-    bool disturbed = false;
-    eachIn(dependent[i], [&](TransitionId other) {
-      const auto& needed = needs[other];
-      bool anywhere = std::ranges::all_of(needed.locations, [&](const auto& place) {
-        return system.instances[place.first].locations.size() == 1;
-      });
-      disturbed = disturbed || (anywhere && needed.conditions.empty() && !needed.tentative);
+    writes.each([&](CellId cell) {
+      seen = seen || std::ranges::any_of(touching.guardedByClock[cell], [&](TransitionId other) {
+               return transition.consumed.empty() ||
+                      !shareInstance(system, transition, system.transitions[other]);
+             });
     });
+    bool disturbed = false;
+    for (std::size_t k = 0; k < possible.size(); ++k)
+      disturbed = disturbed || (dependent[i][k] & possible[k]) != 0;
     if (!seen && !disturbed) insert(candidates, i);
   }
 }
@@ -179,6 +224,7 @@ void StubbornSets::findCandidates(const std::vector<Goal>& goals, const Bits& dr
 TransitionId StubbornSets::pick(const Word* state, const TransitionSet& enabled) const {
   for (std::size_t k = 0; k < enabled.size(); ++k) {
     for (Word rest = enabled[k] & candidates[k]; rest != 0; rest &= rest - 1) {
+      limits.check();
       auto id =
           static_cast<TransitionId>(k * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
       if (isStubbornAlone(id, state, enabled)) return id;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/state/enabled.h"
 
@@ -15,9 +16,12 @@ namespace proskill::verify {
 /// lets the untimed theory be used.
 class StubbornSets {
 public:
-  StubbornSets(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
+  /// \throw LimitMet
+  StubbornSets(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
+               LimitWatch& limits);
 
   /// A transition that may be fired alone from this state; kNone where there is none.
+  /// \throw LimitMet
   [[nodiscard]] TransitionId pick(const Word* state, const TransitionSet& enabled) const;
 
 private:
@@ -35,11 +39,15 @@ private:
     TransitionSet anyHelper; ///< who writes what its being enabled depends on
   };
 
-  void findDependence(const Bits& dropped);
-  void findCandidates(const std::vector<Goal>& goals, const Bits& dropped);
-  void findNeeds(const Bits& dropped);
+  struct Touching;
+
+  void findDependence(const Touching& touching, const Bits& dropped);
+  void findCandidates(const Touching& touching, const std::vector<Goal>& goals,
+                      const Bits& dropped);
+  void findNeeds(const Touching& touching, const Bits& dropped);
   void findWays(const Bits& dropped);
-  const TransitionSet& helpersOf(NodeId node, const Bits& dropped);
+  const TransitionSet& helpersOf(const Touching& touching, NodeId node);
+  [[nodiscard]] TransitionSet alwaysPossible() const;
   [[nodiscard]] const TransitionSet& waysTo(InstanceId instance, std::uint32_t from,
                                             std::uint32_t target) const;
   [[nodiscard]] bool isStubbornAlone(TransitionId transition, const Word* state,
@@ -49,6 +57,7 @@ private:
                                                const TransitionSet& stubborn) const;
 
   const System& system;
+  LimitWatch& limits;
   TransitionSet none;
   TransitionSet candidates;             ///< that may ever be safe
   std::vector<TransitionSet> dependent; ///< by candidate

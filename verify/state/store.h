@@ -14,6 +14,15 @@ namespace proskill::verify {
   return hash ^ (hash >> 29);
 }
 
+/// A growing table is checked against limits before so many more things are entered.
+inline constexpr std::size_t kBetweenGrowthChecks = 4096;
+
+/// Bytes that a vector takes in addition while it grows, where that is near.
+template <class T> [[nodiscard]] std::uint64_t growthOf(const std::vector<T>& all) {
+  if (all.capacity() - all.size() > kBetweenGrowthChecks) return 0;
+  return all.capacity() * sizeof(T);
+}
+
 /// Open addressing over numbers; the owner keeps the things themselves and compares them.
 class NumberTable {
 public:
@@ -34,6 +43,9 @@ public:
     }
   }
   [[nodiscard]] std::uint64_t bytes() const { return slots.capacity() * sizeof(Slot); }
+  [[nodiscard]] std::uint64_t growth() const {
+    return (used + kBetweenGrowthChecks) * 2 > slots.size() ? 2 * bytes() : 0;
+  }
 
 private:
   struct Slot {
@@ -66,6 +78,7 @@ public:
   [[nodiscard]] std::uint64_t bytes() const {
     return table.bytes() + arena.capacity() * sizeof(Word);
   }
+  [[nodiscard]] std::uint64_t growth() const { return table.growth() + growthOf(arena); }
 
 private:
   std::uint32_t words;
@@ -90,6 +103,9 @@ public:
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(places.size()); }
   [[nodiscard]] std::uint64_t bytes() const {
     return table.bytes() + arena.capacity() * sizeof(Bound) + places.capacity() * sizeof(Place);
+  }
+  [[nodiscard]] std::uint64_t growth() const {
+    return table.growth() + growthOf(arena) + growthOf(places);
   }
 
 private:
@@ -130,6 +146,9 @@ public:
   [[nodiscard]] std::uint64_t bytes() const {
     return table.bytes() + keys.capacity() * sizeof(Key) +
            values.capacity() * sizeof(std::uint32_t);
+  }
+  [[nodiscard]] std::uint64_t growth() const {
+    return table.growth() + growthOf(keys) + growthOf(values);
   }
 
 private:

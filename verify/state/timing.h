@@ -53,6 +53,7 @@ public:
                                                 SignatureId after) const;
   [[nodiscard]] const ZoneStore& zones() const { return store; }
   [[nodiscard]] std::uint64_t bytes() const { return store.bytes() + memo.bytes(); }
+  [[nodiscard]] std::uint64_t growth() const { return store.growth() + memo.growth(); }
 
 private:
   ZoneId calculate(ZoneId zone, SignatureId before, TransitionId transition, SignatureId after);

@@ -26,14 +26,15 @@ std::int64_t add(std::int64_t a, std::int64_t b) {
 /// i-th step, and the last the moment at which the evidence is seen.
 class Writer {
 public:
-  Writer(const System& of, const Enabling& with, const Evidence& from)
-      : system(of), enabling(with), evidence(from) {}
+  Writer(const System& of, const Enabling& with, const Evidence& from, LimitWatch& watch)
+      : system(of), enabling(with), evidence(from), limits(watch) {}
 
   std::optional<std::vector<Constraint>> write() {
     std::vector<Word> state = initialState(system);
     enabling.compute(state.data(), enabled);
     since.assign(system.clocks.size(), 0);
     for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
+      limits.check();
       const TransitionId step = evidence.steps[i];
       if (!contains(enabled, step)) return std::nullopt;
       letTimePass(i, i + 1);
@@ -113,6 +114,7 @@ private:
   const System& system;
   const Enabling& enabling;
   const Evidence& evidence;
+  LimitWatch& limits;
   TransitionSet enabled;
   std::vector<std::size_t> since; ///< by clock: the step that started it
   std::vector<Constraint> all;
@@ -123,8 +125,10 @@ private:
 /// in the order of the steps, and most chains of them go along it or against it, so the order
 /// alternates: a few rounds do. False where there is no end.
 template <class Relax>
-bool relaxAll(const std::vector<Constraint>& constraints, std::size_t dates, Relax relax) {
+bool relaxAll(const std::vector<Constraint>& constraints, std::size_t dates, LimitWatch& limits,
+              Relax relax) {
   for (std::size_t round = 0; round <= dates; ++round) {
+    limits.check();
     bool changed = false;
     if (round % 2 == 0)
       for (const auto& constraint : constraints) changed = relax(constraint) || changed;
@@ -137,26 +141,28 @@ bool relaxAll(const std::vector<Constraint>& constraints, std::size_t dates, Rel
 
 /// The tightest limit of each date against date 0, or of date 0 against each date.
 std::optional<std::vector<std::int64_t>> tightest(const std::vector<Constraint>& constraints,
-                                                  std::size_t dates, bool forward) {
-  std::vector<std::int64_t> limits(dates, kNoLimit);
-  limits[0] = 1;
-  const bool ends = relaxAll(constraints, dates, [&](const Constraint& constraint) {
+                                                  std::size_t dates, bool forward,
+                                                  LimitWatch& limits) {
+  std::vector<std::int64_t> bounds(dates, kNoLimit);
+  bounds[0] = 1;
+  const bool ends = relaxAll(constraints, dates, limits, [&](const Constraint& constraint) {
     const std::size_t from = forward ? constraint.earlier : constraint.later;
     const std::size_t to = forward ? constraint.later : constraint.earlier;
-    const std::int64_t limit = add(limits[from], constraint.limit);
-    if (limit >= limits[to]) return false;
-    limits[to] = limit;
+    const std::int64_t limit = add(bounds[from], constraint.limit);
+    if (limit >= bounds[to]) return false;
+    bounds[to] = limit;
     return true;
   });
-  return ends ? std::optional(std::move(limits)) : std::nullopt;
+  return ends ? std::optional(std::move(bounds)) : std::nullopt;
 }
 
 /// The least dates that meet all constraints, in units so fine that each strict bound can be missed
 /// by one of them.
 std::optional<std::vector<std::int64_t>> earliestRun(const std::vector<Constraint>& constraints,
-                                                     std::size_t dates, std::int64_t scale) {
+                                                     std::size_t dates, std::int64_t scale,
+                                                     LimitWatch& limits) {
   std::vector<std::int64_t> made(dates);
-  const bool ends = relaxAll(constraints, dates, [&](const Constraint& constraint) {
+  const bool ends = relaxAll(constraints, dates, limits, [&](const Constraint& constraint) {
     const auto& [later, earlier, limit] = constraint;
     const std::int64_t least = made[later] - ((limit >> 1) * scale - (limit % 2 == 0 ? 1 : 0));
     if (least <= made[earlier]) return false;
@@ -169,17 +175,17 @@ std::optional<std::vector<std::int64_t>> earliestRun(const std::vector<Constrain
 } // namespace
 
 std::optional<Dating> dated(const System& system, const Enabling& enabling,
-                            const Evidence& evidence) {
-  auto constraints = Writer(system, enabling, evidence).write();
+                            const Evidence& evidence, LimitWatch& limits) {
+  auto constraints = Writer(system, enabling, evidence, limits).write();
   if (!constraints) return std::nullopt;
   const auto ofTheMonitor = static_cast<std::size_t>(
       std::ranges::count(evidence.marks, false, &MonitorMove::atStep)); // moves between steps
   const std::size_t dates = evidence.steps.size() + 2 + ofTheMonitor;
   bool strict = std::ranges::any_of(*constraints, [](const auto& c) { return c.limit % 2 == 0; });
   Dating made{.scale = strict ? static_cast<std::int64_t>(dates) : 1};
-  auto latest = tightest(*constraints, dates, true);
-  auto earliest = tightest(*constraints, dates, false);
-  auto run = earliestRun(*constraints, dates, made.scale);
+  auto latest = tightest(*constraints, dates, true, limits);
+  auto earliest = tightest(*constraints, dates, false, limits);
+  auto run = earliestRun(*constraints, dates, made.scale, limits);
   if (!latest || !earliest || !run) return std::nullopt;
   for (std::size_t i = 1; i <= evidence.steps.size(); ++i) {
     Window window{.date = (*run)[i]};

@@ -23,8 +23,8 @@ struct Dating {
 /// bounds of its transition, and before the upper bound of every transition that is enabled then.
 /// The run given is the earliest. Nothing where no dates do. Cormen, Leiserson, Rivest, Stein,
 /// "Introduction to Algorithms", 24.4.
-/// \param enabling of the system, with nothing left out
+/// \param enabling of the system, with nothing left out \throw LimitMet
 [[nodiscard]] std::optional<Dating> dated(const System& system, const Enabling& enabling,
-                                          const Evidence& evidence);
+                                          const Evidence& evidence, LimitWatch& limits);
 
 } // namespace proskill::verify

@@ -4,16 +4,23 @@
 #include "verify/trace/simulator.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace proskill::verify {
 
 namespace {
 
-bool shows(const System& system, const Goal& goal, const Concrete& before, const Concrete& after,
-           const StepLog& log) {
+Bits setOf(const std::vector<EventId>& all) {
   Bits events;
-  for (auto event : log.events) events.insert(event);
+  for (auto event : all) events.insert(event);
+  return events;
+}
+
+/// Whether the end of a run of so many steps shows what the goal asks for.
+bool shows(const System& system, const Goal& goal, const ReplayedRun& run, std::size_t steps) {
+  if (steps == 0 && goal.initially) return true;
+  const Concrete& after = run.after(steps);
+  const Concrete& before = run.after(steps == 0 ? 0 : steps - 1);
+  const Bits events = steps == 0 ? Bits{} : setOf(run.events(steps - 1));
   if (goal.kind == GoalKind::Events) return events.meets(goal.events);
   const Moment step{before.state.data(), after.state.data(), &events};
   const Moment still{after.state.data(), nullptr, nullptr};
@@ -27,8 +34,7 @@ public:
   Following(const System& of, const Evidence& from, const Dating& at, bool end)
       : system(of), evidence(from), monitor(*from.monitor), dating(at), ended(end) {}
 
-  [[nodiscard]] std::string run(const std::vector<Concrete>& states,
-                                const std::vector<std::vector<EventId>>& events) {
+  [[nodiscard]] std::string follow(const ReplayedRun& run) {
     std::size_t own = 0;
     std::int64_t reset = 0;
     std::uint32_t location = monitor.initial.at(0);
@@ -41,7 +47,7 @@ public:
       const std::int64_t date =
           mark.atStep ? dating.steps[mark.after - 1].date : dating.marks[own++];
       if (at.timed && !fits(edge.clock, date - reset)) return "the monitor's clock says no";
-      if (!isSeen(mark, edge.condition, states, events)) return "the monitor does not see it";
+      if (!isSeen(mark, edge.condition, run)) return "the monitor does not see it";
       if (edge.reset) reset = date;
       location = edge.to;
       visited.push_back({mark.after, location});
@@ -91,17 +97,16 @@ private:
   }
 
   [[nodiscard]] bool isSeen(const MonitorMove& mark, NodeId condition,
-                            const std::vector<Concrete>& states,
-                            const std::vector<std::vector<EventId>>& events) const {
+                            const ReplayedRun& run) const {
     if (!mark.atStep) {
       for (std::size_t i = mark.after; i <= mark.until; ++i)
-        if (!holdsAt(system, condition, {states[i].state.data(), nullptr, nullptr})) return false;
+        if (!holdsAt(system, condition, {run.after(i).state.data(), nullptr, nullptr}))
+          return false;
       return true;
     }
-    Bits all;
-    for (auto event : events[mark.after - 1]) all.insert(event);
-    const Word* here = states[mark.after].state.data();
-    return holdsAt(system, condition, {states[mark.after - 1].state.data(), here, &all});
+    const Bits all = setOf(run.events(mark.after - 1));
+    const Word* here = run.after(mark.after).state.data();
+    return holdsAt(system, condition, {run.after(mark.after - 1).state.data(), here, &all});
   }
 
   const System& system;
@@ -112,34 +117,11 @@ private:
   std::vector<Visit> visited; ///< where the monitor was, in order
 };
 
-} // namespace
-
-std::string replay(const System& system, const Goal& goal, const Evidence& evidence,
-                   const Dating& dating) {
-  const Steps& steps = evidence.steps;
-  Simulator simulator(system, dating.scale);
-  Concrete now = simulator.start();
-  Concrete before = now;
-  StepLog log;
-  std::vector<Concrete> states{now};
-  std::vector<std::vector<EventId>> events;
-  std::int64_t last = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const std::int64_t date = dating.steps[i].date;
-    const std::string where = "step " + std::to_string(i + 1) + " ";
-    if (date < last || !simulator.mayWait(now, date)) return where + "comes too late";
-    if (!simulator.isRipe(now, steps[i], date)) return where + "comes too early";
-    if (goal.kind == GoalKind::Error && i + 1 == steps.size())
-      return simulator.fails(now, steps[i], log) ? "" : where + "does not fail";
-    auto next = simulator.take(now, steps[i], date, log);
-    if (!next) return where + "is not possible";
-    before = std::exchange(now, std::move(*next));
-    last = date;
-    if (!evidence.monitor) continue;
-    states.push_back(now);
-    events.push_back(log.events);
-  }
-  if (dating.end < last || !simulator.mayWait(now, dating.end)) return "the end comes too late";
+/// Whether the end of the run shows what the goal asks for, after so many steps.
+std::string judge(const System& system, const Goal& goal, const Evidence& evidence,
+                  const Dating& dating, const Simulator& simulator, const ReplayedRun& run) {
+  const std::size_t count = evidence.steps.size();
+  const Concrete& now = run.after(count);
   switch (goal.kind) {
   case GoalKind::Deadlock:
     if (!now.since.empty()) return "something is still possible at the end";
@@ -149,14 +131,70 @@ std::string replay(const System& system, const Goal& goal, const Evidence& evide
     return simulator.canGoOn(now, dating.end) ? "time can still go on at the end" : "";
   case GoalKind::Run:
     if (!evidence.monitor) return "it is not known what of the run shows the violation";
-    return Following(system, evidence, dating, now.since.empty()).run(states, events);
+    return Following(system, evidence, dating, now.since.empty()).follow(run);
   case GoalKind::Error: return "nothing fails";
   case GoalKind::Events:
   case GoalKind::Condition:
   case GoalKind::Unsupported: break;
   }
-  if (steps.empty() && goal.initially) return {};
-  return shows(system, goal, before, now, log) ? "" : "the end does not show what was asked for";
+  return shows(system, goal, run, count) ? "" : "the end does not show what was asked for";
+}
+
+} // namespace
+
+const Simulator& ReplayedRun::start(std::int64_t units) {
+  if (simulator && scale == units) return *simulator;
+  taken.clear();
+  scale = units;
+  simulator.emplace(system, units);
+  first = simulator->start();
+  return *simulator;
+}
+
+std::string ReplayedRun::take(std::size_t before, TransitionId step, std::int64_t date) {
+  if (before < taken.size() && taken[before].step == step && taken[before].date == date) return {};
+  limits.check();
+  taken.resize(before);
+  const Concrete& now = after(before);
+  const std::int64_t last = before == 0 ? 0 : taken[before - 1].date;
+  if (date < last || !simulator->mayWait(now, date)) return "comes too late";
+  if (!simulator->isRipe(now, step, date)) return "comes too early";
+  StepLog log;
+  auto next = simulator->take(now, step, date, log);
+  if (!next) return "is not possible";
+  taken.push_back({step, date, std::move(*next), std::move(log.events)});
+  return {};
+}
+
+void ReplayedRun::forgetLong() {
+  constexpr std::size_t kMostKept = 4096;
+  if (taken.size() > kMostKept) taken.resize(kMostKept);
+}
+
+std::string replay(const System& system, const Goal& goal, const Evidence& evidence,
+                   const Dating& dating, ReplayedRun& run) {
+  const Steps& steps = evidence.steps;
+  const Simulator& simulator = run.start(dating.scale);
+  const std::size_t last = steps.size() - (goal.kind == GoalKind::Error && !steps.empty() ? 1 : 0);
+  for (std::size_t i = 0; i < last; ++i)
+    if (auto wrong = run.take(i, steps[i], dating.steps[i].date); !wrong.empty())
+      return "step " + std::to_string(i + 1) + " " + wrong;
+  const Concrete& now = run.after(last);
+  const std::int64_t before = last == 0 ? 0 : dating.steps[last - 1].date;
+  const std::int64_t end = last < steps.size() ? dating.steps[last].date : dating.end;
+  if (end < before || !simulator.mayWait(now, end)) return "the end comes too late";
+  std::string wrong;
+  if (last < steps.size()) {
+    StepLog log;
+    if (!simulator.isRipe(now, steps[last], end))
+      wrong = "the error comes too early";
+    else if (!simulator.fails(now, steps[last], log))
+      wrong = "the last step does not fail";
+  } else {
+    wrong = judge(system, goal, evidence, dating, simulator, run);
+  }
+  run.forgetLong();
+  return wrong;
 }
 
 } // namespace proskill::verify

@@ -4,6 +4,7 @@
 #include "verify/state/evaluate.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace proskill::verify {
 
@@ -45,15 +46,24 @@ std::vector<Change> valuesIn(const System& system, const std::vector<Word>& stat
   return all;
 }
 
-std::vector<Change> changesBetween(const System& system, const std::vector<Word>& before,
+std::vector<Change> changesBetween(const System& system, const std::vector<std::uint32_t>& which,
+                                   const std::vector<Word>& before,
                                    const std::vector<Word>& after) {
   std::vector<Change> all;
-  for (const auto& watched : system.watched) {
+  for (auto i : which) {
+    const auto& watched = system.watched[i];
     const auto old = readCell(system, watched.cell, before.data());
     const auto now = readCell(system, watched.cell, after.data());
     if (old != now) all.push_back({watched.display, shown(watched, old), shown(watched, now)});
   }
   return all;
+}
+
+std::vector<Change> changesBetween(const System& system, const std::vector<Word>& before,
+                                   const std::vector<Word>& after) {
+  std::vector<std::uint32_t> all(system.watched.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return changesBetween(system, all, before, after);
 }
 
 } // namespace proskill::verify

@@ -20,6 +20,12 @@ namespace proskill::verify {
 /// Every watched variable's value, in `after`.
 [[nodiscard]] std::vector<Change> valuesIn(const System& system, const std::vector<Word>& state);
 
+/// \param which watched variables may have changed, by their places
+[[nodiscard]] std::vector<Change> changesBetween(const System& system,
+                                                 const std::vector<std::uint32_t>& which,
+                                                 const std::vector<Word>& before,
+                                                 const std::vector<Word>& after);
+/// Of all watched variables.
 [[nodiscard]] std::vector<Change> changesBetween(const System& system,
                                                  const std::vector<Word>& before,
                                                  const std::vector<Word>& after);

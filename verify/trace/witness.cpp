@@ -10,21 +10,24 @@
 
 namespace proskill::verify {
 
-Witness::Witness(const System& whole, const Reductions& used, const fiacre::Provenance& origins)
+Witness::Witness(const System& whole, const Reductions& used, const fiacre::Provenance& origins,
+                 LimitWatch& watch)
     : system(whole),
       enabling(whole, used.dropped),
       all(whole),
       dropped(used.dropped),
-      provenance(origins) {
+      provenance(origins),
+      limits(watch),
+      played(whole, watch) {
   if (used.freeInputs) open.emplace(*used.freeInputs, whole);
 }
 
 /// Dates and replays the evidence. Says what is wrong with it, nothing where it stands.
 std::string Witness::check(const Goal& goal, const Evidence& evidence,
                            std::optional<Dating>& dating) const {
-  dating = dated(system, all, evidence);
+  dating = dated(system, all, evidence, limits);
   if (!dating) return "the steps have no dates";
-  return replay(system, goal, evidence, *dating);
+  return replay(system, goal, evidence, *dating, played);
 }
 
 std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evidence) const {
@@ -40,6 +43,7 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
   made.initial = valuesIn(system, state);
   StepLog log;
   for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
+    limits.check();
     const std::vector<Word> before = state;
     log.clear();
     const Outcome outcome = fire(system, evidence.steps[i], state.data(), log);
@@ -47,16 +51,27 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
     if (outcome != Outcome::Done && !fails) return std::unexpected("a step fails");
     if (fails) state = before;
     const Window& window = dating->steps[i];
-    made.steps.push_back({.origins = tellingLast(provenance, log),
-                          .transitions = {nameOf(system, evidence.steps[i], log)},
-                          .instances = instancesOf(system, evidence.steps[i]),
-                          .earliest = window.earliest,
-                          .latest = window.latest,
-                          .date = window.date,
-                          .changes = changesBetween(system, before, state),
-                          .failure = fails ? log.failure : ""});
+    made.steps.push_back(
+        {.origins = tellingLast(provenance, log),
+         .transitions = {nameOf(system, evidence.steps[i], log)},
+         .instances = instancesOf(system, evidence.steps[i]),
+         .earliest = window.earliest,
+         .latest = window.latest,
+         .date = window.date,
+         .changes = changesBetween(system, watchedBy(evidence.steps[i]), before, state),
+         .failure = fails ? log.failure : ""});
   }
   return made;
+}
+
+/// Watched variables that a step may change, by their places.
+const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
+  const auto [entry, isNew] = changing.try_emplace(step);
+  if (isNew)
+    for (std::uint32_t i = 0; i < system.watched.size(); ++i)
+      if (system.transitions[step].writes.contains(system.watched[i].cell))
+        entry->second.push_back(i);
+  return entry->second;
 }
 
 /// The evidence on the whole system, with as few steps of the environment as will do.
@@ -92,6 +107,7 @@ Steps Witness::lazily(const Steps& steps, bool valuesAtEnd) const {
     return enabling.isUrgent(enabled);
   };
   const auto take = [&](TransitionId id) {
+    limits.check();
     made.push_back(id);
     return fire(system, id, here.data(), log) == Outcome::Done;
   };
@@ -118,6 +134,7 @@ Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidenc
   std::vector<Word> state = initialState(system);
   StepLog log;
   const auto take = [&](TransitionId id) {
+    limits.check();
     made.push_back(id);
     return fire(system, id, state.data(), log) == Outcome::Done;
   };

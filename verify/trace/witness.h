@@ -4,6 +4,9 @@
 #include "verify/model/goals.h"
 #include "verify/reduce/free_inputs.h"
 #include "verify/trace/dates.h"
+#include "verify/trace/replay.h"
+
+#include <map>
 
 namespace proskill::verify {
 
@@ -11,15 +14,19 @@ namespace proskill::verify {
 class Witness {
 public:
   /// \param whole the system with every cell kept \param reductions those that the search used
-  Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance);
+  /// \pre the arguments outlive this
+  Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance,
+          LimitWatch& limits);
 
   /// The trace, or why the evidence does not stand: a mistake of the engine.
+  /// \throw LimitMet
   [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal, Evidence evidence) const;
 
 private:
   [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
                                   std::optional<Dating>& dating) const;
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
+  [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Steps lazily(const Steps& steps, bool valuesAtEnd) const;
   [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps, Evidence& evidence) const;
 
@@ -29,6 +36,10 @@ private:
   const Bits& dropped;
   std::optional<FreeInputs> open; ///< as the search used them
   const fiacre::Provenance& provenance;
+  LimitWatch& limits;
+  mutable ReplayedRun played; ///< traces of one search mostly begin alike
+  /// By transition: the watched cells that it may change.
+  mutable std::map<TransitionId, std::vector<std::uint32_t>> changing;
 };
 
 } // namespace proskill::verify

@@ -1,0 +1,69 @@
+#include "verify/limits.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace proskill::verify {
+
+LimitWatch::LimitWatch(const Options& of) : options(of), start(now()), reported(start) {}
+
+double LimitWatch::now() const {
+  if (options.clock) return options.clock();
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+std::string LimitWatch::met(const Progress& progress, std::uint64_t growth) {
+  constexpr double kBetweenReports = 0.25;
+  if (options.progress && now() - reported >= kBetweenReports) {
+    reported = now();
+    options.progress(progress);
+  }
+  if (auto limit = passed(progress.bytes, growth); !limit.empty()) return limit;
+  const auto& classes = options.limits.classes;
+  return classes && progress.classes >= *classes ? "the limit of classes was met" : "";
+}
+
+void LimitWatch::look() {
+  calls = 0;
+  if (auto limit = passed(0, 0); !limit.empty()) throw LimitMet{std::move(limit)};
+}
+
+/// \param counted bytes that the tables hold, for systems that do not say what a process has
+std::string LimitWatch::passed(std::uint64_t counted, std::uint64_t growth) {
+  const auto& limits = options.limits;
+  if (options.cancelled && options.cancelled->load(std::memory_order_relaxed)) return "cancelled";
+  if (limits.seconds && seconds() >= *limits.seconds) return "the time limit was met";
+  if (limits.bytes && std::max(counted, resident(now())) + growth >= *limits.bytes)
+    return "the memory limit was met";
+  return {};
+}
+
+/// To ask the system takes some microseconds, so it is not asked more than once a millisecond.
+std::uint64_t LimitWatch::resident(double moment) {
+  constexpr double kBetweenMeasurements = 0.001;
+  if (measured >= 0 && moment - measured < kBetweenMeasurements) return bytes;
+  measured = moment;
+  bytes = residentBytes();
+  return bytes;
+}
+
+std::uint64_t residentBytes() {
+  std::array<char, 128> text{};
+  const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  const auto count = ::read(file, text.data(), text.size());
+  ::close(file);
+  if (count <= 0) return 0;
+  std::string_view rest(text.data(), static_cast<std::size_t>(count));
+  rest.remove_prefix(std::min(rest.find(' ') + 1, rest.size())); // the second number, in pages
+  std::uint64_t pages = 0;
+  std::from_chars(rest.data(), rest.data() + rest.size(), pages);
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+} // namespace proskill::verify
