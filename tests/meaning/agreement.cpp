@@ -1,5 +1,6 @@
 #include "tests/meaning/agreement.h"
 
+#include "tests/meaning/replay.h"
 #include "tests/meaning/verdicts.h"
 #include "tests/support/texts.h"
 
@@ -23,6 +24,23 @@ std::vector<verify::Question> questionsOf(const codegen::Model& model) {
   return questions;
 }
 
+void compareTrace(const Replays& replays, const verify::Answer& answer, Comparison& comparison) {
+  if (!answer.trace) return;
+  ++comparison.traces;
+  const auto why = replays.whyNoRun(*answer.trace);
+  if (!why) return;
+  comparison.kind = "trace";
+  comparison.disagreement = "  the engine's trace is no run: " + *why;
+}
+
+void compareTruth(bool expected, const verify::Answer& answer, Comparison& comparison) {
+  ++comparison.questions;
+  if (answer.truth == (expected ? verify::Truth::True : verify::Truth::False)) return;
+  comparison.kind = "engine " + wordOf(answer.truth) + " " + answer.reason;
+  comparison.disagreement = fmt::format("  engine:      {} {}\n  interpreter: {}",
+                                        wordOf(answer.truth), answer.reason, expected);
+}
+
 Comparison compare(const Script& script, const codegen::Model& model, std::size_t limit,
                    const verify::Options& options) {
   Comparison comparison;
@@ -31,6 +49,7 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
   comparison.tooLarge = !runs.complete();
   if (comparison.tooLarge) return comparison;
   const Verdicts verdicts(script, runs);
+  const Replays replays(script, runs);
   const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), options);
   if (!result) {
     comparison.refusal = "the engine cannot run it: " + result.error().message;
@@ -38,15 +57,14 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
   }
   for (std::size_t i = 0; i < model.checks.size(); ++i) {
     const auto& check = model.checks[i];
-    const auto expected = verdicts.isTrue(check, model.provenance.origins[check.origin]);
-    if (!expected) continue;
-    ++comparison.questions;
     const auto& answer = result->answers[i];
-    if (answer.truth == (*expected ? verify::Truth::True : verify::Truth::False)) continue;
-    comparison.kind = check.kind + ", engine " + wordOf(answer.truth) + " " + answer.reason;
+    compareTrace(replays, answer, comparison);
+    const auto expected = verdicts.isTrue(check, model.provenance.origins[check.origin]);
+    if (expected && !comparison.disagreement) compareTruth(*expected, answer, comparison);
+    if (!comparison.disagreement) continue;
+    comparison.kind = check.kind + ", " + comparison.kind;
     comparison.disagreement =
-        fmt::format("{} ({})\n  engine:      {} {}\n  interpreter: {}", check.name, check.words,
-                    wordOf(answer.truth), answer.reason, *expected);
+        fmt::format("{} ({})\n{}", check.name, check.words, *comparison.disagreement);
     return comparison;
   }
   return comparison;

@@ -16,6 +16,7 @@ struct Tally {
   std::uint64_t programs = 0;
   std::uint64_t tooLarge = 0;
   std::uint64_t questions = 0;
+  std::uint64_t traces = 0;
   std::uint64_t situations = 0;
   std::map<std::string, std::uint64_t> disagreements; ///< by kind
 };
@@ -48,13 +49,15 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
     ++tally.programs;
     tally.tooLarge += comparison.tooLarge ? 1 : 0;
     tally.questions += comparison.questions;
+    tally.traces += comparison.traces;
     tally.situations += comparison.situations;
   }
   std::string found;
   for (const auto& [kind, times] : tally.disagreements)
     found += "\n  " + kind + ": " + std::to_string(times);
   WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
-                      << " questions, " << tally.situations << " situations" << found);
+                      << " questions, " << tally.traces << " traces, " << tally.situations
+                      << " situations" << found);
   CHECK(tally.disagreements.empty());
   return tally;
 }
@@ -65,6 +68,7 @@ TEST_CASE("the engine's verdicts are those of an interpreter of programs") {
   const auto tally = compareAll(0, 2500, {.properties = 4});
   CHECK(tally.tooLarge < tally.programs / 3);
   CHECK(tally.questions > tally.programs * 10);
+  CHECK(tally.traces > tally.programs * 5);
 }
 
 TEST_CASE("so they are with several callers, resources and an environment") {

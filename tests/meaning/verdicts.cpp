@@ -1,5 +1,7 @@
 #include "tests/meaning/verdicts.h"
 
+#include "tests/meaning/ltl.h"
+
 #include <algorithm>
 #include <functional>
 
@@ -67,8 +69,12 @@ std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
   case PropertyKind::LeadsTo: return !canMiss(property.operands[0], property.operands[1]);
   case PropertyKind::Precedes: return !canPrecede(property.operands[1], property.operands[0]);
   case PropertyKind::DeadlockFree: return !runs.canStop();
-  case PropertyKind::Missing:
-  case PropertyKind::Ltl: return std::nullopt;
+  case PropertyKind::Ltl:
+    return holdsInAllRuns(property.operands[0], runs,
+                          [this](const auto& wish, const auto& now, const auto& facts) {
+                            return isTrueAt(wish, now, facts);
+                          });
+  case PropertyKind::Missing: return std::nullopt;
   }
   return std::nullopt;
 }

@@ -1,0 +1,215 @@
+#include "tests/meaning/ltl.h"
+
+#include "graph/components.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace proskill::meaning {
+namespace {
+
+using syntax::Expr;
+using syntax::ExprKind;
+
+constexpr std::size_t kMostPlaces = 60'000;
+
+/// A formula that has to be true, or false.
+struct Wish {
+  const Expr* formula = nullptr;
+  bool value = true;
+  friend auto operator<=>(const Wish&, const Wish&) = default;
+};
+using Wishes = std::set<Wish>;
+
+/// What is left to wish for after a step, and what was put off by it.
+struct Rest {
+  Wishes next;
+  Wishes late;
+  friend auto operator<=>(const Rest&, const Rest&) = default;
+};
+
+bool isTemporal(const Expr& formula) {
+  return formula.kind == ExprKind::Globally || formula.kind == ExprKind::Finally ||
+         formula.kind == ExprKind::Until || formula.kind == ExprKind::Next ||
+         std::ranges::any_of(formula.operands, isTemporal);
+}
+
+bool hasNext(const Expr& formula) {
+  return formula.kind == ExprKind::Next || std::ranges::any_of(formula.operands, hasNext);
+}
+
+/// All ways to make some wishes true at one point.
+class Point {
+public:
+  explicit Point(std::function<bool(const Expr&)> holds) : holds(std::move(holds)) {}
+
+  std::set<Rest> ways(const Wishes& wishes) {
+    found.clear();
+    choose({wishes.begin(), wishes.end()}, {});
+    return std::move(found);
+  }
+
+private:
+  using List = std::vector<Wish>;
+
+  static List with(List list, std::initializer_list<Wish> more) {
+    list.insert(list.end(), more);
+    return list;
+  }
+
+  void choose(List todo, Rest rest) {
+    if (todo.empty()) {
+      found.insert(std::move(rest));
+      return;
+    }
+    const Wish wish = todo.back();
+    todo.pop_back();
+    if (isTemporal(*wish.formula))
+      unfold(wish, std::move(todo), std::move(rest));
+    else if (holds(*wish.formula) == wish.value)
+      choose(std::move(todo), std::move(rest));
+  }
+
+  void unfold(Wish wish, List todo, Rest rest) {
+    const auto& parts = wish.formula->operands;
+    const bool value = wish.value;
+    switch (wish.formula->kind) {
+    case ExprKind::Not: return choose(with(todo, {{&parts[0], !value}}), rest);
+    case ExprKind::And: return value ? all(parts, true, todo, rest) : any(parts, false, todo, rest);
+    case ExprKind::Or: return value ? any(parts, true, todo, rest) : all(parts, false, todo, rest);
+    case ExprKind::Implies:
+      if (!value) return choose(with(todo, {{&parts[0], true}, {&parts[1], false}}), rest);
+      choose(with(todo, {{&parts[0], false}}), rest);
+      return choose(with(todo, {{&parts[1], true}}), rest);
+    case ExprKind::Equivalent:
+      choose(with(todo, {{&parts[0], true}, {&parts[1], value}}), rest);
+      return choose(with(todo, {{&parts[0], false}, {&parts[1], !value}}), rest);
+    case ExprKind::Globally:
+    case ExprKind::Finally: return unfoldOften(wish, todo, rest);
+    case ExprKind::Until: return unfoldUntil(wish, todo, rest);
+    default: return; // no other operator is temporal
+    }
+  }
+
+  void all(const syntax::List<Expr>& parts, bool value, List todo, const Rest& rest) {
+    for (const auto& part : parts) todo.push_back({&part, value});
+    choose(std::move(todo), rest);
+  }
+  void any(const syntax::List<Expr>& parts, bool value, const List& todo, const Rest& rest) {
+    for (const auto& part : parts) choose(with(todo, {{&part, value}}), rest);
+  }
+
+  void unfoldOften(Wish wish, const List& todo, Rest rest) {
+    const Wish part{&wish.formula->operands[0], wish.value};
+    const bool always = (wish.formula->kind == ExprKind::Globally) == wish.value;
+    if (!always) choose(with(todo, {part}), rest);
+    rest.next.insert(wish);
+    if (always) return choose(with(todo, {part}), rest);
+    rest.late.insert(wish);
+    choose(todo, rest);
+  }
+
+  void unfoldUntil(Wish wish, const List& todo, Rest rest) {
+    const auto& parts = wish.formula->operands;
+    const Wish first{&parts[0], wish.value};
+    const Wish second{&parts[1], wish.value};
+    if (wish.value)
+      choose(with(todo, {second}), rest);
+    else
+      choose(with(todo, {first, second}), rest);
+    rest.next.insert(wish);
+    if (wish.value) rest.late.insert(wish);
+    choose(with(todo, {wish.value ? first : second}), rest);
+  }
+
+  std::function<bool(const Expr&)> holds;
+  std::set<Rest> found;
+};
+
+/// Looks for a run that makes the formula false: a circle in which nothing is put off for ever.
+class Search {
+public:
+  Search(const Runs& of, const Seen& in) : runs(of), seen(in) {}
+
+  /// Nothing where there are too many places.
+  std::optional<bool> findsRun(const Wish& wish) {
+    visit(0, {wish});
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places.size() > kMostPlaces) return std::nullopt;
+      expand(i);
+    }
+    return hasGoodCircle();
+  }
+
+private:
+  struct Arc {
+    std::size_t target = 0;
+    bool step = true; ///< time alone makes no circle
+    Wishes late;
+  };
+  struct Place {
+    std::size_t node = 0;
+    Wishes wishes;
+    std::vector<Arc> arcs;
+  };
+
+  std::size_t visit(std::size_t node, const Wishes& wishes) {
+    const auto [known, isNew] = numbers.try_emplace({node, wishes}, places.size());
+    if (isNew) places.push_back({node, wishes, {}});
+    return known->second;
+  }
+
+  void expand(std::size_t place) {
+    const auto& node = runs.nodes()[places[place].node];
+    for (const auto& edge : node.edges) step(place, edge.target, edge.facts);
+    const Wishes wishes = places[place].wishes;
+    if (node.later) {
+      const auto target = visit(*node.later, wishes);
+      places[place].arcs.push_back({target, false, {}});
+    }
+    if (node.edges.empty() && !node.later) step(place, places[place].node, {});
+  }
+
+  void step(std::size_t place, std::size_t next, const std::vector<Fact>& facts) {
+    const auto& now = runs.nodes()[places[place].node].situation;
+    Point point([&](const Expr& condition) { return seen(condition, now, facts); });
+    const Wishes wishes = places[place].wishes;
+    for (const auto& way : point.ways(wishes)) {
+      const auto target = visit(next, way.next);
+      places[place].arcs.push_back({target, true, way.late});
+    }
+  }
+
+  [[nodiscard]] bool hasGoodCircle() const {
+    const auto component = graph::componentsOf(places.size(), [&](std::size_t at, std::size_t i) {
+      return i < places[at].arcs.size() ? static_cast<std::uint32_t>(places[at].arcs[i].target)
+                                        : graph::kNoNode;
+    });
+    std::map<std::size_t, Wishes> late; ///< by component: what each of its steps puts off
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (const auto& arc : places[i].arcs) {
+        if (!arc.step || component[arc.target] != component[i]) continue;
+        const auto [entry, first] = late.try_emplace(component[i], arc.late);
+        if (!first)
+          std::erase_if(entry->second, [&](const Wish& wish) { return !arc.late.contains(wish); });
+      }
+    return std::ranges::any_of(late, [](const auto& entry) { return entry.second.empty(); });
+  }
+
+  const Runs& runs;
+  const Seen& seen;
+  std::vector<Place> places;
+  std::map<std::pair<std::size_t, Wishes>, std::size_t> numbers;
+};
+
+} // namespace
+
+std::optional<bool> holdsInAllRuns(const Expr& formula, const Runs& runs, const Seen& seen) {
+  if (hasNext(formula)) return std::nullopt;
+  const auto violated = Search(runs, seen).findsRun({&formula, false});
+  if (!violated) return std::nullopt;
+  return !*violated;
+}
+
+} // namespace proskill::meaning
