@@ -49,6 +49,19 @@ OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& ste
   return json;
 }
 
+} // namespace
+
+OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace) {
+  OrderedJson initial = OrderedJson::object();
+  for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
+  OrderedJson steps = OrderedJson::array();
+  for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
+  OrderedJson made{{"initial", initial}, {"steps", steps}};
+  if (trace.loop) made["loop"] = *trace.loop;
+  if (trace.end) made["end"] = secondsJson(*trace.end);
+  return made;
+}
+
 OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow& row) {
   const auto& check = *row.check;
   OrderedJson json{{"name", check.name},
@@ -62,19 +75,6 @@ OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow
   if (!row.reason.empty()) json["reason"] = row.reason;
   json["trace"] = row.trace ? traceJson(program, *row.trace) : OrderedJson();
   return json;
-}
-
-} // namespace
-
-OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace) {
-  OrderedJson initial = OrderedJson::object();
-  for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
-  OrderedJson steps = OrderedJson::array();
-  for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  OrderedJson made{{"initial", initial}, {"steps", steps}};
-  if (trace.loop) made["loop"] = *trace.loop;
-  if (trace.end) made["end"] = secondsJson(*trace.end);
-  return made;
 }
 
 OrderedJson explorationJson(const verify::Exploration& exploration) {

@@ -16,6 +16,9 @@ struct VerifyReport {
 };
 
 [[nodiscard]] OrderedJson reportJson(const VerifyReport& report);
+/// One of the report's properties.
+[[nodiscard]] OrderedJson propertyJson(const analysis::Program& program,
+                                       const ide::VerdictRow& row);
 [[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
 [[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);
 

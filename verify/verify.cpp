@@ -163,9 +163,11 @@ private:
 
   void answer(std::size_t index, Answer made) {
     isAnswered[index] = true;
-    result.answers[index] = std::move(made);
-    if (options.decided && result.answers[index].truth != Truth::Unknown)
-      options.decided(index, result.answers[index]);
+    result.answers[index] = {made.truth, std::nullopt, made.reason};
+    if (options.decided && made.truth != Truth::Unknown)
+      options.decided(index, std::move(made));
+    else
+      result.answers[index].trace = std::move(made.trace);
   }
 
   const Compiled& compiled;

@@ -100,8 +100,9 @@ struct Options {
   unsigned jobs = 1;
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(const Progress&)> progress; ///< called a few times a second
-  /// Called once with each question, by its place, as soon as it is decided.
-  std::function<void(std::size_t, const Answer&)> decided;
+  /// Gets the answer to each question, by its place, as soon as it is decided. Its trace is then
+  /// not in the result, so that there is never more than one of it.
+  std::function<void(std::size_t, Answer)> decided;
   std::function<double()> clock; ///< seconds since some moment; empty: the machine's
 };
 

@@ -43,14 +43,12 @@ public:
     while (!result) {
       if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
       if (Clock::now() > deadline)
-        return std::unexpected(
-            WorkerFailure{false, "the verification did not end in time, and was ended"});
+        return soFarOr("the verification did not end in time, and was ended");
       auto done = child.exchange(toSend, kPatience);
       toSend.remove_prefix(done.sent);
       hear(done.received);
       if (done.ended && !result)
-        return std::unexpected(
-            WorkerFailure{false, "the process that verifies gave no answer: " + child.ending()});
+        return soFarOr("the process that verifies gave no answer: " + child.ending());
     }
     return std::move(*result);
   }
@@ -70,11 +68,38 @@ private:
     if (!message.is_object()) return fail("the process that verifies said what is no JSON object");
     if (message.contains("progress")) {
       if (progress) progress(progressOf(message["progress"]));
+    } else if (message.contains("begin")) {
+      soFar = std::move(message["begin"]);
+    } else if (message.contains("decided")) {
+      const auto index = message["decided"].value("index", std::size_t{0});
+      auto& rows = soFar["properties"];
+      if (index < rows.size()) rows[index] = std::move(message["decided"]["property"]);
+      anyDecided = true;
     } else if (message.contains("report")) {
-      result = std::move(message["report"]);
+      result = completed(std::move(message["report"]));
+    } else if (message.contains("stopped")) {
+      result = soFarOr(message.value("stopped", ""));
     } else {
       fail(message.value("error", "the process that verifies gave an answer without a report"));
     }
+  }
+
+  /// With what was told before in place of null.
+  OrderedJson completed(OrderedJson report) {
+    auto& told = soFar["properties"];
+    auto& rows = report["properties"];
+    for (std::size_t i = 0; i < rows.size() && i < told.size(); ++i)
+      if (rows[i].is_null()) rows[i] = std::move(told[i]);
+    return report;
+  }
+
+  /// What is decided so far, where anything is; what is not is inconclusive, for this reason.
+  Result soFarOr(std::string reason) {
+    if (!anyDecided) return std::unexpected(WorkerFailure{false, std::move(reason)});
+    for (auto& row : soFar["properties"])
+      if (row.value("verdict", "") == "inconclusive") row["reason"] = reason;
+    soFar["exploration"]["stopped"] = reason;
+    return std::move(soFar);
   }
 
   void fail(std::string message) {
@@ -83,7 +108,9 @@ private:
 
   process::Child& child;
   const std::function<void(const WorkerProgress&)>& progress;
-  std::string line; ///< as far as it has come
+  std::string line;  ///< as far as it has come
+  OrderedJson soFar; ///< the report, as far as it is known
+  bool anyDecided = false;
   std::optional<Result> result;
 };
 

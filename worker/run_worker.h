@@ -31,7 +31,8 @@ struct WorkerFailure {
 };
 
 /// Runs a job in a process of its own and waits for its report (docs/verify.schema.json). The
-/// process has ended when this returns.
+/// process has ended when this returns. Where it ends too early, what it has decided is in the
+/// report, and the rest of it inconclusive.
 /// \param command the program that runs `runVerifyWorker`, and its arguments
 [[nodiscard]] std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,

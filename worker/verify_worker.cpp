@@ -197,15 +197,54 @@ std::expected<Verifiable, std::string> verifiableOf(const WorkerJob& job) {
   return Verifiable{std::move(program), std::move(*model)};
 }
 
+/// Hands over each verdict as soon as there is one, so that none is lost whatever ends the process.
+class Handover {
+public:
+  Handover(const Verifiable& of, const std::vector<std::string>& names)
+      : subject(of), told(ide::askedOf(of.model, names).checks.size()) {
+    const verify::Result nothing{std::vector<verify::Answer>(told.size()), {}};
+    const auto open = ide::reportOf(of.model, ide::askedOf(of.model, names), nothing);
+    say({{"begin", report::reportJson({of.program, of.model, open, of.model.mainSkill})}});
+  }
+
+  void decided(std::size_t index, const ide::VerdictRow& row) {
+    told[index] = row.reason;
+    say({{"decided",
+          {{"index", index}, {"property", report::propertyJson(subject.program, row)}}}});
+  }
+
+  /// The report; null in place of what was handed over and is still so.
+  void end(ide::VerificationReport result) {
+    for (std::size_t i = 0; i < told.size(); ++i)
+      if (stands(i, result)) result.rows[i].trace.reset();
+    auto json =
+        report::reportJson({subject.program, subject.model, result, subject.model.mainSkill});
+    for (std::size_t i = 0; i < told.size(); ++i)
+      if (stands(i, result)) json["properties"][i] = nullptr;
+    say({{"report", std::move(json)}});
+  }
+
+private:
+  [[nodiscard]] bool stands(std::size_t row, const ide::VerificationReport& result) const {
+    return told[row] && *told[row] == result.rows[row].reason;
+  }
+
+  const Verifiable& subject;
+  std::vector<std::optional<std::string>> told; ///< by row: the reason that was given with it
+};
+
 void work(const WorkerJob& job) {
   const auto subject = verifiableOf(job);
   if (!subject) return sayError(subject.error());
   const auto& model = subject->model;
   if (const auto* name = unknownName(model, job.names))
     return sayError(fmt::format("no property is called `{}`", *name));
-  const auto result = ide::verifyModel(model, job.names, engineOptions(job.budget));
+  Handover handover(*subject, job.names);
+  auto result = ide::verifyModel(
+      model, job.names, engineOptions(job.budget),
+      [&](std::size_t index, const ide::VerdictRow& row) { handover.decided(index, row); });
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
-  say({{"report", report::reportJson({subject->program, model, *result, model.mainSkill})}});
+  handover.end(std::move(*result));
 }
 
 } // namespace
@@ -219,7 +258,7 @@ int runVerifyWorker() {
   try {
     work(header->job);
   } catch (const std::bad_alloc&) {
-    sayError("there was not enough memory within the limit");
+    say({{"stopped", "there was not enough memory within the limit"}});
   }
   return kDone;
 }

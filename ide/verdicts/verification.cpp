@@ -161,10 +161,16 @@ VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
 
 std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
-            const verify::Options& options) {
+            verify::Options options, const OnRow& onRow) {
   const auto asked = askedOf(model, names);
   auto questions = asked.questions;
   if (const auto beside = progressBeside(model, asked)) questions.push_back(*beside);
+  std::vector<std::optional<VerdictRow>> rows(questions.size());
+  options.decided = [&](std::size_t i, verify::Answer answer) {
+    if (i >= asked.checks.size()) return;
+    rows[i] = row(*asked.checks[i], std::move(answer), model);
+    if (onRow) onRow(i, *rows[i]);
+  };
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
   bool timeStops = false;
@@ -173,6 +179,8 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
     timeStops = timeStops || (progress && result->answers[i].truth == verify::Truth::False);
   }
   auto report = reportOf(model, asked, std::move(*result));
+  for (std::size_t i = 0; i < asked.checks.size(); ++i)
+    if (rows[i]) report.rows[i] = std::move(*rows[i]);
   if (timeStops) sayTimePasses(model, report);
   return report;
 }

@@ -4,6 +4,7 @@
 #include "verify/verify.h"
 
 #include <expected>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,9 +88,13 @@ struct Asked {
 [[nodiscard]] VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
                                           verify::Result result);
 
+/// Gets a row of the report to come, by its place, as soon as its property is decided.
+using OnRow = std::function<void(std::size_t, const VerdictRow&)>;
+
 /// Verdicts on the selected checks of the model, in the model's order, from one exploration.
+/// \param options its `decided` is not called
 [[nodiscard]] std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
-            const verify::Options& options);
+            verify::Options options, const OnRow& onRow = {});
 
 } // namespace proskill::ide

@@ -148,12 +148,22 @@ TEST_CASE("an edit ends the verification of the older text") {
   CHECK(server.children().empty());
 }
 
-TEST_CASE("a verification that is killed is a failure, not a verdict") {
+TEST_CASE("a verification that is killed keeps its verdicts, and leaves the rest open") {
   ServerProcess server;
   kill(verifyingProcess(server), SIGKILL);
-  auto news =
-      server.notified("proskill/verdicts", [](const Json& it) { return it["state"] == "failed"; });
-  CHECK(news["message"] ==
-        "the process that verifies gave no answer: it was ended by signal 9 (Killed)");
-  CHECK(news["verdicts"].empty());
+  auto news = server.notified("proskill/verdicts", [](const Json& it) {
+    return it["state"] == "done" || it["state"] == "failed";
+  });
+  REQUIRE(news["state"] == "done");
+  std::size_t reachable = 0;
+  std::size_t open = 0;
+  for (const auto& verdict : news["verdicts"]) {
+    reachable += verdict["verdict"] == "reachable" ? 1 : 0;
+    if (verdict["verdict"] != "inconclusive") continue;
+    ++open;
+    CHECK(verdict["reason"] ==
+          "the process that verifies gave no answer: it was ended by signal 9 (Killed)");
+  }
+  CHECK(reachable > 0); // each skill can end
+  CHECK(open > 0);      // whether there is a deadlock is seen at the end
 }

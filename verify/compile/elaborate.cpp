@@ -217,6 +217,10 @@ private:
   void allocate(const Type& type, const std::string& name, Value& value) {
     std::vector<const Type*> scalars;
     std::vector<std::string> names;
+    const std::size_t count = value.parts.size();
+    scalars.reserve(count);
+    names.reserve(count);
+    if (count > system.cells.size()) system.cells.reserve(system.cells.size() + count);
     types.flatten(type, scalars);
     cellNames(types, type, name, names);
     if (value.parts.size() != scalars.size())
