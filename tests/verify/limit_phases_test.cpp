@@ -160,3 +160,18 @@ TEST_CASE("The memory of a process is that which it uses") {
   std::vector<char> more(64 << 20, 1);
   CHECK(verify::residentBytes() >= before + (60 << 20) * static_cast<std::uint64_t>(more[5]));
 }
+
+TEST_CASE("A limit of memory is not met by what was freed before") {
+  const auto before = verify::residentBytes();
+  if (before == 0) return; // the system does not say
+  std::vector<std::vector<char>> pieces;
+  for (int i = 0; i < 2000; ++i) pieces.emplace_back(50'000, 'x'); // too small to be mapped alone
+  const std::vector<char> above(50'000, 'x'); // keeps the heap from shrinking by itself
+  pieces.clear();
+  verify::Options options;
+  options.limits.bytes = before + (64 << 20);
+  const auto model = row(10);
+  const auto result = verify::verify(model.program, model.provenance, {{0}}, options);
+  REQUIRE(result.has_value());
+  CHECK(result->answers[0].truth == Truth::False);
+}

@@ -235,9 +235,9 @@ Value Expressions::literal(const Expr& expr, const Scope& scope, const Type* exp
   if (!expected) unsupported("the type of a composed value is not known");
   const Type& type = types.resolve(*expected);
   Value made{&type, {}};
+  const std::string what = "a part of `" + fiacre::printExpr(expr) + "`";
   const auto append = [&](const Expr& part, const Type& partType) {
-    const Value more = fitted(value(part, scope, &types.resolve(partType)), partType,
-                              "a part of `" + fiacre::printExpr(expr) + "`");
+    const Value more = fitted(value(part, scope, &types.resolve(partType)), partType, what);
     made.parts.insert(made.parts.end(), more.parts.begin(), more.parts.end());
   };
   if (expr.kind == ExprKind::Array) {

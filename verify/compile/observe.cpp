@@ -175,10 +175,13 @@ std::vector<EventId> Observer::tagEvents(const Observable& observable) {
   const auto whole = pathOf(program, observable);
   const bool ofModel = observable.observer.empty();
   std::vector<EventId> all;
-  for (const auto& [path, id] : model.instanceAt)
-    if (path.size() >= whole.size() && std::equal(whole.begin(), whole.end(), path.begin()) &&
-        !(ofModel && id >= model.firstObserver))
-      all.push_back(events.tag(id, observable.name));
+  const auto isWithin = [&](const ModelPath& path) { // these follow each other in the map
+    return path.size() >= whole.size() && std::equal(whole.begin(), whole.end(), path.begin());
+  };
+  for (auto at = model.instanceAt.lower_bound(whole);
+       at != model.instanceAt.end() && isWithin(at->first); ++at)
+    if (!ofModel || at->second < model.firstObserver)
+      all.push_back(events.tag(at->second, observable.name));
   return all;
 }
 
