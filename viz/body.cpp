@@ -258,7 +258,9 @@ void drawWatched(Builder& builder, const syntax::Skill& skill) {
 Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
   Builder builder(program, skill.file);
   builder.graph.title = (skill->monitor ? "monitor " : "skill ") + std::string(skill.name());
-  if (skill->monitor) builder.graph.note = "started with the program";
+  if (skill->monitor)
+    builder.graph.note =
+        skill->armed ? "starts as soon as its precondition holds" : "started with the program";
   const auto& body = *skill->body;
   const auto out =
       BodyPicture(builder, &skill.node()).drawScope(body, drawBeginning(builder, skill));

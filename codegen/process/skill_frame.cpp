@@ -44,7 +44,8 @@ void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
   const auto called = origin(skill.skill().name.range, "is called");
   addState(process, "start_", place(),
            sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
-  if (!isTrue(precondition(context, skill.skill()))) noteEndState("precondition_unsatisfied", {});
+  if (!skill.skill().armed && !isTrue(precondition(context, skill.skill())))
+    noteEndState("precondition_unsatisfied", {});
   if (skill.mayBeStopped() || skill.skill().interrupt) noteEndState("interrupted", {});
   auto begin = sequence(
       {atOnce(), entry("precondition_satisfied", "precondition_unsatisfied", "interrupted")});
@@ -81,8 +82,11 @@ Statement SkillFrame::orInterrupted(Statement entry, std::string_view stopped) {
 /// From the call to the run, or back.
 Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused,
                             std::string_view stopped) {
-  auto begin = sequence({on(isReady()), ifThenElse(precondition(context, skill.skill()),
-                                                   start(satisfied), refuse(refused))});
+  auto holds = precondition(context, skill.skill());
+  auto begin = skill.skill().armed
+                   ? sequence({on(conjunction({isReady(), std::move(holds)})), start(satisfied)})
+                   : sequence({on(isReady()),
+                               ifThenElse(std::move(holds), start(satisfied), refuse(refused))});
   if (!skill.mayBeStopped()) return begin;
   return ifThenElse(stop(), stopEarly(stopped), std::move(begin));
 }

@@ -75,7 +75,7 @@ void Completer::fill() {
   case Slot::InvariantClause: return skeleton("(:guard …)", "(:guard ())", "(:guard ($0))");
   case Slot::Interval: return skeleton("[least,most]", "[1,3]", "[${1:1},${2:3}]");
   case Slot::Transitions: return skeleton(":all", ":all", "");
-  case Slot::Monitor: return skeleton("t", "t", "");
+  case Slot::Monitor: skeleton("t", "t", ""); return skeleton("always", "always", "");
   case Slot::Condition:
   case Slot::WaitCondition:
   case Slot::Proposition:

@@ -239,6 +239,7 @@ struct Skill {
   List<Outcome> failures;
   List<Name> resources;
   bool monitor = false;
+  bool armed = false; ///< `:monitor always`: it waits for its preconditions, and is never refused
   std::optional<Block> body;
 
   [[nodiscard]] bool isComposite() const { return body.has_value(); }

@@ -266,9 +266,13 @@ void readTimeInterval(Builder& builder, Field& field, Skill& skill) {
 }
 
 void readMonitor(Builder& builder, Field& field, Skill& skill) {
-  const Node* value = valueOfKind(builder, field, NodeKind::Symbol, "`t`");
+  constexpr auto kNeeds = "`t` or `always`";
+  const Node* value = valueOfKind(builder, field, NodeKind::Symbol, kNeeds);
   skill.monitor = true;
-  if (value && builder.textOf(*value) != "t") reportMalformed(builder, field, *value, "`t`");
+  if (!value) return;
+  skill.armed = builder.textOf(*value) == "always";
+  if (!skill.armed && builder.textOf(*value) != "t")
+    reportMalformed(builder, field, *value, kNeeds);
 }
 
 void readField(Builder& builder, Field& field, Skill& skill) {

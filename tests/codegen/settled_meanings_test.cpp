@@ -123,6 +123,21 @@ TEST_CASE("a mission or monitor that is refused when the program starts is told 
   CHECK(found.count("mission.never_refused") == 0);
 }
 
+TEST_CASE("a monitor that is always armed starts as soon as its precondition holds") {
+  const std::string program = R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill mission :body ((^ 1) (set (door Open)) (^ 1)))
+    (defskill watch :precondition (open (door Open)) :body ((^ 5)) :monitor )";
+  const auto refused = verdicts(program + "t)");
+  CHECK(refused.at("watch.can_run") == "unreachable");
+  const auto armed = verdicts(program + "always)");
+  CHECK(armed.at("watch.can_run") == "reachable");
+  CHECK(armed.count("watch.never_refused") == 0);
+  CHECK(verdicts(program + "always) (defproperty at_once (leadsto (door Open) (running watch) "
+                           ":within [0,0]))")
+            .at("at_once") == "holds");
+}
+
 TEST_CASE("a body whose last test ends it either way has no end that could not be reached") {
   const auto found = verdicts(R"(
     (defsv door :states (Closed Open) :init Closed)

@@ -170,7 +170,7 @@ TEST_CASE("names of the right kind") {
   CHECK(labelsIn("(defskill f :input ($x int $y int) :action (go ^)") == Labels{"$x", "$y"});
   CHECK(labelsIn("(defskill f :input ($x int) :action (go $^)") == Labels{"$x"});
   CHECK(labelsIn("(defsv lamp :states (A) :init A :transitions ^") == Labels{":all"});
-  CHECK(labelsIn("(defskill f :monitor ^") == Labels{"t"});
+  CHECK(labelsIn("(defskill f :monitor ^") == Labels{"t", "always"});
 }
 
 TEST_CASE("a call brings its named arguments") {

@@ -47,7 +47,9 @@ void Steps::ofCalled(int skill) {
   }
   if (look.someGuardFails() || !resourcesAreFree(skill)) return;
   auto begun = change();
-  if (look.preconditionHolds(skill))
+  const bool holds = look.preconditionHolds(skill);
+  if (!holds && script.skills[skill].node->armed) return;
+  if (holds)
     begun.startSkill(skill);
   else
     begun.refuse(skill);

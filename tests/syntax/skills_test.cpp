@@ -39,6 +39,7 @@ TEST_CASE("resources, monitors, actions with arguments") {
   CHECK(test::codesOf(skill.document) == "");
   CHECK(skill->resources.at(1).text == "gripper");
   CHECK(skill->monitor);
+  CHECK_FALSE(skill->armed);
   REQUIRE(skill->action->arguments.size() == 4);
   CHECK(skill->action->arguments[0].kind == syntax::ExprKind::Parameter);
   CHECK(skill->action->arguments[0].name.text == "$h");
@@ -97,6 +98,7 @@ TEST_CASE("malformed fields of skills are one diagnostic each") {
   CHECK(codes(":action go") == "PS0115");
   CHECK(codes(":action ()") == "PS0111");
   CHECK(codes(":monitor yes") == "PS0115");
+  CHECK(codes(":monitor always") == "");
   CHECK(codes(":interrupt (a B)") == "PS0115");
   CHECK(codes(":resources arm") == "PS0115");
   CHECK(codes(":body (go)") == "PS0121");

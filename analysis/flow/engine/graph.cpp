@@ -291,7 +291,7 @@ void Builder::skillThread() {
   for (const Precondition& each : skill->preconditions) start.conditions.push_back(&each.condition);
   NodeId first = add(std::move(start));
   graph().end = add({.kind = NodeKind::End, .range = skill->name.range});
-  if (!skill->preconditions.empty()) {
+  if (!skill->preconditions.empty() && !skill->armed) {
     NodeId refused = add({.kind = NodeKind::Refused, .range = skill->name.range, .atomic = true});
     connect({edge(first, Guard::Fails)}, refused);
     edge(refused, Guard::None, true);

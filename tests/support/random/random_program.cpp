@@ -76,7 +76,7 @@ private:
   Form skill(std::size_t index) {
     const SkillWords skill = words.skills[index];
     Form form{"defskill", skill.name};
-    if (skill.monitor) form.addAll({":monitor", "t"});
+    if (skill.monitor) form.addAll({":monitor", index % 2 == 0 ? "always" : "t"});
     if (!skill.inputs.empty()) form.addAll({":input", inputs(skill)});
     if (random.chance(30)) form.addAll({":precondition", preconditions()});
     if (random.chance(30)) form.addAll({":start", phrase.effects()});
