@@ -186,9 +186,9 @@ void Adapter::stopped(Stop why, std::string_view plain) {
     body["description"] = "Nothing more can happen";
   else if (atEnd)
     body["description"] =
-        trace.words.empty()
+        trace.description.empty()
             ? "The end of the trace"
-            : fmt::format("{}: {}", ide::withoutBackticks(trace.words), trace.verdict);
+            : fmt::format("{}: {}", ide::withoutBackticks(trace.description), trace.verdict);
   if (body.contains("description")) body["text"] = body["description"];
   event("stopped", std::move(body));
 }

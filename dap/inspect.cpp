@@ -49,7 +49,7 @@ bool isStatus(std::string_view name) { return name.ends_with(".status"); }
 /// A step as a line of the call stack.
 std::string lineOf(const Step& step, std::string_view tense) {
   return fmt::format("{} s: {}{}", step.date, tense,
-                     step.words.empty() ? "a step" : ide::withoutBackticks(step.words));
+                     step.description.empty() ? "a step" : ide::withoutBackticks(step.description));
 }
 
 } // namespace

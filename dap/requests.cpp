@@ -58,8 +58,8 @@ Adapter::Answer Adapter::launch(const Json& arguments) {
   if (!source) return std::unexpected(source.error());
   player = std::make_unique<Player>(std::move(*source));
   const auto& trace = player->trace();
-  if (!trace.words.empty())
-    console(fmt::format("{}: {}", ide::withoutBackticks(trace.words), trace.verdict));
+  if (!trace.description.empty())
+    console(fmt::format("{}: {}", ide::withoutBackticks(trace.description), trace.verdict));
   return Json();
 }
 
@@ -165,10 +165,10 @@ Adapter::Answer Adapter::restart(const Json&) {
 Json Adapter::choiceJson(std::size_t i) const {
   const auto& step = player->choices()[i];
   Json json{{"id", i + 1},
-            {"label", fmt::format("{} {} {}", step.actor, ide::withoutBackticks(step.words),
+            {"label", fmt::format("{} {} {}", step.actor, ide::withoutBackticks(step.description),
                                   windowOf(step))},
             {"actor", step.actor},
-            {"words", step.words},
+            {"description", step.description},
             {"date", step.date},
             {"earliest", step.earliest},
             {"latest", step.latest ? Json(*step.latest) : Json()},
@@ -206,7 +206,7 @@ Adapter::Answer Adapter::position(const Json&) {
               {"total", player->isSimulation() ? Json() : Json(trace.steps.size())},
               {"simulation", player->isSimulation()},
               {"name", trace.name},
-              {"words", trace.words},
+              {"description", trace.description},
               {"verdict", trace.verdict}};
 }
 

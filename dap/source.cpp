@@ -60,7 +60,7 @@ public:
 
   [[nodiscard]] bool hasLine(const std::filesystem::path& path, unsigned line) const override {
     return std::ranges::any_of(model->provenance.origins, [&](const fiacre::Origin& origin) {
-      if (origin.begin == origin.end || origin.words.empty() || paths[origin.file] != path)
+      if (origin.begin == origin.end || origin.description.empty() || paths[origin.file] != path)
         return false;
       return program->files[origin.file].document.lines().position(origin.begin).line + 1 == line;
     });

@@ -37,7 +37,7 @@ std::optional<Place> placeOf(const OrderedJson& json, const std::filesystem::pat
 Step stepOf(const OrderedJson& json, const std::filesystem::path& base) {
   Step step;
   step.actor = json.at("actor").get<std::string>();
-  step.words = json.at("words").get<std::string>();
+  step.description = json.at("description").get<std::string>();
   step.place = placeOf(json.at("location"), base);
   step.date = json.at("date").at("exact").get<std::string>();
   step.delay = json.at("delay").at("exact").get<std::string>();
@@ -78,7 +78,7 @@ std::expected<Trace, std::string> readTrace(const OrderedJson& json,
   try {
     Trace trace;
     trace.name = json.value("name", "");
-    trace.words = json.value("words", "");
+    trace.description = json.value("description", "");
     trace.verdict = json.value("verdict", "");
     const auto inner = json.find("trace");
     const OrderedJson& whole = inner != json.end() ? *inner : json;

@@ -22,8 +22,8 @@ struct Place {
 };
 
 struct Step {
-  std::string actor; ///< a skill, a branch, an event, the environment
-  std::string words; ///< "succeeds with `at_altitude`"
+  std::string actor;       ///< a skill, a branch, an event, the environment
+  std::string description; ///< "succeeds with `at_altitude`"
   std::optional<Place> place;
   std::string date;                  ///< in the run, seconds since the start, exact: "2.5", "1/3"
   std::string delay;                 ///< since the step before
@@ -36,9 +36,9 @@ struct Step {
 };
 
 struct Trace {
-  std::string name;    ///< the property's; empty: a simulation
-  std::string words;   ///< what the property says; may be empty
-  std::string verdict; ///< `violated`; may be empty
+  std::string name;        ///< the property's; empty: a simulation
+  std::string description; ///< what the property says; may be empty
+  std::string verdict;     ///< `violated`; may be empty
   std::vector<verify::Change> initial;
   std::vector<Step> steps;
 };

@@ -16,9 +16,9 @@ struct Origin {
   std::uint32_t file = 0;
   std::uint32_t begin = 0; ///< bytes
   std::uint32_t end = 0;
-  std::string actor; ///< who: a skill, a branch, an event, the environment
-  std::string
-      words; ///< what it does: "starts", "succeeds with `at_altitude`"; empty for a bare place
+  std::string actor;       ///< who: a skill, a branch, an event, the environment
+  std::string description; ///< what it does: "starts", "succeeds with `at_altitude`"; empty for a
+                           ///< bare place
 };
 
 /// A variable of the model that a user knows, and how to show it.

@@ -1,12 +1,13 @@
 #include "process/supervisor.h"
 
+#include "process/resource_limit.h"
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,18 +27,13 @@ void forgetSignals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void limit(__rlimit_resource resource, rlim_t most) {
-  const rlimit both{most, most};
-  setrlimit(resource, &both);
-}
-
 [[noreturn]] void become(const Supervised& program, pid_t supervisor) {
   setpgid(0, 0);
   forgetSignals();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != supervisor) _exit(1);
-  limit(RLIMIT_CORE, 0);
-  if (program.memory) limit(RLIMIT_AS, *program.memory);
+  limitResource(RLIMIT_CORE, 0);
+  if (program.memory) limitResource(RLIMIT_AS, *program.memory);
   const int nothing = open("/dev/null", O_RDONLY);
   const bool ready = nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
                      dup2(program.out, STDOUT_FILENO) >= 0 &&

@@ -34,7 +34,7 @@ OrderedJson momentJson(const ide::Moment& moment) {
 }
 
 OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step) {
-  OrderedJson json{{"actor", step.actor}, {"words", step.words}};
+  OrderedJson json{{"actor", step.actor}, {"description", step.description}};
   json["location"] = step.location ? rangeJson(program, *step.location) : OrderedJson();
   json["date"] = secondsJson(step.date);
   json["delay"] = secondsJson(step.delay);
@@ -67,7 +67,7 @@ OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow
   OrderedJson json{{"name", check.name},
                    {"kind", check.kind},
                    {"subject", check.subject},
-                   {"words", check.words},
+                   {"description", check.description},
                    {"verdict", ide::toString(row.verdict)},
                    {"good", row.good()},
                    {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};

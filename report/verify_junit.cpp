@@ -72,13 +72,13 @@ void writeCase(std::ostream& out, const VerifyReport& report, const ide::Verdict
   out << ">\n";
   if (fails(row))
     out << fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n",
-                       ide::toString(row.verdict), escape(row.check->words),
+                       ide::toString(row.verdict), escape(row.check->description),
                        escape(traceText(report, row)));
   else if (row.verdict == ide::Verdict::Inconclusive)
     out << fmt::format("      <skipped message=\"inconclusive: {}\"/>\n", escape(row.reason));
   else if (row.bad())
     out << fmt::format("      <system-out>warning: {} ({})\n{}</system-out>\n",
-                       escape(row.check->words), ide::toString(row.verdict),
+                       escape(row.check->description), ide::toString(row.verdict),
                        escape(traceText(report, row)));
   out << "    </testcase>\n";
 }

@@ -15,7 +15,7 @@ OrderedJson physical(const analysis::Program& program, analysis::Location locati
 }
 
 OrderedJson flowStep(const VerifyReport& report, const ide::TraceStep& step) {
-  auto text = step.actor + " " + step.words + " at " + syntax::toString(step.date) + " s";
+  auto text = step.actor + " " + step.description + " at " + syntax::toString(step.date) + " s";
   OrderedJson location{{"message", {{"text", text}}}};
   if (step.location) location.update(physical(report.program, *step.location));
   return {{"location", location}};
@@ -27,7 +27,7 @@ std::string_view level(const ide::VerdictRow& row) {
 }
 
 OrderedJson resultJson(const VerifyReport& report, const ide::VerdictRow& row) {
-  std::string text = row.check->words + ": " + std::string(ide::toString(row.verdict));
+  std::string text = row.check->description + ": " + std::string(ide::toString(row.verdict));
   if (!row.reason.empty()) text += " (" + row.reason + ")";
   OrderedJson json{{"ruleId", row.check->kind},
                    {"level", level(row)},

@@ -45,6 +45,11 @@ public:
       separate();
     return digits(static_cast<std::int64_t>(number));
   }
+  /// An enumeration whose numbers a protocol gives.
+  template <class Number>
+  requires std::is_enum_v<Number> JsonWriter& value(Number number) {
+    return value(std::to_underlying(number));
+  }
   /// What is JSON already.
   JsonWriter& written(std::string_view json) {
     separate();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rpc/error_codes.h"
+
 #include <nlohmann/json.hpp>
 
 #include <expected>
@@ -15,19 +17,6 @@ using Json = nlohmann::json;
 
 /// JSON-RPC 2.0 as LSP uses it: no batches, identifiers are numbers or strings.
 namespace proskill::rpc {
-
-enum class ErrorCode : int {
-  ParseError = -32700,
-  InvalidRequest = -32600,
-  MethodNotFound = -32601,
-  InvalidParams = -32602,
-  InternalError = -32603,
-  ServerNotInitialized = -32002,
-  RequestFailed = -32803,
-  ServerCancelled = -32802,
-  ContentModified = -32801,
-  RequestCancelled = -32800,
-};
 
 struct RpcError {
   ErrorCode code = ErrorCode::InternalError;

@@ -14,15 +14,15 @@
 namespace proskill::syntax {
 namespace {
 
-/// A region's place in a document.
-struct Piece {
+/// A region at its place in a document.
+struct PlacedRegion {
   Range range;
-  std::shared_ptr<const Region> region;
+  std::shared_ptr<const ParsedRegion> content;
 };
 
-std::size_t countOfForms(std::span<const Piece> pieces) {
+std::size_t countOfForms(std::span<const PlacedRegion> regions) {
   std::size_t count = 0;
-  for (const Piece& piece : pieces) count += piece.region->forms.size();
+  for (const PlacedRegion& region : regions) count += region.content->forms.size();
   return count;
 }
 
@@ -31,7 +31,7 @@ std::size_t countOfForms(std::span<const Piece> pieces) {
 struct Document::State {
   std::string text;
   LineIndex lines;
-  std::vector<Piece> pieces;
+  std::vector<PlacedRegion> regions;
   std::vector<Form> forms;
   std::vector<Range> comments;
   std::vector<Diagnostic> diagnostics;
@@ -43,36 +43,36 @@ struct Document::State {
     return std::string_view(text).substr(range.begin, range.length());
   }
 
-  /// Where a piece begins; the end of the text for what is behind the last one.
-  [[nodiscard]] Offset beginOf(std::size_t piece) const {
-    return piece < pieces.size() ? pieces[piece].range.begin : static_cast<Offset>(text.size());
+  /// Where a region begins; the end of the text for what is behind the last one.
+  [[nodiscard]] Offset beginOf(std::size_t region) const {
+    return region < regions.size() ? regions[region].range.begin : static_cast<Offset>(text.size());
   }
 
-  /// How many pieces an edit leaves as they are, as far as its lines tell: a piece begins with a
+  /// How many regions an edit leaves as they are, as far as its lines tell: a region begins with a
   /// line, by the first word of that.
   [[nodiscard]] CommonEnds around(Range edit) const {
     const Offset line = edit.begin - lines.position(edit.begin).column;
-    const auto end = [](const Piece& piece) { return piece.range.end; };
-    const auto begin = [](const Piece& piece) { return piece.range.begin; };
-    const auto front = std::ranges::lower_bound(pieces, line, {}, end);
-    const auto back = std::ranges::upper_bound(pieces, edit.end, {}, begin);
-    return {static_cast<std::size_t>(front - pieces.begin()),
-            static_cast<std::size_t>(pieces.end() - back)};
+    const auto end = [](const PlacedRegion& region) { return region.range.end; };
+    const auto begin = [](const PlacedRegion& region) { return region.range.begin; };
+    const auto front = std::ranges::lower_bound(regions, line, {}, end);
+    const auto back = std::ranges::upper_bound(regions, edit.end, {}, begin);
+    return {static_cast<std::size_t>(front - regions.begin()),
+            static_cast<std::size_t>(regions.end() - back)};
   }
 
   /// Whether what stands there is what was read: nothing was put in or left out.
-  [[nodiscard]] bool isReadAsIs(const Piece& piece) const {
-    const auto& parsed = *piece.region->parsed;
-    return !parsed.recovered && parsed.text == textOf(piece.range);
+  [[nodiscard]] bool isReadAsIs(const PlacedRegion& region) const {
+    const auto& parsed = *region.content->parsed;
+    return !parsed.recovered && parsed.text == textOf(region.range);
   }
-  [[nodiscard]] bool isWithoutMistake(const Piece& piece) const {
-    return piece.region->diagnostics.empty() && isReadAsIs(piece);
+  [[nodiscard]] bool isWithoutMistake(const PlacedRegion& region) const {
+    return region.content->diagnostics.empty() && isReadAsIs(region);
   }
 
   /// Makes room for what an edit of the other document leaves of it, and a bit.
   void reserveAs(const State& other) {
     constexpr std::size_t kMore = 16;
-    pieces.reserve(other.pieces.size() + kMore);
+    regions.reserve(other.regions.size() + kMore);
     forms.reserve(other.forms.size() + kMore);
     comments.reserve(other.comments.size() + kMore);
     diagnostics.reserve(other.diagnostics.size() + kMore);
@@ -82,31 +82,31 @@ struct Document::State {
   void read(std::span<const Range> ranges) {
     std::vector<std::string_view> texts;
     for (Range range : ranges) texts.push_back(textOf(range));
-    auto regions = readRegions(texts);
-    for (std::size_t i = 0; i < ranges.size(); ++i) read(ranges[i], std::move(regions[i]));
+    auto fresh = readRegions(texts);
+    for (std::size_t i = 0; i < ranges.size(); ++i) read(ranges[i], std::move(fresh[i]));
   }
-  void read(Range range, Region fresh) {
+  void read(Range range, ParsedRegion fresh) {
     for (ReadForm& form : fresh.forms) shift(form, range.begin);
-    const auto region = std::make_shared<const Region>(std::move(fresh));
-    for (const ReadForm& form : region->forms)
-      forms.emplace_back(std::shared_ptr<const ReadForm>(region, &form));
-    add(range, region);
+    const auto content = std::make_shared<const ParsedRegion>(std::move(fresh));
+    for (const ReadForm& form : content->forms)
+      forms.emplace_back(std::shared_ptr<const ReadForm>(content, &form));
+    add(range, content);
   }
 
-  /// Takes pieces over from another document, in which their forms begin at `form`.
-  void reuse(const State& other, std::span<const Piece> those, std::size_t form, Offset by) {
-    for (const auto& [range, region] : those) {
-      for (const auto end = form + region->forms.size(); form != end; ++form)
+  /// Takes regions over from another document, in which their forms begin at `form`.
+  void reuse(const State& other, std::span<const PlacedRegion> those, std::size_t form, Offset by) {
+    for (const auto& [range, content] : those) {
+      for (const auto end = form + content->forms.size(); form != end; ++form)
         forms.push_back(other.forms[form].moved(by));
-      add(range.moved(by), region);
+      add(range.moved(by), content);
     }
   }
 
-  /// All of a piece but its forms.
-  void add(Range range, const std::shared_ptr<const Region>& region) {
-    pieces.push_back({range, region});
-    append(region->comments, range.begin, comments);
-    append(region->diagnostics, range.begin, diagnostics);
+  /// All of a region but its forms.
+  void add(Range range, const std::shared_ptr<const ParsedRegion>& content) {
+    regions.push_back({range, content});
+    append(content->comments, range.begin, comments);
+    append(content->diagnostics, range.begin, diagnostics);
   }
   template <class Item>
   static void append(const std::vector<Item>& from, Offset by, std::vector<Item>& to) {
@@ -166,25 +166,26 @@ Document Document::edit(Range range, std::string_view text) const {
   const auto by = static_cast<Offset>(text.size()) - range.length(); // may wrap around
   next->reserveAs(*state);
 
-  const std::span<const Piece> pieces = state->pieces;
+  const std::span<const PlacedRegion> regions = state->regions;
   auto [front, back] = next->text.size() > kLongestRead ? CommonEnds() : state->around(range);
-  const Range middle{state->beginOf(front), state->beginOf(pieces.size() - back) + by};
+  const Range middle{state->beginOf(front), state->beginOf(regions.size() - back) + by};
   const auto cuts = cut(next->textOf(middle));
-  const auto same = [&](const Piece& piece, Range now) {
-    return state->textOf(piece.range) == next->textOf(now.moved(middle.begin));
+  const auto same = [&](const PlacedRegion& region, Range now) {
+    return state->textOf(region.range) == next->textOf(now.moved(middle.begin));
   };
-  const auto ends = commonEnds(pieces.first(pieces.size() - back).subspan(front), cuts, same);
+  const auto ends = commonEnds(regions.first(regions.size() - back).subspan(front), cuts, same);
   front += ends.front;
   back += ends.back;
 
-  next->reuse(*state, pieces.first(front), 0, 0);
+  next->reuse(*state, regions.first(front), 0, 0);
   const auto firstRead = next->forms.size();
   std::vector<Range> ranges;
   for (Range each : std::span(cuts).first(cuts.size() - ends.back).subspan(ends.front))
     ranges.push_back(each.moved(middle.begin));
   next->read(ranges);
   const auto firstMoved = next->forms.size();
-  next->reuse(*state, pieces.last(back), state->forms.size() - countOfForms(pieces.last(back)), by);
+  next->reuse(*state, regions.last(back), state->forms.size() - countOfForms(regions.last(back)),
+              by);
   // The comment above a form begins behind the form before it: of those that were taken over only
   // the first one behind the edit may have another.
   next->attachComments(firstRead, std::min(firstMoved + 1, next->forms.size()));
@@ -207,42 +208,44 @@ std::span<const Form> Document::formsIn(Range range) const {
 const std::vector<Range>& Document::comments() const { return state->comments; }
 const std::vector<Diagnostic>& Document::diagnostics() const { return state->diagnostics; }
 
-std::vector<Stretch> Document::stretches() const {
-  std::vector<Stretch> result;
-  result.reserve(state->pieces.size());
-  for (const Piece& piece : state->pieces)
+std::vector<Region> Document::regions() const {
+  std::vector<Region> result;
+  result.reserve(state->regions.size());
+  for (const PlacedRegion& region : state->regions)
     result.push_back(
-        {piece.range, {piece.region, &piece.region->parsed->tree}, state->isReadAsIs(piece)});
+        {region.range, {region.content, &region.content->parsed->tree}, state->isReadAsIs(region)});
   return result;
 }
 
 Change Document::changeFrom(const Document& before) const {
-  const auto& old = before.state->pieces;
-  const auto& now = state->pieces;
-  auto [front, back] =
-      commonEnds(old, now, [](const Piece& a, const Piece& b) { return a.region == b.region; });
+  const auto& old = before.state->regions;
+  const auto& now = state->regions;
+  auto [front, back] = commonEnds(old, now, [](const PlacedRegion& a, const PlacedRegion& b) {
+    return a.content == b.content;
+  });
   Change change;
-  auto& stretches = change.stretches;
-  stretches = {state->beginOf(front), before.state->beginOf(old.size() - back),
-               state->beginOf(now.size() - back)};
+  auto& regions = change.regions;
+  regions = {state->beginOf(front), before.state->beginOf(old.size() - back),
+             state->beginOf(now.size() - back)};
   auto isRight = [front, back](const State& state) {
-    const auto middle = std::span(state.pieces).first(state.pieces.size() - back).subspan(front);
-    return std::ranges::all_of(middle, [&](const Piece& it) { return state.isWithoutMistake(it); });
+    const auto middle = std::span(state.regions).first(state.regions.size() - back).subspan(front);
+    return std::ranges::all_of(middle,
+                               [&](const PlacedRegion& it) { return state.isWithoutMistake(it); });
   };
   if (!isRight(*before.state) || !isRight(*state)) return change;
-  const auto oldText = before.state->textOf(stretches.before());
-  const auto newText = state->textOf(stretches.after());
+  const auto oldText = before.state->textOf(regions.before());
+  const auto newText = state->textOf(regions.after());
   auto edit = replacementOf(oldText, newText);
   if (!isLayout(oldText, newText, edit)) return change;
-  for (Offset* at : {&edit.begin, &edit.oldEnd, &edit.newEnd}) *at += stretches.begin;
+  for (Offset* at : {&edit.begin, &edit.oldEnd, &edit.newEnd}) *at += regions.begin;
   change.layout = edit;
   return change;
 }
 
 std::string Document::dump() const {
   std::string out;
-  for (const Piece& piece : state->pieces) {
-    out += toString(piece.region->parsed->tree, piece.range.begin);
+  for (const PlacedRegion& region : state->regions) {
+    out += toString(region.content->parsed->tree, region.range.begin);
     out += '\n';
   }
   return out;

@@ -19,9 +19,9 @@ namespace proskill::syntax {
 inline constexpr std::uint64_t kLongestText = 0xffff'ffff;
 
 /// A part of a text that was read on its own: at most one definition, where each starts a line.
-struct Stretch {
+struct Region {
   Range range;
-  /// Its ranges count from the stretch's begin. A stretch that edits did not touch has one and the
+  /// Its ranges count from the region's begin. A region that edits did not touch has one and the
   /// same tree in all documents that came of them, wherever it stands, and no other has it.
   std::shared_ptr<const Tree> tree;
   bool readAsIs = false; ///< nothing had to be put in or left out before it could be read
@@ -48,7 +48,7 @@ public:
   /// What is wrong with the form of the text; `Location::file` is 0.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
   /// They cover the text, in its order.
-  [[nodiscard]] std::vector<Stretch> stretches() const;
+  [[nodiscard]] std::vector<Region> regions() const;
   /// Whether this is a copy of the other, or it of this. Two parses of one text are not the same.
   [[nodiscard]] bool isSameAs(const Document& other) const { return state == other.state; }
   /// How this came from another document: cheap where it was edited, whatever the number of edits.

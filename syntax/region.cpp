@@ -93,8 +93,8 @@ std::vector<ReadForm> compactForms(Builder& builder, ParsedText& parsed) {
 
 } // namespace
 
-Region readRegion(Parser& parser, std::string_view text) {
-  Region region;
+ParsedRegion readRegion(Parser& parser, std::string_view text) {
+  ParsedRegion region;
   auto owned = std::make_unique<ParsedText>();
   auto* const parsed = owned.get();
   region.parsed = std::move(owned);
@@ -137,11 +137,11 @@ Region readRegion(Parser& parser, std::string_view text) {
   return region;
 }
 
-std::vector<Region> readRegions(const std::vector<std::string_view>& texts) {
+std::vector<ParsedRegion> readRegions(const std::vector<std::string_view>& texts) {
   constexpr std::size_t kWorthAThread = 1 << 16; // bytes: some milliseconds of work
   std::size_t bytes = 0;
   for (auto text : texts) bytes += text.size();
-  std::vector<Region> regions(texts.size());
+  std::vector<ParsedRegion> regions(texts.size());
   std::atomic<std::size_t> next = 0;
   auto work = [&] {
     Parser parser;

@@ -21,17 +21,17 @@ struct ParsedText {
       false; ///< something is missing or too much, also where `text` had no room for it
 };
 
-/// A stretch of a text that was parsed on its own: everything in it depends on its text alone.
+/// A region of a text that was parsed on its own: everything in it depends on its text alone.
 /// Ranges count from its begin, but those of the forms once they were shifted.
-struct Region {
+struct ParsedRegion {
   std::unique_ptr<const ParsedText> parsed; ///< the forms look into it
   std::vector<ReadForm> forms;
   std::vector<Range> comments;
   std::vector<Diagnostic> diagnostics;
 };
 
-[[nodiscard]] Region readRegion(Parser& parser, std::string_view text);
+[[nodiscard]] ParsedRegion readRegion(Parser& parser, std::string_view text);
 /// The regions of many texts, in their order; large ones are shared out to the processor's cores.
-[[nodiscard]] std::vector<Region> readRegions(const std::vector<std::string_view>& texts);
+[[nodiscard]] std::vector<ParsedRegion> readRegions(const std::vector<std::string_view>& texts);
 
 } // namespace proskill::syntax

@@ -227,7 +227,7 @@ private:
       if (trace.is_null()) continue;
       property["steps"] = trace["steps"].size();
       OrderedJson about{{"name", property["name"]},
-                        {"words", property["words"]},
+                        {"description", property["description"]},
                         {"verdict", property["verdict"]}};
       about.update(trace);
       apart[property["name"].get<std::string>()] = std::move(about);

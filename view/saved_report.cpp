@@ -20,7 +20,7 @@ OrderedJson asReport(const std::string& file, OrderedJson trace) {
   OrderedJson property{{"name", name},
                        {"kind", "trace"},
                        {"subject", ""},
-                       {"words", text("words", name)},
+                       {"description", text("description", name)},
                        {"verdict", verdict},
                        {"good", verdict == "reachable" || verdict == "holds"},
                        {"severity", "error"},
@@ -88,8 +88,9 @@ private:
           files.insert(path->get<std::string>());
     }
     const auto name = property.value("name", "");
-    OrderedJson about{
-        {"name", name}, {"words", property.value("words", name)}, {"verdict", property["verdict"]}};
+    OrderedJson about{{"name", name},
+                      {"description", property.value("description", name)},
+                      {"verdict", property["verdict"]}};
     about.update(trace);
     traces[name] = std::move(about);
   }

@@ -3,6 +3,7 @@
 #include "codegen/model.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "process/child.h"
+#include "process/resource_limit.h"
 #include "report/report_json.h"
 #include "worker/worker_job.h"
 
@@ -112,18 +113,14 @@ void endWithInput() {
   }).detach();
 }
 
-void limit(__rlimit_resource resource, rlim_t most) {
-  const rlimit both{most, most};
-  setrlimit(resource, &both);
-}
-
 /// What the engine does not see, it cannot keep: these limits hold for all of the process. They are
 /// wider than the budget, within which the engine gives its answer.
 void confine(const Budget& budget) {
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(budget.seconds, 0.0, 1e8))) + 5);
+  process::limitResource(RLIMIT_CORE, 0);
+  process::limitResource(RLIMIT_CPU,
+                         static_cast<rlim_t>(std::ceil(std::clamp(budget.seconds, 0.0, 1e8))) + 5);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which map terabytes
-  limit(RLIMIT_AS, (budget.megabytes + budget.megabytes / 2 + 512) * kMegabyte);
+  process::limitResource(RLIMIT_AS, (budget.megabytes + budget.megabytes / 2 + 512) * kMegabyte);
 #endif
   constexpr int kBehindTheEditor = 5;
   setpriority(PRIO_PROCESS, 0, kBehindTheEditor);

@@ -65,7 +65,7 @@ private:
     std::unreachable();
   }
 
-  bool refuse(Code code, const syntax::Name& word) {
+  bool refuse(syntax::CodeFor<1> code, const syntax::Name& word) {
     context.findings.report(code, {body.file, word.range}, word.text);
     return false;
   }

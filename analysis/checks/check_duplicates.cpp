@@ -13,9 +13,9 @@ void checkNames(Context& context) {
     const Symbol& second = context.symbols[duplicate.second];
     if (second.kind == SymbolKind::Environment) continue;
     const bool inside = second.owner != kNoSymbol;
-    context.findings
-        .report(inside ? Code::DuplicateName : Code::DuplicateDefinition, second.at,
-                words(second.kind), second.name)
+    const syntax::CodeFor<2> code = inside ? syntax::CodeFor<2>(Code::DuplicateName)
+                                           : syntax::CodeFor<2>(Code::DuplicateDefinition);
+    context.findings.report(code, second.at, words(second.kind), second.name)
         .related(first.at, "first defined here");
   }
 }

@@ -53,7 +53,7 @@ public:
 
   /// One mistake is told once: nothing is missing where a keyword was misspelt or a parenthesis
   /// cut the definition short.
-  void report(Code code, std::string_view detail = {}) {
+  void report(syntax::CodeFor<2> code, std::string_view detail = {}) {
     if (complete) context.findings.report(code, name, what, detail);
   }
 

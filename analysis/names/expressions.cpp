@@ -230,7 +230,7 @@ void Expressions::noCondition(const Expr& expr) {
   refuse(Code::ExpectedCondition, expr, found);
 }
 
-void Expressions::refuse(Code code, const Expr& expr, const std::string& found) {
+void Expressions::refuse(syntax::CodeFor<1> code, const Expr& expr, const std::string& found) {
   context.findings.report(code, {file, expr.range}, found);
 }
 

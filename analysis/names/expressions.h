@@ -39,7 +39,7 @@ private:
   void valueAtom(const syntax::Expr& expr);
   void skillAtom(const syntax::Expr& expr);
   void noCondition(const syntax::Expr& expr);
-  void refuse(syntax::Code code, const syntax::Expr& expr, const std::string& found);
+  void refuse(syntax::CodeFor<1> code, const syntax::Expr& expr, const std::string& found);
   void refuseRepeated(const syntax::Effects& effects);
 
   Context& context;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/names/symbols.h"
-#include "syntax/diagnostics/diagnostic.h"
+#include "syntax/diagnostics/codes.h"
 
 #include <span>
 #include <string>
@@ -30,7 +30,7 @@ private:
 /// A name that means nothing where it stands. Whether that is one mistake or several is known of
 /// all definitions together.
 struct UnknownName {
-  syntax::Code code{};
+  syntax::CodeFor<2> code; ///< its message is given the text, and the owner's name
   std::string text;
   Location at;
   SymbolId owner = kNoSymbol;                ///< of whose names it is none; none: of the program's
@@ -54,7 +54,8 @@ public:
 
   /// `arguments` are for the message of the code, in its order.
   template <class... Arguments>
-  Finding report(syntax::Code code, syntax::Location at, const Arguments&... arguments) {
+  Finding report(syntax::CodeFor<sizeof...(Arguments)> code, syntax::Location at,
+                 const Arguments&... arguments) {
     found.diagnostics.push_back(syntax::makeDiagnostic(code, at, arguments...));
     return Finding(found.diagnostics.back());
   }

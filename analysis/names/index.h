@@ -43,7 +43,7 @@ public:
   [[nodiscard]] const SymbolTable& symbols() const { return table; }
   /// All of them, by file and place.
   [[nodiscard]] std::span<const Occurrence> occurrences() const { return places; }
-  /// Those that begin in a stretch of a file.
+  /// Those that begin in a region of a file.
   [[nodiscard]] std::span<const Occurrence> occurrences(Location within) const;
   /// What stands at a place, or ends there; null where no name does.
   [[nodiscard]] const Occurrence* at(FileId file, syntax::Offset offset) const;

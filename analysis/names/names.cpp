@@ -11,7 +11,7 @@ using syntax::Name;
 
 namespace {
 
-Code unknownCode(SymbolKind kind) {
+syntax::CodeFor<2> unknownCode(SymbolKind kind) {
   switch (kind) {
   case SymbolKind::StateVariable: return Code::UnknownStateVariable;
   case SymbolKind::Event: return Code::UnknownEvent;

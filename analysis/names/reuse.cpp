@@ -52,7 +52,7 @@ bool looksAround(Code code) {
 /// Its text, or a fix, may quote what white space or comment was edited.
 bool quotes(const Diagnostic& diagnostic, const FileChange& edit) {
   const auto edited = edit.change.layout->before();
-  const auto around = looksAround(diagnostic.code) ? edit.change.stretches.before() : edited;
+  const auto around = looksAround(diagnostic.code) ? edit.change.regions.before() : edited;
   return touches(diagnostic.location, edit.file, edited) ||
          std::ranges::any_of(diagnostic.fixes, [&](const syntax::Fix& fix) {
            return touches(fix.location, edit.file, around);
@@ -145,16 +145,15 @@ void forEachPlace(std::string_view text, std::string_view word, Visit visit) {
   }
 }
 
-/// The stretches of a text that have one of the words.
-std::set<std::size_t> stretchesWith(const syntax::Document& document,
-                                    std::span<const syntax::Stretch> stretches,
-                                    const Names& words) {
+/// The regions of a text that have one of the words.
+std::set<std::size_t> regionsWith(const syntax::Document& document,
+                                  std::span<const syntax::Region> regions, const Names& words) {
   std::set<std::size_t> result;
   for (const auto word : words)
     forEachPlace(document.text(), word, [&](syntax::Offset at) {
       const auto after = std::ranges::upper_bound(
-          stretches, at, {}, [](const auto& stretch) { return stretch.range.begin; });
-      result.insert(static_cast<std::size_t>(after - stretches.begin()) - 1);
+          regions, at, {}, [](const auto& region) { return region.range.begin; });
+      result.insert(static_cast<std::size_t>(after - regions.begin()) - 1);
     });
   return result;
 }
@@ -167,9 +166,9 @@ Scope scopeOf(const Program& program, const Names& words, FileId file, Range edi
   };
   for (FileId each = 0; !words.empty() && each < program.files.size(); ++each) {
     const auto& document = program.files[each].document;
-    const auto stretches = document.stretches();
-    for (const auto at : stretchesWith(document, stretches, words))
-      if (!isEdited(each, stretches[at].range)) scope.within.push_back({each, stretches[at].range});
+    const auto regions = document.regions();
+    for (const auto at : regionsWith(document, regions, words))
+      if (!isEdited(each, regions[at].range)) scope.within.push_back({each, regions[at].range});
   }
   std::ranges::sort(scope.within, {}, [](const Location& it) {
     return std::tuple(it.file, it.range.begin, it.range.end);
@@ -214,7 +213,7 @@ std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
     Reuse reuse(file, *change.layout, {false, {}}, symbolChange);
     if (reuse.keep(found) && reuse.keep(index.occurrences())) return reuse;
   }
-  const auto& replaced = change.stretches;
+  const auto& replaced = change.regions;
   auto& names = symbolChange.names;
   const bool isHere =
       addThoseSeen(definitionsIn(earlier.program.files[file].document, replaced.before()),

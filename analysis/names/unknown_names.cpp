@@ -77,8 +77,8 @@ public:
 private:
   Finding reportUse(const UnknownName& use) {
     const bool global = use.owner == kNoSymbol;
-    Finding finding = global ? findings.report(use.code, use.at, use.text)
-                             : findings.report(use.code, use.at, use.text, symbols[use.owner].name);
+    Finding finding = findings.report(use.code, use.at, use.text,
+                                      global ? std::string_view() : symbols[use.owner].name);
     if (global && isFragment()) finding.severity(syntax::Severity::Hint);
     return finding;
   }
@@ -181,7 +181,8 @@ void reportUnknownNames(const Program& program, const Index& index,
                         const std::vector<UnknownName>& names, Findings& findings) {
   if (names.empty()) return;
   std::map<std::tuple<Code, SymbolId, std::string_view>, std::vector<UnknownName>> uses;
-  for (const UnknownName& it : names) uses[{codeOfKey(it.code), it.owner, it.text}].push_back(it);
+  for (const UnknownName& it : names)
+    uses[{codeOfKey(it.code.code), it.owner, it.text}].push_back(it);
   Reporter reporter(program, index, findings);
   for (auto& [key, same] : uses) {
     std::ranges::stable_sort(same, {}, [](const UnknownName& use) {

@@ -41,7 +41,7 @@ struct CheckArguments {
 std::string placed(const fs::path& file, const lsp::SettingsMistake& mistake) {
   const auto [line, column] = syntax::LineIndex(mistake.text).position(mistake.at.begin);
   return file.generic_string() + ":" + std::to_string(line + 1) + ":" + std::to_string(column + 1) +
-         ": " + mistake.words;
+         ": " + mistake.description;
 }
 
 /// The programs of the files given. One that another one includes is seen in that one's context.

@@ -13,7 +13,7 @@ namespace {
 
 std::string json(const report::VerifyReport& report, const ide::VerdictRow& row) {
   OrderedJson trace{{"name", row.check->name},
-                    {"words", row.check->words},
+                    {"description", row.check->description},
                     {"verdict", ide::toString(row.verdict)}};
   trace.update(report::traceJson(report.program, *row.trace));
   return trace.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
@@ -21,7 +21,7 @@ std::string json(const report::VerifyReport& report, const ide::VerdictRow& row)
 
 std::string text(const report::VerifyReport& report, const ide::VerdictRow& row) {
   std::ostringstream out;
-  out << row.check->words << ": " << ide::toString(row.verdict) << '\n';
+  out << row.check->description << ": " << ide::toString(row.verdict) << '\n';
   for (const auto& variable : row.trace->initial)
     out << "    " << variable.variable << ' ' << variable.after << '\n';
   writeTrace(out, report, row, false);

@@ -1,6 +1,7 @@
 #include "codegen/plan/plan.h"
 
 #include "codegen/plan/walk_expressions.h"
+#include "syntax/text/quote.h"
 
 #include <algorithm>
 #include <vector>
@@ -12,12 +13,10 @@ using analysis::Program;
 using syntax::StatementKind;
 using SkillDefinition = analysis::Definition<syntax::Skill>;
 
-std::string inTicks(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 GenerationError ambiguous(const std::vector<const SkillDefinition*>& candidates) {
   std::string names;
   for (const auto* candidate : candidates)
-    names += (names.empty() ? "" : ", ") + inTicks(candidate->name());
+    names += (names.empty() ? "" : ", ") + syntax::backquoted(candidate->name());
   return {"several skills could be the mission: " + names + "; say which one is",
           candidates[0]->at((*candidates[0])->name.range)};
 }
@@ -34,9 +33,9 @@ std::expected<const SkillDefinition*, GenerationError> chooseMission(const Progr
   const auto* skill = program.skills.find(options.mainSkill);
   if (!skill)
     return std::unexpected(GenerationError{
-        "there is no skill " + inTicks(options.mainSkill) + " to be the mission", {}});
+        "there is no skill " + syntax::backquoted(options.mainSkill) + " to be the mission", {}});
   if (!(*skill)->isComposite())
-    return std::unexpected(GenerationError{inTicks(options.mainSkill) +
+    return std::unexpected(GenerationError{syntax::backquoted(options.mainSkill) +
                                                " is a basic skill; a mission is a composite one",
                                            skill->at((*skill)->name.range)});
   return skill;

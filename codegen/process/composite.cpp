@@ -149,7 +149,7 @@ private:
     std::vector<Statement> all;
     const auto interruption = interruptionOf(skill);
     if (node.interrupt) {
-      const auto words = frame.origin(interruption.range, outsideInterruptionOf(skill).words);
+      const auto words = frame.origin(interruption.range, outsideInterruptionOf(skill).description);
       auto port = at(words, synchronise(context.names.interruptPort(skill.name())));
       all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
     }
@@ -171,7 +171,7 @@ private:
     std::vector<Statement> all;
     for (const auto& invariant : skill.skill().invariants) {
       const auto ending = failureOf(invariant);
-      all.push_back(strike(seen(frame.fails(invariant), ending.range, ending.words), running,
+      all.push_back(strike(seen(frame.fails(invariant), ending.range, ending.description), running,
                            note(resultOf(ending))));
     }
     return all;
@@ -283,7 +283,7 @@ private:
   /// The first branch that ends the skill decides how.
   Statement conclude(const syntax::Statement& statement) override {
     const auto ending = endingOf(skill, statement);
-    const auto words = fmt::format("ends `{}`, which {}", skill.name(), ending.words);
+    const auto words = fmt::format("ends `{}`, which {}", skill.name(), ending.description);
     const auto result = context.result(skill.name(), ending.status, ending.tag.text);
     auto decide = assign(name(context.names.outcome(skill.name())), result);
     return sequence({ifThen(mayGoOn(), std::move(decide)), returnControl(statement.range, words)});

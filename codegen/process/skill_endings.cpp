@@ -12,8 +12,8 @@ Ending ending(std::string status, const syntax::Outcome& outcome, std::string_vi
   result.effects = &outcome.effects;
   if (outcome.postcondition) result.postcondition = &*outcome.postcondition;
   result.range = outcome.range;
-  result.words = verb;
-  if (outcome.tag) result.words += " with `" + std::string(outcome.tag.text) + "`";
+  result.description = verb;
+  if (outcome.tag) result.description += " with `" + std::string(outcome.tag.text) + "`";
   return result;
 }
 
@@ -21,7 +21,7 @@ Ending untaggedSuccess(const SkillPlan& skill) {
   Ending result;
   result.status = "success";
   result.range = skill.skill().name.range;
-  result.words = "succeeds";
+  result.description = "succeeds";
   return result;
 }
 
@@ -47,7 +47,7 @@ Ending interruptionOf(const SkillPlan& skill) {
   Ending result;
   result.status = "interrupted";
   result.range = skill.skill().name.range;
-  result.words = "is interrupted";
+  result.description = "is interrupted";
   if (const auto& interrupt = skill.skill().interrupt) {
     result.effects = &interrupt->effects;
     result.range = interrupt->range;
@@ -57,7 +57,7 @@ Ending interruptionOf(const SkillPlan& skill) {
 
 Ending outsideInterruptionOf(const SkillPlan& skill) {
   auto result = interruptionOf(skill);
-  result.words = "is interrupted from outside";
+  result.description = "is interrupted from outside";
   return result;
 }
 
@@ -67,7 +67,7 @@ Ending failureOf(const syntax::Invariant& invariant) {
   result.tag = invariant.tag;
   result.effects = &invariant.effects;
   result.range = invariant.range;
-  result.words = "invariant `" + std::string(invariant.tag.text) + "` fails";
+  result.description = "invariant `" + std::string(invariant.tag.text) + "` fails";
   return result;
 }
 

@@ -158,7 +158,7 @@ Statement SkillFrame::outcome(const Ending& ending) {
 
 Statement SkillFrame::happens(const Ending& ending) {
   const auto& name = context.names.tag({skill.name(), ending.status, ending.tag.text});
-  Statement marked = at(origin(ending.range, ending.words), tag(name));
+  Statement marked = at(origin(ending.range, ending.description), tag(name));
   if (!ending.effects) return marked;
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
 }
@@ -173,7 +173,7 @@ Statement SkillFrame::checkPostcondition(const Ending& ending) {
 }
 
 Statement SkillFrame::postconditionFails(const Ending& ending) {
-  const auto words = ending.words + ", but its postcondition does not hold";
+  const auto words = ending.description + ", but its postcondition does not hold";
   const auto& mark =
       context.names.tag({skill.name(), ending.status, ending.tag.text, "postcondition"});
   return at(origin(ending.postcondition->range, words), tag(mark));

@@ -11,7 +11,7 @@ struct Ending {
   const syntax::Effects* effects = nullptr;
   const syntax::Expr* postcondition = nullptr;
   syntax::Range range;
-  std::string words; ///< "succeeds with `at_altitude`"
+  std::string description; ///< "succeeds with `at_altitude`"
 };
 
 [[nodiscard]] Ending successOf(const SkillPlan& skill, std::string_view tag);

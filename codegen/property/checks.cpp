@@ -4,6 +4,7 @@
 #include "codegen/property/properties.h"
 #include "codegen/property/statement_names.h"
 #include "codegen/term/conditions.h"
+#include "syntax/text/quote.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,6 @@ fiacre::Pattern absent(Observable observable) {
   pattern.operands.push_back(std::move(observable));
   return pattern;
 }
-
-std::string inTicks(std::string_view text) { return fmt::format("`{}`", text); }
 
 class Checks {
 public:
@@ -46,8 +45,8 @@ private:
                             : observer.state(process, "error");
     begin(variable.name(), {std::string(variable.name()), variable.file}, variable->name.range);
     holds("no_forbidden_transition", "",
-          fmt::format("{} makes no forbidden move", inTicks(variable.name())), Weight::Error,
-          absent(std::move(forbidden)));
+          fmt::format("{} makes no forbidden move", syntax::backquoted(variable.name())),
+          Weight::Error, absent(std::move(forbidden)));
   }
 
   // --- Skills
@@ -58,7 +57,8 @@ private:
     reachable("can_run", "", "can run", tag({skill.name(), "run"}));
     const auto& refused = context.names.tag({skill.name(), "refused"});
     if (skill.root && observer.hasTag(refused))
-      holds("never_refused", "", inTicks(subject) + " is not refused when the program starts",
+      holds("never_refused", "",
+            syntax::backquoted(subject) + " is not refused when the program starts",
             Weight::Warning, absent(observer.tag(refused)));
     for (const auto& ending : endings(skill)) addEnding(skill, ending);
     for (const auto& invariant : node.invariants) addEnding(skill, failureOf(invariant));
@@ -81,14 +81,15 @@ private:
     place = context.origins.of(actorOf(skill), ending.range);
     const auto detail = std::string(ending.tag.text);
     auto happens = tag({skill.name(), ending.status, ending.tag.text});
-    const auto with = ending.tag ? " with " + inTicks(ending.tag.text) : "";
+    const auto with = ending.tag ? " with " + syntax::backquoted(ending.tag.text) : "";
     if (ending.status == "success")
       reachable("can_succeed", detail, "can succeed" + with, std::move(happens));
     else if (ending.status == "failure")
       reachable("can_fail", detail, "can fail" + with, std::move(happens));
     else if (ending.status == "failed_inv")
       reachable("invariant_may_fail", detail,
-                fmt::format("may have its invariant {} fail", inTicks(detail)), std::move(happens));
+                fmt::format("may have its invariant {} fail", syntax::backquoted(detail)),
+                std::move(happens));
     else
       reachable("can_be_interrupted", "", "can be interrupted", std::move(happens));
     if (ending.postcondition) addPostcondition(skill, ending);
@@ -97,7 +98,8 @@ private:
   void addPostcondition(const SkillPlan& skill, const Ending& ending) {
     place = context.origins.of(actorOf(skill), ending.postcondition->range);
     holds("postcondition", std::string(ending.tag.text),
-          fmt::format("the postcondition holds whenever {} {}", inTicks(subject), ending.words),
+          fmt::format("the postcondition holds whenever {} {}", syntax::backquoted(subject),
+                      ending.description),
           Weight::Warning,
           absent(tag({skill.name(), ending.status, ending.tag.text, "postcondition"})));
   }
@@ -108,11 +110,13 @@ private:
     place = context.origins.of(actorOf(skill), interval.range);
     if (interval.lower.numerator > 0 || interval.lowerOpen)
       holds("no_undershoot", "",
-            fmt::format("{} takes at least {} s", inTicks(subject), toString(interval.lower)),
+            fmt::format("{} takes at least {} s", syntax::backquoted(subject),
+                        toString(interval.lower)),
             Weight::Error, absent(observer.state(process, "skill_undershoot")));
     if (interval.upper)
       holds("no_overshoot", "",
-            fmt::format("{} takes at most {} s", inTicks(subject), toString(*interval.upper)),
+            fmt::format("{} takes at most {} s", syntax::backquoted(subject),
+                        toString(*interval.upper)),
             Weight::Error, absent(observer.state(process, "skill_overshoot")));
   }
 
@@ -126,7 +130,7 @@ private:
       const auto range = state.statement->range;
       place = context.origins.of(actorOf(skill, thread), range);
       const auto& statement = names.of(*state.statement);
-      const auto text = inTicks(context.origins.excerpt(skill.file(), range));
+      const auto text = syntax::backquoted(context.origins.excerpt(skill.file(), range));
       if (state.statement->kind == syntax::StatementKind::Call)
         addCall(thread, state, statement, text);
       question("reachable", statement, text + " can be reached", Expectation::Reachable,
@@ -172,7 +176,7 @@ private:
     Check check;
     check.name = unique(std::string(property.name()));
     check.kind = "property";
-    check.words = context.origins.excerpt(property.file, property->bodyRange);
+    check.description = context.origins.excerpt(property.file, property->bodyRange);
     check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
     put(std::move(check), patternOf(context, observer, property.node()));
   }
@@ -195,8 +199,8 @@ private:
 
   void reachable(std::string_view kind, const std::string& detail, std::string_view words,
                  Observable observable) {
-    question(kind, detail, fmt::format("{} {}", inTicks(subject), words), Expectation::Reachable,
-             Weight::Warning, absent(std::move(observable)));
+    question(kind, detail, fmt::format("{} {}", syntax::backquoted(subject), words),
+             Expectation::Reachable, Weight::Warning, absent(std::move(observable)));
   }
 
   void question(std::string_view kind, const std::string& detail, std::string words,
@@ -204,7 +208,7 @@ private:
     Check check;
     check.name = unique(fmt::format("{}.{}{}{}", subject, kind, detail.empty() ? "" : ".", detail));
     check.kind = kind;
-    check.words = std::move(words);
+    check.description = std::move(words);
     check.good = good;
     check.weight = weight;
     put(std::move(check), std::move(pattern));
@@ -218,7 +222,7 @@ private:
     property.name = context.names.property(sanitised(check.name));
     property.pattern = std::move(pattern);
     property.origin = place;
-    property.comment = check.words;
+    property.comment = check.description;
     model.fiacre.properties.push_back(std::move(property));
     model.checks.push_back(std::move(check));
   }

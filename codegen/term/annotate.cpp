@@ -8,7 +8,7 @@ bool isOfOneLine(const fiacre::Statement& statement) { return statement.children
 void annotate(fiacre::Statement& statement, const fiacre::Provenance& provenance) {
   if (statement.comment.empty() && isOfOneLine(statement) &&
       statement.kind != fiacre::StatementKind::Sequence)
-    statement.comment = provenance.origins[statement.origin].words;
+    statement.comment = provenance.origins[statement.origin].description;
   for (auto& child : statement.children) annotate(child, provenance);
 }
 

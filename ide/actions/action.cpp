@@ -33,21 +33,20 @@ syntax::TextEdit atWords(std::string_view text, syntax::TextEdit edit) {
   return edit;
 }
 
-/// The stretches of a text that edits touch, with their neighbours: how these are laid out does not
+/// The regions of a text that edits touch, with their neighbours: how these are laid out does not
 /// depend on the rest. \pre there is an edit
 syntax::Range surroundings(const syntax::Document& document,
                            const std::vector<syntax::TextEdit>& edits) {
   const auto first = edits.front().range.begin;
   const auto last =
       std::ranges::max(edits, {}, [](const auto& it) { return it.range.end; }).range.end;
-  const auto stretches = document.stretches();
-  auto begin =
-      std::ranges::find_if(stretches, [&](const auto& it) { return it.range.end >= first; });
-  auto end = std::ranges::find_if(stretches, [&](const auto& it) { return it.range.begin > last; });
-  if (begin != stretches.begin()) --begin;
-  return {begin == stretches.end() ? 0 : begin->range.begin,
-          end == stretches.end() ? static_cast<syntax::Offset>(document.text().size())
-                                 : end->range.end};
+  const auto regions = document.regions();
+  auto begin = std::ranges::find_if(regions, [&](const auto& it) { return it.range.end >= first; });
+  auto end = std::ranges::find_if(regions, [&](const auto& it) { return it.range.begin > last; });
+  if (begin != regions.begin()) --begin;
+  return {begin == regions.end() ? 0 : begin->range.begin,
+          end == regions.end() ? static_cast<syntax::Offset>(document.text().size())
+                               : end->range.end};
 }
 
 } // namespace

@@ -12,11 +12,11 @@ bool folds(const syntax::Node& node, char first) {
 
 void addForms(FoldList& list, const syntax::Document& document) {
   const std::string_view text = document.text();
-  for (const auto& stretch : document.stretches())
-    for (std::size_t i = 1; i < stretch.tree->size(); ++i) {
-      const auto& node = (*stretch.tree)[i];
-      const syntax::Range range{node.range.begin + stretch.range.begin,
-                                node.range.end + stretch.range.begin};
+  for (const auto& region : document.regions())
+    for (std::size_t i = 1; i < region.tree->size(); ++i) {
+      const auto& node = (*region.tree)[i];
+      const syntax::Range range{node.range.begin + region.range.begin,
+                                node.range.end + region.range.begin};
       if (!range.empty() && folds(node, text[range.begin])) list.add(range);
     }
 }

@@ -43,11 +43,11 @@ private:
 };
 
 /// Where two nodes meet, the one that begins at the place is the one that is meant.
-void addNodes(Selecting& selecting, const syntax::Stretch& stretch, syntax::Offset at) {
-  const auto& tree = *stretch.tree;
+void addNodes(Selecting& selecting, const syntax::Region& region, syntax::Offset at) {
+  const auto& tree = *region.tree;
   auto inDocument = [&](const syntax::Node& node) {
-    return syntax::Range{node.range.begin + stretch.range.begin,
-                         node.range.end + stretch.range.begin};
+    return syntax::Range{node.range.begin + region.range.begin,
+                         node.range.end + region.range.begin};
   };
   std::size_t end = tree.size();
   for (std::size_t node = 1; node < end;) {
@@ -71,10 +71,10 @@ std::vector<syntax::Range> selections(const syntax::Document& document, syntax::
   selecting.add({0, static_cast<syntax::Offset>(document.text().size())});
   for (const auto& form : document.forms())
     if (!form.comment.empty()) selecting.add({form.comment.begin, form.range.end});
-  const syntax::Stretch* found = nullptr;
-  auto stretches = document.stretches();
-  for (const auto& stretch : stretches)
-    if (holds(stretch.range, at)) found = &stretch;
+  const syntax::Region* found = nullptr;
+  auto regions = document.regions();
+  for (const auto& region : regions)
+    if (holds(region.range, at)) found = &region;
   if (found) addNodes(selecting, *found, at);
   auto result = std::move(selecting).run();
   if (result.empty()) result.push_back({at, at});

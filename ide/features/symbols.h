@@ -20,7 +20,7 @@ struct OutlineEntry {
 
 /// The definitions of a file with what is defined inside of them, in the order of the text.
 [[nodiscard]] std::vector<OutlineEntry> outline(const View& view);
-/// Those that begin in a range. Of a stretch, they depend on its text alone.
+/// Those that begin in a range. Of a region, they depend on its text alone.
 [[nodiscard]] std::vector<OutlineEntry> outline(const View& view, syntax::Range within);
 
 struct FoundSymbol {

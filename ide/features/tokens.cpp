@@ -87,14 +87,14 @@ bool isType(const std::vector<Token>& before, std::string_view word) {
          std::ranges::find(kTypes, word) != std::end(kTypes);
 }
 
-/// Goes through the words of a stretch and its names at once.
+/// Goes through the words of a region and its names at once.
 class Collector {
 public:
   Collector(std::string_view text, std::span<const Token> names) : text(text), name(names) {}
 
-  std::vector<Token> run(const syntax::Stretch& stretch) {
-    const auto& tree = *stretch.tree;
-    for (std::size_t at = 1; at < tree.size();) at += visit(tree[at], stretch.range.begin);
+  std::vector<Token> run(const syntax::Region& region) {
+    const auto& tree = *region.tree;
+    for (std::size_t at = 1; at < tree.size();) at += visit(tree[at], region.range.begin);
     return std::move(result);
   }
 
@@ -133,9 +133,9 @@ std::vector<Token> nameTokens(const View& view, syntax::Range within) {
   return result;
 }
 
-std::vector<Token> tokens(const View& view, const syntax::Stretch& stretch,
+std::vector<Token> tokens(const View& view, const syntax::Region& region,
                           std::span<const Token> names) {
-  return Collector(view.text(), names).run(stretch);
+  return Collector(view.text(), names).run(region);
 }
 
 std::vector<Token> tokens(const View& view, syntax::Range within) {
@@ -143,9 +143,9 @@ std::vector<Token> tokens(const View& view, syntax::Range within) {
   if (isFiacre(view)) {
     result = FiacreText(view.text()).tokens();
   } else {
-    for (const auto& stretch : view.document().stretches())
-      if (stretch.range.touches(within))
-        std::ranges::copy(tokens(view, stretch, nameTokens(view, stretch.range)),
+    for (const auto& region : view.document().regions())
+      if (region.range.touches(within))
+        std::ranges::copy(tokens(view, region, nameTokens(view, region.range)),
                           std::back_inserter(result));
   }
   std::erase_if(result, [&](const Token& token) { return !token.range.touches(within); });

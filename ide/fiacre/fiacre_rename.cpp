@@ -4,6 +4,7 @@
 #include "ide/fiacre/fiacre_text.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "syntax/text/edit.h"
+#include "syntax/text/quote.h"
 
 #include <fmt/format.h>
 
@@ -23,8 +24,6 @@ std::string renamed(std::string_view text, const std::vector<Range>& places,
   return syntax::applyEdits(text, edits);
 }
 
-std::string quoted(std::string_view name) { return fmt::format("`{}`", name); }
-
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
@@ -40,7 +39,7 @@ std::string newlyWrong(std::string_view before, const std::string& after, std::s
   if (found.size() <= known.size()) return {};
   std::multiset<std::string> old;
   for (const auto& each : known)
-    old.insert(replaced(each.message, quoted(oldName), quoted(newName)));
+    old.insert(replaced(each.message, syntax::backquoted(oldName), syntax::backquoted(newName)));
   for (const auto& each : found) {
     const auto same = old.find(each.message);
     if (same == old.end()) return each.message;

@@ -66,12 +66,13 @@ void addChecks(codegen::Model& model) {
   const auto& properties = model.fiacre.properties;
   for (std::size_t i = 0; i < properties.size(); ++i) {
     if (!properties[i].asserted) continue;
-    model.checks.push_back({.name = properties[i].name,
-                            .kind = "property",
-                            .subject = model.fiacre.main,
-                            .words = fiacre::printPattern(properties[i].pattern, model.fiacre.main),
-                            .property = i,
-                            .origin = properties[i].origin});
+    model.checks.push_back(
+        {.name = properties[i].name,
+         .kind = "property",
+         .subject = model.fiacre.main,
+         .description = fiacre::printPattern(properties[i].pattern, model.fiacre.main),
+         .property = i,
+         .origin = properties[i].origin});
   }
 }
 

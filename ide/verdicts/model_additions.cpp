@@ -330,12 +330,13 @@ void addChecked(Addition& addition, fiacre::Property property) {
                                "the model has a property of that name");
   Translation(model.provenance.watched).translate(property.pattern);
   if (property.asserted)
-    model.checks.push_back({.name = property.name,
-                            .kind = "property",
-                            .subject = property.name,
-                            .words = fiacre::printPattern(property.pattern, model.fiacre.main),
-                            .property = model.fiacre.properties.size(),
-                            .origin = property.origin});
+    model.checks.push_back(
+        {.name = property.name,
+         .kind = "property",
+         .subject = property.name,
+         .description = fiacre::printPattern(property.pattern, model.fiacre.main),
+         .property = model.fiacre.properties.size(),
+         .origin = property.origin});
   model.fiacre.properties.push_back(std::move(property));
 }
 

@@ -15,15 +15,15 @@ namespace proskill::ide {
 /// A place that a trace passes, and what happens there: "2 s: takeoff starts".
 struct Waypoint {
   analysis::Location location;
-  std::string words;
+  std::string description;
 };
 
 /// The verdict on one property, without the model that it was reached on.
 struct PropertyVerdict {
-  std::string name;    ///< `takeoff.can_succeed.at_altitude`
-  std::string kind;    ///< `can_succeed`; `property` for the program's own
-  std::string subject; ///< `takeoff`
-  std::string words;   ///< "`takeoff` can succeed with `at_altitude`"
+  std::string name;        ///< `takeoff.can_succeed.at_altitude`
+  std::string kind;        ///< `can_succeed`; `property` for the program's own
+  std::string subject;     ///< `takeoff`
+  std::string description; ///< "`takeoff` can succeed with `at_altitude`"
   Verdict verdict = Verdict::Inconclusive;
   codegen::Weight weight = codegen::Weight::Error;
   std::optional<analysis::Location> location; ///< in the program that was verified

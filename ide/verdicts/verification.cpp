@@ -108,11 +108,12 @@ TraceStep inWords(verify::Step raw, const fiacre::Provenance& provenance) {
   for (auto id : raw.origins) {
     const auto& origin = provenance.origins[id];
     if (!origin.actor.empty()) step.actor = origin.actor;
-    if (!origin.words.empty()) step.words = origin.words;
+    if (!origin.description.empty()) step.description = origin.description;
     if (auto location = locate(origin)) step.location = location;
   }
   if (provenance.byHand) step.actor = fmt::format("{}", fmt::join(raw.instances, ", "));
-  if (!raw.failure.empty()) step.words += (step.words.empty() ? "" : ": ") + raw.failure;
+  if (!raw.failure.empty())
+    step.description += (step.description.empty() ? "" : ": ") + raw.failure;
   step.changes = std::move(raw.changes);
   step.transitions = std::move(raw.transitions);
   step.origins = std::move(raw.origins);

@@ -24,8 +24,8 @@ struct Moment {
 
 /// One step of a trace, as a reader of the program sees it.
 struct TraceStep {
-  std::string actor; ///< a skill, a branch, an event, the environment
-  std::string words; ///< "succeeds with `at_altitude`"
+  std::string actor;       ///< a skill, a branch, an event, the environment
+  std::string description; ///< "succeeds with `at_altitude`"
   std::optional<analysis::Location> location;
   Moment earliest;
   std::optional<Moment> latest; ///< nothing: as late as one likes

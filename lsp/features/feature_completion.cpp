@@ -3,6 +3,7 @@
 #include "ide/snapshot/fiacre_file.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/markup.h"
+#include "lsp/protocol/numbers.h"
 #include "lsp/protocol/symbol_json.h"
 
 #include <fmt/format.h>
@@ -14,24 +15,25 @@ namespace {
 using ide::CompletionKind;
 
 /// The protocol's `CompletionItemKind`.
-int kindOf(CompletionKind kind) {
+protocol::CompletionItemKind kindOf(CompletionKind kind) {
+  using enum protocol::CompletionItemKind;
   switch (kind) {
   case CompletionKind::Keyword:
-  case CompletionKind::Statement: return 14;
-  case CompletionKind::Field: return 10;
-  case CompletionKind::Operator: return 24;
+  case CompletionKind::Statement: return Keyword;
+  case CompletionKind::Field: return Property;
+  case CompletionKind::Operator: return Operator;
   case CompletionKind::Variable:
-  case CompletionKind::Parameter: return 6;
-  case CompletionKind::Value: return 20;
-  case CompletionKind::Skill: return 3;
-  case CompletionKind::Event: return 23;
-  case CompletionKind::Resource: return 7;
-  case CompletionKind::Tag: return 21;
-  case CompletionKind::Label: return 18;
-  case CompletionKind::Type: return 25;
-  case CompletionKind::File: return 17;
+  case CompletionKind::Parameter: return Variable;
+  case CompletionKind::Value: return EnumMember;
+  case CompletionKind::Skill: return Function;
+  case CompletionKind::Event: return Event;
+  case CompletionKind::Resource: return Class;
+  case CompletionKind::Tag: return Constant;
+  case CompletionKind::Label: return Reference;
+  case CompletionKind::Type: return TypeParameter;
+  case CompletionKind::File: return File;
   }
-  return 1;
+  return Text;
 }
 
 /// All that the items of one answer have in common.
@@ -69,9 +71,9 @@ Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shar
   json.member("filterText", item.filter).member("sortText", fmt::format("{:04}", place));
   writeEdit(json, item, shared);
   if (!item.detail.empty()) json.member("detail", item.detail);
-  if (isSnippet(item, shared)) json.member("insertTextFormat", 2);
+  if (isSnippet(item, shared)) json.member("insertTextFormat", protocol::InsertTextFormat::Snippet);
   if (item.isDeprecated && shared.client.completionTags)
-    json.key("tags").open('[').value(1).close(']');
+    json.key("tags").open('[').value(protocol::CompletionItemTag::Deprecated).close(']');
   else if (item.isDeprecated && shared.client.completionDeprecated)
     json.member("deprecated", true);
   if (item.symbol || item.word) writeData(json, item, shared.uri);

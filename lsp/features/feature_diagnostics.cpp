@@ -2,6 +2,7 @@
 #include "ide/description/diagnostics.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/diagnostics.h"
+#include "lsp/protocol/numbers.h"
 #include "lsp/verification/verdict_json.h"
 #include "lsp/workspace/fingerprint.h"
 #include "report/uri.h"
@@ -21,13 +22,13 @@ namespace {
 
 using syntax::Code;
 
-int severityOf(syntax::Severity severity) {
+protocol::DiagnosticSeverity severityOf(syntax::Severity severity) {
   switch (severity) {
-  case syntax::Severity::Error: return 1;
-  case syntax::Severity::Warning: return 2;
-  case syntax::Severity::Hint: return 4;
+  case syntax::Severity::Error: return protocol::DiagnosticSeverity::Error;
+  case syntax::Severity::Warning: return protocol::DiagnosticSeverity::Warning;
+  case syntax::Severity::Hint: return protocol::DiagnosticSeverity::Hint;
   }
-  return 1;
+  return protocol::DiagnosticSeverity::Error;
 }
 
 /// What an editor shows faded: it could be taken out, and nothing would change.
@@ -38,10 +39,9 @@ bool isUnnecessary(Code code) {
   return std::ranges::find(kCodes, code) != kCodes.end();
 }
 
-/// The protocol's `DiagnosticTag`.
-std::optional<int> tagOf(Code code) {
-  if (isUnnecessary(code)) return 1;
-  if (code == Code::DeprecatedName) return 2;
+std::optional<protocol::DiagnosticTag> tagOf(Code code) {
+  if (isUnnecessary(code)) return protocol::DiagnosticTag::Unnecessary;
+  if (code == Code::DeprecatedName) return protocol::DiagnosticTag::Deprecated;
   return std::nullopt;
 }
 

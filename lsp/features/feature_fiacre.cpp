@@ -7,6 +7,7 @@
 #include "lsp/protocol/edits.h"
 #include "lsp/protocol/folds_json.h"
 #include "lsp/protocol/markup.h"
+#include "lsp/protocol/numbers.h"
 #include "lsp/protocol/outline_json.h"
 
 /// Documents in Fiacre: their text alone answers.
@@ -17,29 +18,29 @@ namespace {
 using fiacre::NameKind;
 
 /// The protocol's `SymbolKind`.
-int symbolKind(NameKind kind) {
+protocol::SymbolKind symbolKind(NameKind kind) {
   switch (kind) {
-  case NameKind::Component: return 2; // module
-  case NameKind::Process: return 5;   // class
-  case NameKind::Property: return 7;
-  case NameKind::Field: return 8;
-  case NameKind::Channel: return 11; // interface
+  case NameKind::Component: return protocol::SymbolKind::Module;
+  case NameKind::Process: return protocol::SymbolKind::Class;
+  case NameKind::Property: return protocol::SymbolKind::Property;
+  case NameKind::Field: return protocol::SymbolKind::Field;
+  case NameKind::Channel: return protocol::SymbolKind::Interface;
   case NameKind::Function:
   case NameKind::Extern:
   case NameKind::Task:
-  case NameKind::Foreign: return 12;
+  case NameKind::Foreign: return protocol::SymbolKind::Function;
   case NameKind::Variable:
   case NameKind::Parameter:
-  case NameKind::Value: return 13;
-  case NameKind::Constant: return 14;
-  case NameKind::Tag: return 20; // key
+  case NameKind::Value: return protocol::SymbolKind::Variable;
+  case NameKind::Constant: return protocol::SymbolKind::Constant;
+  case NameKind::Tag: return protocol::SymbolKind::Key;
   case NameKind::State:
-  case NameKind::Constructor: return 22; // enum member
-  case NameKind::Type: return 23;        // struct
+  case NameKind::Constructor: return protocol::SymbolKind::EnumMember;
+  case NameKind::Type: return protocol::SymbolKind::Struct;
   case NameKind::Port:
-  case NameKind::Event: return 24;
+  case NameKind::Event: return protocol::SymbolKind::Event;
   }
-  return 13;
+  return protocol::SymbolKind::Variable;
 }
 
 Answer documentSymbol(const Request& request) {
@@ -109,8 +110,9 @@ Answer documentHighlight(const Request& request) {
   const Converter convert(at->view, request);
   Json result = Json::array();
   for (const auto& use : ide::FiacreText(at->view.text()).uses(at->at, true))
-    result.push_back(
-        {{"range", convert.range(at->view.file, use.range)}, {"kind", use.declares ? 3 : 2}});
+    result.push_back({{"range", convert.range(at->view.file, use.range)},
+                      {"kind", use.declares ? protocol::DocumentHighlightKind::Write
+                                            : protocol::DocumentHighlightKind::Read}});
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "ide/features/inlay_hints.h"
 #include "lsp/protocol/convert.h"
+#include "lsp/protocol/numbers.h"
 
 namespace proskill::lsp {
 
@@ -22,7 +23,10 @@ std::expected<AskedRange, rpc::RpcError> askedRange(const Request& request) {
 }
 
 /// 1: type, 2: parameter.
-int kindOf(ide::HintKind kind) { return kind == ide::HintKind::ArgumentType ? 2 : 1; }
+protocol::InlayHintKind kindOf(ide::HintKind kind) {
+  return kind == ide::HintKind::ArgumentType ? protocol::InlayHintKind::Parameter
+                                             : protocol::InlayHintKind::Type;
+}
 
 /// Adds what is only of use to who looks at a hint.
 void addTooltip(Json& json, const ide::InlayHint& hint) { json["tooltip"] = hint.tooltip; }

@@ -44,7 +44,7 @@ Json rangesJson(const fiacre::PrintResult& printed, const fiacre::Provenance& pr
                       {"lastLine", range.lastLine},
                       {"location", placeOf(origin, convert)},
                       {"actor", origin.actor},
-                      {"words", origin.words}});
+                      {"description", origin.description}});
   }
   return ranges;
 }
@@ -101,7 +101,7 @@ Subject subjectOf(const analysis::Program& program, const codegen::Check& check)
 
 Json checkJson(const codegen::Check& check, const codegen::Model& model, const Converter& convert) {
   return {{"id", check.name},
-          {"label", check.words},
+          {"label", check.description},
           {"kind", check.kind},
           {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"},
           {"location", placeOf(model.provenance.origins[check.origin], convert)}};

@@ -1,5 +1,6 @@
 #include "ide/features/navigation.h"
 #include "lsp/protocol/convert.h"
+#include "lsp/protocol/numbers.h"
 
 namespace proskill::lsp {
 
@@ -33,17 +34,17 @@ bool wantsDeclaration(const Json& params) {
          context->value("includeDeclaration", false);
 }
 
-/// 1: text, 2: read, 3: write.
-int highlightKind(analysis::Role role) {
+protocol::DocumentHighlightKind highlightKind(analysis::Role role) {
+  using enum protocol::DocumentHighlightKind;
   switch (role) {
   case analysis::Role::Read:
   case analysis::Role::Call:
-  case analysis::Role::Interrupt: return 2;
+  case analysis::Role::Interrupt: return Read;
   case analysis::Role::Definition:
-  case analysis::Role::Write: return 3;
-  case analysis::Role::Mention: return 1;
+  case analysis::Role::Write: return Write;
+  case analysis::Role::Mention: return Text;
   }
-  return 1;
+  return Text;
 }
 
 Answer documentHighlight(const Request& request) {

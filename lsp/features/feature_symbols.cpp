@@ -12,11 +12,11 @@ namespace proskill::lsp {
 
 namespace {
 
-int kindOfEntry(const ide::OutlineEntry& entry) {
-  return entry.isFile ? kFileSymbol : symbolKind(entry.kind);
+protocol::SymbolKind kindOfEntry(const ide::OutlineEntry& entry) {
+  return entry.isFile ? protocol::SymbolKind::File : symbolKind(entry.kind);
 }
 
-/// The entries of a stretch.
+/// The entries of a region.
 struct SymbolPart {
   std::shared_ptr<const syntax::Tree> tree;
   rpc::MovableJson json;
@@ -34,15 +34,15 @@ Answer documentSymbol(const Request& request, LastOfTexts<SymbolParts>& last) {
   rpc::JsonWriter json;
   json.open('[');
   std::uint32_t line = 0;
-  for (const auto& stretch : view->document().stretches()) {
-    line = view->document().lines().position(stretch.range.begin, line).line;
-    auto part = earlier.find(stretch.tree);
+  for (const auto& region : view->document().regions()) {
+    line = view->document().lines().position(region.range.begin, line).line;
+    auto part = earlier.find(region.tree);
     if (!part) {
       rpc::JsonWriter mine;
-      writeOutline(mine, ide::outline(*view, stretch.range), convert, view->file, kindOfEntry,
+      writeOutline(mine, ide::outline(*view, region.range), convert, view->file, kindOfEntry,
                    request);
       part =
-          std::make_shared<const SymbolPart>(stretch.tree, rpc::MovableJson(std::move(mine), line));
+          std::make_shared<const SymbolPart>(region.tree, rpc::MovableJson(std::move(mine), line));
     }
     part->json.write(json, line);
     parts->push_back(std::move(part));

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-/// Answers about whole texts are put together of parts, one a stretch (`syntax::Stretch`). What an
+/// Answers about whole texts are put together of parts, one a region (`syntax::Region`). What an
 /// edit did not touch is taken from the last answer.
 namespace proskill::lsp {
 
@@ -44,7 +44,7 @@ private:
 
 template <class Part> using Parts = std::vector<std::shared_ptr<const Part>>;
 
-/// Finds the parts of an earlier answer by the trees of their stretches, asked for in the order of
+/// Finds the parts of an earlier answer by the trees of their regions, asked for in the order of
 /// the text.
 template <class Part> class EarlierParts {
 public:
@@ -52,7 +52,7 @@ public:
     for (std::size_t i = 0; i < this->parts.size(); ++i) places[this->parts[i]->tree.get()] = i;
   }
 
-  /// Null where the stretch is new, or another one is before it that was behind it.
+  /// Null where the region is new, or another one is before it that was behind it.
   [[nodiscard]] std::shared_ptr<const Part> find(const std::shared_ptr<const syntax::Tree>& tree) {
     const auto found = places.find(tree.get());
     if (found == places.end() || found->second < next) return nullptr;

@@ -1,28 +1,28 @@
 #pragma once
 
 #include "analysis/names/symbols.h"
+#include "lsp/protocol/numbers.h"
 
 namespace proskill::lsp {
 
 /// The protocol's `SymbolKind`.
-[[nodiscard]] constexpr int symbolKind(analysis::SymbolKind kind) {
+[[nodiscard]] constexpr protocol::SymbolKind symbolKind(analysis::SymbolKind kind) {
   switch (kind) {
-  case analysis::SymbolKind::StateVariable: return 10; // enum
-  case analysis::SymbolKind::Event: return 24;
-  case analysis::SymbolKind::Skill: return 12;      // function
-  case analysis::SymbolKind::Resource: return 19;   // object
-  case analysis::SymbolKind::Property: return 7;    // property
-  case analysis::SymbolKind::Environment: return 3; // namespace
-  case analysis::SymbolKind::Value: return 22;      // enum member
-  case analysis::SymbolKind::Parameter: return 13;  // variable
+  case analysis::SymbolKind::StateVariable: return protocol::SymbolKind::Enum;
+  case analysis::SymbolKind::Event: return protocol::SymbolKind::Event;
+  case analysis::SymbolKind::Skill: return protocol::SymbolKind::Function;
+  case analysis::SymbolKind::Resource: return protocol::SymbolKind::Object;
+  case analysis::SymbolKind::Property: return protocol::SymbolKind::Property;
+  case analysis::SymbolKind::Environment: return protocol::SymbolKind::Namespace;
+  case analysis::SymbolKind::Value: return protocol::SymbolKind::EnumMember;
+  case analysis::SymbolKind::Parameter: return protocol::SymbolKind::Variable;
   case analysis::SymbolKind::PreconditionTag:
-  case analysis::SymbolKind::InvariantTag: return 17; // boolean
+  case analysis::SymbolKind::InvariantTag: return protocol::SymbolKind::Boolean;
   case analysis::SymbolKind::SuccessTag:
-  case analysis::SymbolKind::FailureTag: return 14; // constant
-  case analysis::SymbolKind::Label: return 20;      // key
+  case analysis::SymbolKind::FailureTag: return protocol::SymbolKind::Constant;
+  case analysis::SymbolKind::Label: return protocol::SymbolKind::Key;
   }
-  return 13;
+  return protocol::SymbolKind::Variable;
 }
-constexpr int kFileSymbol = 1;
 
 } // namespace proskill::lsp

@@ -23,7 +23,7 @@ bool areSame(std::span<const Token> names, const std::vector<Token>& known, Offs
   });
 }
 
-/// \param line the first of the stretch
+/// \param line the first of the region
 TokenPart partOf(const ide::View& view, const std::vector<Token>& tokens, std::uint32_t line,
                  syntax::Encoding encoding) {
   TokenPart part;
@@ -40,15 +40,15 @@ public:
   Gathering(const ide::View& view, syntax::Encoding encoding, const TokenAnswer& earlier)
       : view(view), encoding(encoding), earlier(partsOf(earlier)) {}
 
-  TokenAnswer ofStretches() {
+  TokenAnswer ofRegions() {
     const auto all = ide::nameTokens(view, {0, static_cast<Offset>(view.text().size())});
     auto name = all.begin();
-    for (const auto& stretch : view.document().stretches()) {
+    for (const auto& region : view.document().regions()) {
       const auto first = name;
       name = std::find_if(name, all.end(),
-                          [&](const Token& it) { return it.range.begin >= stretch.range.end; });
-      const auto line = view.document().lines().position(stretch.range.begin, lineOfLast).line;
-      place(part(stretch, {first, name}, line), line);
+                          [&](const Token& it) { return it.range.begin >= region.range.end; });
+      const auto line = view.document().lines().position(region.range.begin, lineOfLast).line;
+      place(part(region, {first, name}, line), line);
     }
     return std::move(answer);
   }
@@ -65,13 +65,13 @@ private:
     return parts;
   }
 
-  std::shared_ptr<const TokenPart> part(const syntax::Stretch& stretch,
-                                        std::span<const Token> names, std::uint32_t line) {
-    const auto begin = stretch.range.begin;
-    if (auto known = earlier.find(stretch.tree); known && areSame(names, known->names, begin))
+  std::shared_ptr<const TokenPart> part(const syntax::Region& region, std::span<const Token> names,
+                                        std::uint32_t line) {
+    const auto begin = region.range.begin;
+    if (auto known = earlier.find(region.tree); known && areSame(names, known->names, begin))
       return known;
-    auto part = partOf(view, ide::tokens(view, stretch, names), line, encoding);
-    part.tree = stretch.tree;
+    auto part = partOf(view, ide::tokens(view, region, names), line, encoding);
+    part.tree = region.tree;
     for (auto name : names) {
       name.range = {name.range.begin - begin, name.range.end - begin};
       part.names.push_back(name);
@@ -90,7 +90,7 @@ private:
   syntax::Encoding encoding;
   EarlierParts<TokenPart> earlier;
   TokenAnswer answer;
-  std::uint32_t lineOfLast = 0;  ///< of the last stretch
+  std::uint32_t lineOfLast = 0;  ///< of the last region
   std::uint32_t lineOfToken = 0; ///< of the last token
 };
 
@@ -155,7 +155,7 @@ Numbers encoded(const ide::View& view, const std::vector<Token>& tokens,
 TokenAnswer tokenAnswer(const ide::View& view, syntax::Encoding encoding,
                         const TokenAnswer& earlier) {
   Gathering gathering(view, encoding, earlier);
-  return ide::isFiacre(view) ? gathering.ofWhole() : gathering.ofStretches();
+  return ide::isFiacre(view) ? gathering.ofWhole() : gathering.ofRegions();
 }
 
 std::string allTokens(const TokenAnswer& answer) {

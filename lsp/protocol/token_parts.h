@@ -15,12 +15,12 @@ inline constexpr std::size_t kNumbersPerToken = 5;
 [[nodiscard]] Numbers encoded(const ide::View& view, const std::vector<ide::Token>& tokens,
                               syntax::Encoding encoding);
 
-/// The tokens of a stretch, wherever it stands.
+/// The tokens of a region, wherever it stands.
 struct TokenPart {
-  std::shared_ptr<const syntax::Tree> tree; ///< null: of a text without stretches
-  std::vector<ide::Token> names; ///< that the tokens were made with; ranges count from the stretch
-  Numbers numbers;               ///< the first line counts from the stretch's first
-  std::uint32_t lastLine = 0;    ///< of the last token, counted from the stretch's first
+  std::shared_ptr<const syntax::Tree> tree; ///< null: of a text without regions
+  std::vector<ide::Token> names; ///< that the tokens were made with; ranges count from the region
+  Numbers numbers;               ///< the first line counts from the region's first
+  std::uint32_t lastLine = 0;    ///< of the last token, counted from the region's first
 };
 
 struct PlacedTokens {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lsp/protocol/numbers.h"
 #include "rpc/peer.h"
 
 #include <chrono>
@@ -14,12 +15,12 @@ namespace proskill::lsp {
 class Announcer {
 public:
   using Time = std::chrono::steady_clock::time_point;
-  enum class Kind : std::uint8_t { Error = 1, Warning = 2, Info = 3 };
+  using Kind = protocol::MessageType;
 
   explicit Announcer(rpc::Peer& peer) : peer(peer) {}
 
   void show(Kind kind, const std::string& message, Time now = std::chrono::steady_clock::now()) {
-    const Json params{{"type", static_cast<int>(kind)}, {"message", message}};
+    const Json params{{"type", kind}, {"message", message}};
     peer.notify("window/logMessage", params);
     std::erase_if(shown, [&](const auto& entry) { return now - entry.second >= kPause; });
     if (shown.size() >= kMost || !shown.try_emplace(message, now).second) return;

@@ -1,4 +1,5 @@
 #include "lsp/server/capabilities.h"
+#include "lsp/protocol/numbers.h"
 
 namespace proskill::lsp {
 
@@ -28,8 +29,9 @@ Json capabilitiesFor(const ClientFeatures& client, Json features) {
   // Diagnostics that are pushed are not offered to be pulled.
   if (!client.pullDiagnostics) features.erase("diagnosticProvider");
   features["positionEncoding"] = nameOf(client.encoding);
-  features["textDocumentSync"] = {
-      {"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}};
+  features["textDocumentSync"] = {{"openClose", true},
+                                  {"change", protocol::TextDocumentSyncKind::Incremental},
+                                  {"save", {{"includeText", false}}}};
   features["notebookDocumentSync"] = notebookSync();
   features["workspace"]["workspaceFolders"] = {{"supported", true}, {"changeNotifications", true}};
   return features;

@@ -1,6 +1,7 @@
 #include "lsp/server/server.h"
 
 #include "analysis/program/stop.h"
+#include "lsp/protocol/numbers.h"
 
 #include "lsp/features/explain.h"
 #include "lsp/protocol/convert.h"
@@ -68,7 +69,7 @@ Answer Server::execute(const Json& params) {
   auto answer = explain(arguments.is_array() && !arguments.empty() ? arguments[0] : Json());
   if (!answer) return answer;
   peer.notify("window/showMessage",
-              {{"type", static_cast<int>(Announcer::Kind::Info)}, {"message", (*answer)["plain"]}});
+              {{"type", protocol::MessageType::Info}, {"message", (*answer)["plain"]}});
   return Json();
 }
 

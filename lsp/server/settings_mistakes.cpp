@@ -1,5 +1,6 @@
 #include "lsp/server/settings_mistakes.h"
 
+#include "lsp/protocol/numbers.h"
 #include "report/uri.h"
 #include "syntax/text/position.h"
 
@@ -18,9 +19,9 @@ Json rangeOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
 
 Json diagnosticOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
   return {{"range", rangeOf(mistake, encoding)},
-          {"severity", 1},
+          {"severity", protocol::DiagnosticSeverity::Error},
           {"source", "proskill"},
-          {"message", mistake.words}};
+          {"message", mistake.description}};
 }
 
 } // namespace

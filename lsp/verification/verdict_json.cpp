@@ -1,5 +1,6 @@
 #include "lsp/verification/verdict_json.h"
 
+#include "lsp/protocol/numbers.h"
 #include "report/ordered_json.h"
 
 #include <fmt/format.h>
@@ -25,19 +26,23 @@ analysis::Location firstLine(const analysis::Program& program, analysis::Locatio
 Json waypointsJson(const std::vector<ide::Waypoint>& way, const Converter& convert) {
   Json places = Json::array();
   for (const auto& point : way)
-    places.push_back({{"location", convert.location(point.location)}, {"message", point.words}});
+    places.push_back(
+        {{"location", convert.location(point.location)}, {"message", point.description}});
   return places;
 }
 
 /// \pre the property has a location
 Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Program& program,
                     const Converter& convert, const ClientFeatures& client) {
-  Json json{{"range", convert.range(firstLine(program, *property.location))},
-            {"severity", property.weight == codegen::Weight::Error ? 1 : 2},
-            {"code", property.kind},
-            {"source", "proskill verify"},
-            {"message", fmt::format("{}: {}", property.words, ide::toString(property.verdict))},
-            {"data", {{"kind", "verdict"}, {"name", property.name}, {"program", convert.uri(0)}}}};
+  Json json{
+      {"range", convert.range(firstLine(program, *property.location))},
+      {"severity", property.weight == codegen::Weight::Error
+                       ? protocol::DiagnosticSeverity::Error
+                       : protocol::DiagnosticSeverity::Warning},
+      {"code", property.kind},
+      {"source", "proskill verify"},
+      {"message", fmt::format("{}: {}", property.description, ide::toString(property.verdict))},
+      {"data", {{"kind", "verdict"}, {"name", property.name}, {"program", convert.uri(0)}}}};
   if (client.relatedInformation && !property.way.empty())
     json["relatedInformation"] = waypointsJson(property.way, convert);
   return json;
@@ -45,8 +50,8 @@ Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Progra
 
 Json stepJson(const OrderedJson& step, const analysis::Program& program, const Converter& convert) {
   Json json;
-  for (const auto* member : {"actor", "words", "date", "delay", "earliest", "latest", "changes",
-                             "transitions", "origins"})
+  for (const auto* member : {"actor", "description", "date", "delay", "earliest", "latest",
+                             "changes", "transitions", "origins"})
     json[member] = step.at(member);
   json["location"] = orNull(locationIn(program, step.at("location")), convert);
   return json;
@@ -122,7 +127,7 @@ Json verdictJson(const ide::PropertyVerdict& property, const Converter& convert)
   return {{"name", property.name},
           {"kind", property.kind},
           {"subject", property.subject},
-          {"words", property.words},
+          {"description", property.description},
           {"verdict", ide::toString(property.verdict)},
           {"good", property.good()},
           {"severity", property.weight == codegen::Weight::Error ? "error" : "warning"},
@@ -180,7 +185,7 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
   Json steps = Json::array();
   for (const auto& step : trace.at("steps")) steps.push_back(stepJson(step, program, convert));
   return {{"name", name},
-          {"words", property.words},
+          {"description", property.description},
           {"verdict", ide::toString(property.verdict)},
           {"program", convert.uri(0)},
           {"main", verified.mainSkill.empty() ? Json() : Json(verified.mainSkill)},

@@ -26,9 +26,9 @@ std::vector<ide::Waypoint> wayOf(const analysis::Program& program, const Ordered
     auto location = locationIn(program, step.at("location"));
     if (!location || way.size() == kMostWaypoints) continue;
     way.push_back(
-        {*location,
-         fmt::format("{} s: {} {}", step.at("date").at("exact").get<std::string>(),
-                     step.at("actor").get<std::string>(), step.at("words").get<std::string>())});
+        {*location, fmt::format("{} s: {} {}", step.at("date").at("exact").get<std::string>(),
+                                step.at("actor").get<std::string>(),
+                                step.at("description").get<std::string>())});
   }
   return way;
 }
@@ -38,7 +38,7 @@ ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJ
   property.name = json.at("name").get<std::string>();
   property.kind = json.at("kind").get<std::string>();
   property.subject = json.at("subject").get<std::string>();
-  property.words = json.at("words").get<std::string>();
+  property.description = json.at("description").get<std::string>();
   property.verdict = verdictOf(json.at("verdict").get<std::string>()).value();
   property.weight =
       json.at("severity") == "error" ? codegen::Weight::Error : codegen::Weight::Warning;

@@ -16,8 +16,8 @@ inline constexpr const char* kSettingsFile = ".proskill.json";
 
 /// What is wrong with the text of such a file, and where.
 struct SettingsMistake {
-  std::string words; ///< for the user
-  std::string text;  ///< of the file
+  std::string description; ///< for the user
+  std::string text;        ///< of the file
   syntax::Range at;
   friend bool operator==(const SettingsMistake&, const SettingsMistake&) = default;
 };

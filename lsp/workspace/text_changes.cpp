@@ -60,7 +60,7 @@ std::optional<Replacement> replacementIn(std::string_view text, const syntax::Li
   return result;
 }
 
-/// A document, and a text that differs from its own in one stretch.
+/// A document, and a text that differs from its own in one region.
 class Edited {
 public:
   explicit Edited(syntax::Document from) : document(std::move(from)), text(document.text()) {}
@@ -120,7 +120,7 @@ private:
   syntax::Document document;
   std::string text;
   bool dirty = false;
-  syntax::Range before; ///< the stretch in the document
+  syntax::Range before; ///< the region in the document
   syntax::Range now;    ///< in the text
   unsigned edits = 0;
 };

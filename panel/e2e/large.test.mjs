@@ -20,12 +20,12 @@ function longTrace(count) {
   };
   const steps = Array.from({ length: count }, (_, i) => {
     const actor = `s${(i >> 2) % 20}`;
-    const words = ['starts', 'tests `(v0 Good)`: true', 'calls `other`', 'succeeds with `done`'][i % 4];
+    const description = ['starts', 'tests `(v0 Good)`: true', 'calls `other`', 'succeeds with `done`'][i % 4];
     const changes = i % 4 === 0 ? [set(`v${i % 10}`, String(i))] : i % 4 === 3 ? [set(`${actor}.status`, i % 80 === 79 ? 'failure' : 'success')] : [];
     const date = i / 4;
-    return { actor, words, location: null, date: seconds(date), delay: seconds(0.25), earliest: moment(date), latest: moment(date + 1), changes, transitions: [`t${i}`] };
+    return { actor, description, location: null, date: seconds(date), delay: seconds(0.25), earliest: moment(date), latest: moment(date + 1), changes, transitions: [`t${i}`] };
   });
-  return { name: 'patrol', words: 'a long patrol', verdict: 'violated', initial, steps, loop: count - 400 };
+  return { name: 'patrol', description: 'a long patrol', verdict: 'violated', initial, steps, loop: count - 400 };
 }
 
 test('a trace of 10,000 steps', async (context) => {

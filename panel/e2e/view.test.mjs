@@ -89,7 +89,7 @@ describe('the lift, in which two skills want the doors', () => {
     assert.ok((await it.locator('.lane[data-lane="open_doors"] .lane-bar').count()) > 0);
     const box = await it.locator('.lane[data-lane="close_doors"] .lane-bar').boundingBox();
     await it.mouse.click(box.x + box.width - 3, box.y + box.height / 2);
-    const step = property.trace.steps.findIndex((found) => found.actor === 'close_doors' && found.words.startsWith('succeeds'));
+    const step = property.trace.steps.findIndex((found) => found.actor === 'close_doors' && found.description.startsWith('succeeds'));
     assert.equal(await it.locator('.step.current .number').textContent(), String(step + 1));
   });
 

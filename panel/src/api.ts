@@ -41,7 +41,7 @@ export interface Change {
 }
 export interface Step {
   actor: string;
-  words: string;
+  description: string;
   location: Location | null;
   date: Seconds;
   delay: Seconds;
@@ -60,7 +60,7 @@ export interface Actor {
 }
 export interface Trace {
   name: string;
-  words: string;
+  description: string;
   verdict: string;
   initial: { [variable: string]: string };
   steps: Step[];
@@ -76,7 +76,7 @@ export interface Verdict {
   name: string;
   kind: string;
   subject: string;
-  words: string;
+  description: string;
   verdict: VerdictWord;
   good: boolean;
   severity: 'error' | 'warning';

@@ -207,14 +207,14 @@ test('every step of both traces stands in the comparison once and in order, what
     assert.deepEqual(pairs.flatMap((pair) => pair.left ?? []), left.steps.map((_, i) => i));
     assert.deepEqual(pairs.flatMap((pair) => pair.right ?? []), right.steps.map((_, i) => i));
     for (const pair of pairs)
-      if (!isDifferent(pair)) assert.equal(left.steps[pair.left!]!.words, right.steps[pair.right!]!.words);
+      if (!isDifferent(pair)) assert.equal(left.steps[pair.left!]!.description, right.steps[pair.right!]!.description);
     const differences = pairs.filter(isDifferent).length;
     assert.equal(differences, left.steps.length + right.steps.length - 2 * longestCommon(left, right));
   }
 });
 
 function longestCommon(left: Trace, right: Trace): number {
-  const [a, b] = [left, right].map((it) => it.steps.map((s) => s.words)) as [string[], string[]];
+  const [a, b] = [left, right].map((it) => it.steps.map((s) => s.description)) as [string[], string[]];
   const best = (i: number, j: number): number =>
     i === a.length || j === b.length ? 0
       : a[i] === b[j] ? 1 + best(i + 1, j + 1) : Math.max(best(i + 1, j), best(i, j + 1));
@@ -232,9 +232,9 @@ test('a report of the command line is opened, its places counted from 0', () => 
   const report = {
     version: 1, program: 'dir/m.proskill', main: null,
     properties: [
-      { name: 'p', words: 'never P', verdict: 'violated', location: file,
+      { name: 'p', description: 'never P', verdict: 'violated', location: file,
         trace: { initial: {}, steps: [{ ...flight.steps[0], location: file }] } },
-      { name: 'q', words: 'q', verdict: 'holds', location: null, trace: null },
+      { name: 'q', description: 'q', verdict: 'holds', location: null, trace: null },
     ],
   };
   const { program, traces } = open(JSON.stringify(report));

@@ -11,11 +11,11 @@ export function step(line: string): Step {
     variable: it[1]!, before: it[2]!, after: it[3]!,
   }));
   const at = { ...seconds(Number(date)), strict: false };
-  return { actor, words, location: null, date: seconds(Number(date)), delay: seconds(0), earliest: at, latest: at, changes, transitions: [] };
+  return { actor, description: words, location: null, date: seconds(Number(date)), delay: seconds(0), earliest: at, latest: at, changes, transitions: [] };
 }
 
 export function trace(initial: Trace['initial'], lines: string[]): Trace {
-  return { name: 'p', words: 'never P', verdict: 'violated', initial, steps: lines.map(step) };
+  return { name: 'p', description: 'never P', verdict: 'violated', initial, steps: lines.map(step) };
 }
 
 /** A mission that takes off with the battery changing under it. */

@@ -80,7 +80,7 @@ Layout layoutOf(const ide::Trace& trace) {
   for (const auto& step : trace.steps) {
     layout.window = std::max(layout.window, countCharacters(windowText(step)));
     layout.actor = std::max(layout.actor, countCharacters(step.actor));
-    layout.words = std::max(layout.words, countCharacters(step.words));
+    layout.words = std::max(layout.words, countCharacters(step.description));
   }
   layout.words = std::min<std::size_t>(layout.words, 60);
   return layout;
@@ -92,7 +92,7 @@ void writeStep(std::ostream& out, const VerifyReport& report, const ide::TraceSt
   out << fmt::format("    {:>{}}  {}  {}  {}  {}\n", number, layout.number,
                      padded(windowText(step), layout.window),
                      paint(Colour::Cyan, padded(step.actor, layout.actor)),
-                     padded(step.words, layout.words), paint(Colour::Dim, where));
+                     padded(step.description, layout.words), paint(Colour::Dim, where));
   if (!step.changes.empty())
     out << std::string(4 + layout.number + 2 + layout.window + 2 + layout.actor + 2, ' ')
         << paint(Colour::Dim, changesText(step.changes)) << '\n';
@@ -100,7 +100,7 @@ void writeStep(std::ostream& out, const VerifyReport& report, const ide::TraceSt
 
 std::string rowText(const ide::VerdictRow& row, const Paint& paint) {
   auto mark = markOf(row);
-  auto text = fmt::format("  {} {}: {}", paint(mark.colour, mark.sign), row.check->words,
+  auto text = fmt::format("  {} {}: {}", paint(mark.colour, mark.sign), row.check->description,
                           paint(mark.colour, ide::toString(row.verdict)));
   return row.reason.empty() ? text : text + fmt::format(" ({})", row.reason);
 }
@@ -196,7 +196,7 @@ void writeText(std::ostream& out, const VerifyReport& report, const TextOptions&
       out << "\nevery trace begins with: " << initialText(row.trace->initial) << '\n';
     auto mark = markOf(row);
     out << fmt::format("\n{} {}\n", paint(mark.colour, ide::toString(row.verdict)),
-                       paint(Colour::Bold, row.check->words));
+                       paint(Colour::Bold, row.check->description));
     if (row.location) out << "  --> " << place(report.program, *row.location) << '\n';
     writeTrace(out, report, row, options.colour);
   }

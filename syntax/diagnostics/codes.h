@@ -2,6 +2,10 @@
 
 #include "syntax/diagnostics/diagnostic.h"
 
+#include <array>
+
+#include <fmt/format.h>
+
 namespace proskill::syntax {
 
 /// Every diagnostic that there is, from the one table in diagnostics.def.
@@ -10,5 +14,40 @@ enum class Code : std::uint16_t {
 #include "syntax/diagnostics/diagnostics.def"
 #undef DIAGNOSTIC
 };
+
+/// The arguments that a message has places for.
+[[nodiscard]] constexpr std::size_t argumentsOf(std::string_view message) {
+  std::size_t count = 0;
+  for (auto at = message.find("{}"); at != message.npos; at = message.find("{}", at + 2)) ++count;
+  return count;
+}
+
+inline constexpr std::array kArguments = {
+#define DIAGNOSTIC(name, code, severity, message, explanation, example) argumentsOf(message),
+#include "syntax/diagnostics/diagnostics.def"
+#undef DIAGNOSTIC
+};
+
+/// A code whose message is given `count` arguments; one that wants more does not compile. (Who
+/// reports may know more than a message says.)
+template <std::size_t count> struct CodeFor {
+  Code code;
+
+  consteval CodeFor(Code of) : code(of) {
+    if (kArguments[static_cast<std::size_t>(of)] > count) throw "the message wants more arguments";
+  }
+  template <std::size_t fewer>
+  requires(fewer < count) constexpr CodeFor(CodeFor<fewer> of) : code(of.code) {}
+};
+
+/// The diagnostic with the severity of its code and its message filled in with `arguments`.
+template <class... Arguments>
+[[nodiscard]] Diagnostic makeDiagnostic(CodeFor<sizeof...(Arguments)> code, Location location,
+                                        const Arguments&... arguments) {
+  const CodeInfo& entry = info(code.code);
+  // Not `fmt::to_string`, which copies from nowhere where a text is empty.
+  const std::array<std::string, sizeof...(arguments)> words{fmt::format("{}", arguments)...};
+  return {code.code, entry.severity, location, filledIn(entry.message, words), {}, {}};
+}
 
 } // namespace proskill::syntax

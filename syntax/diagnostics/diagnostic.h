@@ -2,14 +2,11 @@
 
 #include "syntax/text/source.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace proskill::syntax {
 
@@ -66,15 +63,5 @@ struct Diagnostic {
 /// are shortened.
 [[nodiscard]] std::string filledIn(std::string_view message,
                                    std::span<const std::string> arguments);
-
-/// The diagnostic with the severity of its code and its message filled in with `arguments`.
-template <class... Arguments>
-[[nodiscard]] Diagnostic makeDiagnostic(Code code, Location location,
-                                        const Arguments&... arguments) {
-  const CodeInfo& entry = info(code);
-  // Not `fmt::to_string`, which copies from nowhere where a text is empty.
-  const std::array<std::string, sizeof...(arguments)> words{fmt::format("{}", arguments)...};
-  return {code, entry.severity, location, filledIn(entry.message, words), {}, {}};
-}
 
 } // namespace proskill::syntax

@@ -13,11 +13,11 @@ namespace {
 
 std::vector<Gap> gapsOf(const Document& document) {
   Layout layout(document.text());
-  for (const Stretch& stretch : document.stretches()) {
-    if (auto boxes = boxesOf(document.text(), stretch))
-      layout.stretch(*boxes);
+  for (const Region& region : document.regions()) {
+    if (auto boxes = boxesOf(document.text(), region))
+      layout.region(*boxes);
     else
-      layout.leave(stretch.range);
+      layout.leave(region.range);
   }
   layout.finish();
   return std::move(layout.gaps);
@@ -111,11 +111,11 @@ std::string tokensOf(const Document& document, Spaces spaces) {
 /// Each word as it was read, a line each.
 std::string wordsOf(const Document& document) {
   std::string words;
-  for (const Stretch& stretch : document.stretches()) {
+  for (const Region& region : document.regions()) {
     const auto text =
-        std::string_view(document.text()).substr(stretch.range.begin, stretch.range.length());
-    if (stretch.tree->empty()) words += text;
-    for (const Node& node : *stretch.tree) {
+        std::string_view(document.text()).substr(region.range.begin, region.range.length());
+    if (region.tree->empty()) words += text;
+    for (const Node& node : *region.tree) {
       if (node.size > 1 || node.kind == NodeKind::Comment) continue;
       auto word = std::string(text.substr(node.range.begin, node.range.length()));
       if (node.kind != NodeKind::StringContent)
@@ -185,14 +185,14 @@ Range formEndingAt(const Boxes& boxes, Offset end) {
 }
 
 std::vector<TextEdit> closedForm(const Document& document, Offset caret) {
-  for (const Stretch& stretch : document.stretches()) {
-    if (caret <= stretch.range.begin || caret > stretch.range.end) continue;
-    auto boxes = boxesOf(document.text(), stretch);
+  for (const Region& region : document.regions()) {
+    if (caret <= region.range.begin || caret > region.range.end) continue;
+    auto boxes = boxesOf(document.text(), region);
     if (!boxes) return {};
     auto closed = formEndingAt(*boxes, caret);
     Layout layout(document.text());
-    layout.leave({0, stretch.range.begin});
-    layout.stretch(*boxes);
+    layout.leave({0, region.range.begin});
+    layout.region(*boxes);
     auto edits = editsOf(document.text(), layout.gaps);
     std::erase_if(edits, [&](const TextEdit& edit) {
       return edit.range.begin <= closed.begin || edit.range.end >= closed.end;
@@ -210,9 +210,8 @@ std::vector<TextEdit> format(const Document& document) {
 
 std::vector<Range> unformattable(const Document& document) {
   std::vector<Range> result;
-  for (const Stretch& stretch : document.stretches())
-    if (!stretch.range.empty() && !boxesOf(document.text(), stretch))
-      result.push_back(stretch.range);
+  for (const Region& region : document.regions())
+    if (!region.range.empty() && !boxesOf(document.text(), region)) result.push_back(region.range);
   return result;
 }
 

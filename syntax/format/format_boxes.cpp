@@ -229,10 +229,10 @@ bool clauseStartsLine(std::string_view text, const Boxes& boxes, std::size_t fie
          lineEndsIn(text, tag.range.end, boxes[at + 2].range.begin);
 }
 
-std::optional<Boxes> boxesOf(std::string_view text, const Stretch& stretch) {
-  if (!stretch.readAsIs) return std::nullopt;
-  BoxBuilder builder(text, stretch.range.begin);
-  if (!builder.build(*stretch.tree)) return std::nullopt;
+std::optional<Boxes> boxesOf(std::string_view text, const Region& region) {
+  if (!region.readAsIs) return std::nullopt;
+  BoxBuilder builder(text, region.range.begin);
+  if (!builder.build(*region.tree)) return std::nullopt;
   return std::move(builder.boxes);
 }
 

@@ -39,8 +39,8 @@ using Boxes = std::vector<Box>;
 /// hangs below the keyword.
 [[nodiscard]] bool clauseStartsLine(std::string_view text, const Boxes& boxes, std::size_t field);
 
-/// The boxes of a stretch of a document, those at its top level one after the other. Nothing where
+/// The boxes of a region of a document, those at its top level one after the other. Nothing where
 /// it holds what the grammar does not take as it stands.
-[[nodiscard]] std::optional<Boxes> boxesOf(std::string_view text, const Stretch& stretch);
+[[nodiscard]] std::optional<Boxes> boxesOf(std::string_view text, const Region& region);
 
 } // namespace proskill::syntax

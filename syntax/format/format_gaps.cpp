@@ -11,8 +11,8 @@ std::uint32_t Layout::columnIn(Offset at) const {
   return widthOf(before.substr(before.rfind('\n') + 1)); // npos + 1 is 0
 }
 
-void Layout::leave(Range stretch) {
-  previousEnd = stretch.end;
+void Layout::leave(Range region) {
+  previousEnd = region.end;
   frozen = true;
   lineMustEnd = false;
   lastWasForm = false;

@@ -25,7 +25,7 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 } // namespace
 
-void Layout::stretch(const Boxes& all) {
+void Layout::region(const Boxes& all) {
   boxes = &all;
   if (previousEnd == 0 && text.starts_with(kByteOrderMark)) previousEnd = kByteOrderMark.size();
   for (Index at = 0; at < all.size(); at = nextOf(at)) {

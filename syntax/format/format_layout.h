@@ -18,11 +18,11 @@ class Layout {
 public:
   explicit Layout(std::string_view text) : text(text) {}
 
-  /// Lays out what stands in a stretch at the top level.
-  void stretch(const Boxes& boxes);
-  /// Passes over a stretch that stays as it is.
-  void leave(Range stretch);
-  /// After the last stretch: the space at the text's end, and what lines do together.
+  /// Lays out what stands in a region at the top level.
+  void region(const Boxes& boxes);
+  /// Passes over a region that stays as it is.
+  void leave(Range region);
+  /// After the last region: the space at the text's end, and what lines do together.
   void finish();
 
   std::vector<Gap> gaps;

@@ -120,11 +120,11 @@ private:
   const OpenForm& form;
 };
 
-/// The stretch that a place is in; where one begins there is nothing open.
-Range stretchAt(const Document& document, Offset at) {
+/// The region that a place is in; where one begins there is nothing open.
+Range regionAt(const Document& document, Offset at) {
   Range found;
-  for (const Stretch& stretch : document.stretches())
-    if (stretch.range.begin < at || at == 0) found = stretch.range;
+  for (const Region& region : document.regions())
+    if (region.range.begin < at || at == 0) found = region.range;
   return found;
 }
 
@@ -139,7 +139,7 @@ std::string_view firstWordIn(std::string_view line) {
 std::uint32_t indentationAt(const Document& document, Offset at) {
   std::string_view text = document.text();
   auto line = document.lines().line(document.lines().position(at).line, text);
-  Offset begin = stretchAt(document, line.begin).begin;
+  Offset begin = regionAt(document, line.begin).begin;
   auto above = text.substr(begin, line.begin - begin);
   auto open = Reader(above).run();
   if (open.empty()) return 0;

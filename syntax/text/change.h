@@ -11,7 +11,7 @@
 /// How one text became another.
 namespace proskill::syntax {
 
-/// A stretch of a text that was put in the place of another: what stands before it stays, what
+/// A region of a text that was put in the place of another: what stands before it stays, what
 /// stands behind it moves.
 struct Replacement {
   Offset begin = 0;
@@ -42,7 +42,7 @@ inline std::optional<Range> Replacement::moved(Range range) const {
 
 /// What changed between two documents.
 struct Change {
-  Replacement stretches; ///< that were read anew; nothing outside of them is other than before
+  Replacement regions; ///< that were read anew; nothing outside of them is other than before
   /// Where only comments and white space differ, what of them: every word is still there, and the
   /// place of each is that which `moved` gives.
   std::optional<Replacement> layout;

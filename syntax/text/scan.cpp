@@ -114,19 +114,19 @@ private:
 
 std::vector<Range> cut(std::string_view text) {
   if (text.size() > kLongestRead) return {{0, static_cast<Offset>(text.size())}};
-  std::vector<Range> stretches;
+  std::vector<Range> regions;
   std::size_t begin = 0;
   for (std::size_t line = 0; line < text.size();) {
     if (line > begin && startsDefinition(text, line)) {
-      stretches.push_back({static_cast<Offset>(begin), static_cast<Offset>(line)});
+      regions.push_back({static_cast<Offset>(begin), static_cast<Offset>(line)});
       begin = line;
     }
     line = text.find('\n', line);
     if (line != std::string_view::npos) ++line;
   }
   if (begin < text.size())
-    stretches.push_back({static_cast<Offset>(begin), static_cast<Offset>(text.size())});
-  return stretches;
+    regions.push_back({static_cast<Offset>(begin), static_cast<Offset>(text.size())});
+  return regions;
 }
 
 std::optional<std::string_view> commentLine(std::string_view line) {

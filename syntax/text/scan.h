@@ -11,12 +11,12 @@
 /// What can be told of a text without its grammar: comments, strings, parentheses, lines.
 namespace proskill::syntax {
 
-/// A longer text, in bytes, is one stretch, which is not read: the forms of a program of this
+/// A longer text, in bytes, is one region, which is not read: the forms of a program of this
 /// length take gigabytes.
 inline constexpr std::size_t kLongestRead = std::size_t{16} << 20;
 
-/// The stretches that are parsed each on its own: one from each line that begins with a definition,
-/// and one before the first. They cover the text; so an edit, or a mistake, stays in its stretch.
+/// The regions that are parsed each on its own: one from each line that begins with a definition,
+/// and one before the first. They cover the text; so an edit, or a mistake, stays in its region.
 [[nodiscard]] std::vector<Range> cut(std::string_view text);
 
 /// What a line of comment says, without its semicolons; nothing where the line is none.

@@ -9,7 +9,7 @@ namespace proskill::syntax {
 /// A place in a text, in bytes from its start.
 using Offset = std::uint32_t;
 
-/// A half-open stretch of a text, in bytes.
+/// A half-open range of a text, in bytes.
 struct Range {
   Offset begin = 0;
   Offset end = 0;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "syntax/diagnostics/diagnostic.h"
+#include "syntax/diagnostics/codes.h"
 #include "syntax/text/quote.h"
 #include "syntax/tree/ast.h"
 #include "syntax/tree/tree.h"
 
-/// From the concrete tree of a stretch of text to its typed tree, and what is wrong with its shape.
+/// From the concrete tree of a region of text to its typed tree, and what is wrong with its shape.
 /// What the grammar cannot read at all (a bad name, a stray character) is reported by words.h,
 /// once; everything here is silent about such nodes.
 namespace proskill::syntax {
@@ -24,7 +24,8 @@ struct Builder {
   [[nodiscard]] Name nameOf(const Node& node) const { return {textOf(node), node.range}; }
 
   template <class... Arguments>
-  Diagnostic& report(Code code, Range range, const Arguments&... arguments) {
+  Diagnostic& report(CodeFor<sizeof...(Arguments)> code, Range range,
+                     const Arguments&... arguments) {
     diagnostics.push_back(makeDiagnostic(code, {0, range}, arguments...));
     return diagnostics.back();
   }

@@ -89,7 +89,7 @@ TEST_CASE("the report as JSON has verdicts, traces and what was explored") {
   for (const auto& step : steps) {
     CHECK(step["location"]["file"] == path);
     CHECK(!step["actor"].get<std::string>().empty());
-    CHECK(!step["words"].get<std::string>().empty());
+    CHECK(!step["description"].get<std::string>().empty());
     CHECK(!step["transitions"].empty());
   }
   CHECK(row["trace"]["initial"]["lamp"] == "Off");
@@ -206,7 +206,7 @@ TEST_CASE("traces are saved as JSON and text") {
   verify({path, "--save-traces", files.path("deep/traces")});
   auto base = files.path("deep/traces/lamp.no_forbidden_transition");
   auto trace = Json::parse(contents(base + ".json"));
-  CHECK(trace["words"] == "`lamp` makes no forbidden move");
+  CHECK(trace["description"] == "`lamp` makes no forbidden move");
   CHECK(trace["verdict"] == "violated");
   CHECK(!trace["steps"].empty());
   CHECK(contents(base + ".txt").find("Off → Broken") != std::string::npos);

@@ -100,7 +100,7 @@ TEST_CASE("a check says what is good, how bad the other is, and where it is abou
   const auto& run = checkOf(model, "wave.can_run");
   CHECK(run.kind == "can_run");
   CHECK(run.subject == "wave");
-  CHECK(run.words == "`wave` can run");
+  CHECK(run.description == "`wave` can run");
   CHECK(run.good == Expectation::Reachable);
   CHECK(run.weight == Weight::Warning);
   CHECK(checkOf(model, "battery.no_forbidden_transition").weight == Weight::Error);

@@ -37,9 +37,9 @@ std::vector<Told> toldIn(const codegen::Model& model, const std::string& program
   std::vector<Told> all;
   const auto visit = [&](const auto& self, const fiacre::Statement& statement) -> void {
     const auto& origin = model.provenance.origins[statement.origin];
-    if (!origin.words.empty())
-      all.push_back(
-          {origin.actor, origin.words, program.substr(origin.begin, origin.end - origin.begin)});
+    if (!origin.description.empty())
+      all.push_back({origin.actor, origin.description,
+                     program.substr(origin.begin, origin.end - origin.begin)});
     for (const auto& child : statement.children) self(self, child);
   };
   for (const auto& from : test::processOf(model, process).transitions) visit(visit, from.statement);
@@ -53,7 +53,7 @@ bool tells(const std::vector<Told>& all, const Told& one) {
 /// Calls `visit` with whether each path through the statement tells something.
 bool everyPathTells(const fiacre::Statement& statement, const fiacre::Provenance& provenance,
                     bool told) {
-  told = told || !provenance.origins[statement.origin].words.empty();
+  told = told || !provenance.origins[statement.origin].description.empty();
   switch (statement.kind) {
   case fiacre::StatementKind::Select:
     return std::ranges::all_of(statement.children, [&](const auto& child) {

@@ -164,7 +164,7 @@ TEST_CASE("in a simulation the user chooses what happens") {
   for (int i = 0; i < 20; ++i) {
     const auto targets = client.result("stepInTargets", {{"frameId", client.top(stop)["id"]}});
     for (const auto& it : targets["targets"])
-      if (it["words"] == "succeeds with `lit`") target = it;
+      if (it["description"] == "succeeds with `lit`") target = it;
     if (!target.is_null()) break;
     stop = move(client, "next");
   }

@@ -321,7 +321,7 @@ TEST_CASE("an origin is the text's own range") {
   const auto& statement = parsed.program.processes[0].transitions[0].statement.children[0];
   const auto& origin = parsed.provenance.origins[statement.origin];
   CHECK(text.substr(origin.begin, origin.end - origin.begin) == "x := 1");
-  CHECK(origin.words == "x := 1");
+  CHECK(origin.description == "x := 1");
   CHECK(origin.actor == "P");
 }
 

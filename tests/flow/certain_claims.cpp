@@ -182,7 +182,7 @@ const Verdict* Judgement::whatSets(Location place) const {
 }
 
 const Verdict* Judgement::occurs(std::string_view event) const {
-  auto asked = std::ranges::find(queries, fmt::format("(occurs {})", event), &Query::words);
+  auto asked = std::ranges::find(queries, fmt::format("(occurs {})", event), &Query::condition);
   if (asked == queries.end()) return nullptr;
   return findOf("property", fmt::format("query_{}", asked - queries.begin()));
 }

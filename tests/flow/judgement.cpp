@@ -36,7 +36,7 @@ std::string Judgement::textWithQueries() const {
   std::string asked = text;
   for (std::size_t i = 0; i < queries.size(); ++i)
     if (queries[i].variable.empty())
-      asked += fmt::format("\n(defproperty query_{} (reachable {}))", i, queries[i].words);
+      asked += fmt::format("\n(defproperty query_{} (reachable {}))", i, queries[i].condition);
   return asked;
 }
 
@@ -79,7 +79,7 @@ void Judgement::askOfModel(codegen::Model& model, std::size_t query) const {
       .value = codegen::equal(codegen::name(name), codegen::number(queries[query].value))};
   fiacre::Property property{.name = fmt::format("query_{}", query)};
   property.pattern.operands.push_back(std::move(seen));
-  model.checks.push_back({.name = queries[query].words,
+  model.checks.push_back({.name = queries[query].condition,
                           .kind = "property",
                           .subject = property.name,
                           .property = model.fiacre.properties.size()});

@@ -11,7 +11,7 @@ namespace proskill::test {
 
 /// A question about a condition that may come true at some time, and what the analysis says.
 struct Query {
-  std::string words;
+  std::string condition;
   bool possible = true;
   /// What the engine is asked where a property of ProSkill cannot say it: a variable of the model,
   /// and its value.

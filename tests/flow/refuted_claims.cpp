@@ -26,7 +26,7 @@ void Judgement::judge(const Verdict& verdict) {
   if (kind == "no_undershoot" || kind == "no_overshoot") possible = mayMiss(verdict);
   if (!possible) ++judged.impossible;
   if (!possible && verdict.happens)
-    refute("impossible, but it happens: " + verdict.check.name + " " + verdict.check.words);
+    refute("impossible, but it happens: " + verdict.check.name + " " + verdict.check.description);
 }
 
 bool Judgement::judgeQuery(const Verdict& verdict) const {

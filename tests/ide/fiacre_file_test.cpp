@@ -96,7 +96,7 @@ TEST_CASE("a model by hand is verified, with a trace at its lines") {
   REQUIRE(report->rows[0].trace.has_value());
   const auto& steps = report->rows[0].trace->steps;
   REQUIRE(steps.size() == 3);
-  CHECK(steps[2].words == "to b");
+  CHECK(steps[2].description == "to b");
   CHECK(steps[2].actor == "P_1");
   CHECK(told(steps[2].changes) == "P_1: a to b, P_1.x: 2 to 3, ");
   CHECK(text.substr(steps[2].location->range.begin, steps[2].location->range.length()) == "to b");
@@ -115,7 +115,7 @@ TEST_CASE("an error at run time is a verdict, and its trace ends where it happen
   CHECK(report->rows[0].verdict == ide::Verdict::Violated);
   const auto& steps = report->rows[0].trace->steps;
   REQUIRE(steps.size() == 2);
-  CHECK(steps[1].words == "x := x + 1: `P_1.x` would get the value 2, outside of 0..1");
+  CHECK(steps[1].description == "x := x + 1: `P_1.x` would get the value 2, outside of 0..1");
   CHECK(text.substr(steps[1].location->range.begin, steps[1].location->range.length()) ==
         "x := x + 1");
 }

@@ -59,7 +59,7 @@ TEST_CASE("the nearest file of settings is the one that holds") {
   auto inner = lsp::settingsFor(files, "/w/strict/main.proskill");
   CHECK_FALSE(inner.settings.style);
   REQUIRE(inner.mistake);
-  CHECK(inner.mistake->words == "`style` is `true` or `false`");
+  CHECK(inner.mistake->description == "`style` is `true` or `false`");
   CHECK(lsp::settingsFor(files, "/v/main.proskill").file.empty());
 }
 

@@ -64,7 +64,7 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
     if (!comparison.disagreement) continue;
     comparison.kind = check.kind + ", " + comparison.kind;
     comparison.disagreement =
-        fmt::format("{} ({})\n{}", check.name, check.words, *comparison.disagreement);
+        fmt::format("{} ({})\n{}", check.name, check.description, *comparison.disagreement);
     return comparison;
   }
   return comparison;

@@ -42,7 +42,7 @@ void askAll(std::uint64_t seed, const test::ProgramSize& size, Questions& tally)
   ++tally.programs;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const auto& answer = result->answers[i];
-    INFO(model->checks[i].words);
+    INFO(model->checks[i].description);
     CHECK(answer.reason.find("internal error") == std::string::npos);
     ++tally.questions;
     tally.decided += answer.truth != verify::Truth::Unknown ? 1 : 0;

@@ -144,7 +144,7 @@ class Protocol(unittest.TestCase):
         self.assertEqual((found["verdict"], found["trace"]), ("violated", None))
         trace = self.view.call("trace", name=found["name"])["result"]
         self.assertEqual(len(trace["steps"]), found["steps"])
-        self.assertEqual(trace["words"], found["words"])
+        self.assertEqual(trace["description"], found["description"])
         self.assertIn("error", self.view.call("trace", name="nobody"))
 
     def test_sources_are_those_of_the_program_alone(self):

@@ -26,7 +26,7 @@ std::string everything(const Document& document) {
     }
   }
   for (Range comment : document.comments()) add(comment);
-  for (const auto& stretch : document.stretches()) add(stretch.range);
+  for (const auto& region : document.regions()) add(region.range);
   for (std::uint32_t line = 0; line < document.lines().lineCount(); ++line)
     add(document.lines().line(line, document.text()));
   for (const auto& diagnostic : document.diagnostics()) {

@@ -64,11 +64,11 @@ TEST_CASE("damage before a definition leaves its tree as it is alone") {
 
 TEST_CASE("a text is cut where a line begins with a definition") {
   std::string_view text = "; first\n(defsv a)\n (defsv b)\n(defsvx c)\n\"(\n(include \"d\")\n";
-  auto stretches = syntax::cut(text);
-  REQUIRE(stretches.size() == 3);
-  CHECK(text.substr(stretches[1].begin, 8) == "(defsv a");
-  CHECK(text.substr(stretches[2].begin, 8) == "(include");
-  CHECK(stretches[2].end == text.size());
+  auto regions = syntax::cut(text);
+  REQUIRE(regions.size() == 3);
+  CHECK(text.substr(regions[1].begin, 8) == "(defsv a");
+  CHECK(text.substr(regions[2].begin, 8) == "(include");
+  CHECK(regions[2].end == text.size());
   CHECK(syntax::cut("").empty());
   CHECK(syntax::cut("(defsv a)").size() == 1);
 }

@@ -120,7 +120,7 @@ TEST_CASE("a hundred thousand closing parentheses are few diagnostics") {
 TEST_CASE("what is nested too deep does not hide its neighbours") {
   auto document = Document::parse("(defsv a :init 1 :min 0 :max 2)\n" + repeated("(", 300) +
                                   "\n(defevent gust :effects (a 2))\n");
-  // Both stand in one stretch of text, up to the next definition.
+  // Both stand in one region of text, up to the next definition.
   CHECK(test::codesOf(document) == "PS0005");
   CHECK(document.forms().back().is<syntax::Event>());
 }

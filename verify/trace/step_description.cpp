@@ -33,7 +33,7 @@ std::vector<fiacre::OriginId> tellingLast(const fiacre::Provenance& provenance,
   for (auto origin : log.origins)
     if (std::ranges::find(all, origin) == all.end()) all.push_back(origin);
   std::ranges::stable_partition(all, [&](fiacre::OriginId origin) {
-    return origin >= provenance.origins.size() || provenance.origins[origin].words.empty();
+    return origin >= provenance.origins.size() || provenance.origins[origin].description.empty();
   });
   return all;
 }

@@ -51,7 +51,7 @@ export interface Model {
     lastLine: number;
     location: Location | null;
     actor: string;
-    words: string;
+    description: string;
   }[];
   texts: TextVersion[];
 }

@@ -233,7 +233,7 @@ function shortLabel(subject: string, label: string): string {
 
 function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMessage {
   const text = new vscode.MarkdownString();
-  text.appendText(`${plain(verdict.words)}: ${verdict.verdict}`);
+  text.appendText(`${plain(verdict.description)}: ${verdict.verdict}`);
   if (verdict.reason) text.appendText(`\n${verdict.reason}`);
   if (verdict.steps !== null) {
     const node = encodeURIComponent(JSON.stringify([{ program: item.id.split('##')[0], name: verdict.name }]));

@@ -55,7 +55,7 @@ async function tell(program: vscode.Uri, { verdicts, exploration }: protocol.Ver
   const traced = worst.steps !== null ? worst : bad.find(({ steps }) => steps !== null);
   const open = 'Open a trace';
   const chosen = await vscode.window.showWarningMessage(
-    `ProSkill: ${inWords(count(verdicts))}, of ${verdicts.length}. ${worst.words.replaceAll('`', '')}: ${worst.verdict} (${seconds}).`,
+    `ProSkill: ${inWords(count(verdicts))}, of ${verdicts.length}. ${worst.description.replaceAll('`', '')}: ${worst.verdict} (${seconds}).`,
     ...(traced ? [open] : []));
   if (chosen === open && traced)
     await vscode.commands.executeCommand('proskill.openTrace', { program: program.toString(), name: traced.name });

@@ -13,6 +13,7 @@ namespace {
 using syntax::Code;
 using syntax::Interval;
 using syntax::Rational;
+using Told = syntax::CodeFor<2>;
 
 constexpr std::size_t kMostParts = 5;
 
@@ -31,10 +32,10 @@ bool mayMiss(const Interval& interval, const Duration& duration) {
          (interval.upper && duration.most && *duration.most > *interval.upper);
 }
 
-std::optional<Code> verdict(const Interval& interval, const Duration& duration) {
-  if (alwaysShort(interval, duration.most)) return Code::AlwaysTooShort;
-  if (alwaysLong(interval, duration.least)) return Code::AlwaysTooLong;
-  if (mayMiss(interval, duration)) return Code::MayMissInterval;
+std::optional<Told> verdict(const Interval& interval, const Duration& duration) {
+  if (alwaysShort(interval, duration.most)) return Told(Code::AlwaysTooShort);
+  if (alwaysLong(interval, duration.least)) return Told(Code::AlwaysTooLong);
+  if (mayMiss(interval, duration)) return Told(Code::MayMissInterval);
   return std::nullopt;
 }
 
@@ -71,8 +72,8 @@ void checkDurations(Report& report) {
     if (!code) continue;
     // Where it is stopped it ends before its body has: then only some runs take too long, and a
     // later beginning of the interval would make the others too short.
-    const bool isStopped = *code == Code::AlwaysTooLong && durations.mayEndEarly(id);
-    if (isStopped) code = Code::MayMissInterval;
+    const bool isStopped = code->code == Code::AlwaysTooLong && durations.mayEndEarly(id);
+    if (isStopped) code = Told(Code::MayMissInterval);
     Finding finding =
         report.findings.report(*code, skill.at(interval.range), skill.name(), words(*duration));
     addParts(finding, report, durations, id);

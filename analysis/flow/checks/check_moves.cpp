@@ -133,14 +133,15 @@ private:
     ValueSet to;
     for (const auto& [index, targets] : it.forbidden) from |= ValueSet::of(index), to |= targets;
     const Variables& variables = report.variables();
-    Code code = it.from == it.broken ? Code::ForbiddenMove
-                : it.byEvent         ? Code::EventMayBeForbidden
-                                     : Code::MayBeForbiddenMove;
+    using Told = syntax::CodeFor<3>;
+    const auto code = it.from == it.broken ? Told(Code::ForbiddenMove)
+                      : it.byEvent         ? Told(Code::EventMayBeForbidden)
+                                           : Told(Code::MayBeForbiddenMove);
     Finding finding = report.findings.report(code, it.at, variables.name(it.variable),
                                              variables.words(it.variable, from),
                                              variables.words(it.variable, to));
     for (const Origin& origin : origins.of(it.variable, from))
-      finding.related(origin.at, origin.words);
+      finding.related(origin.at, origin.description);
     bool isWhole = !entailed.contains(it.variable); // else the next wrong move comes to light
     if (from.count() == 1 && to.count() == 1 && isWhole)
       offerTransition(finding, it.variable, from, to);
@@ -204,9 +205,10 @@ private:
 
   void reportRange(const Assigned& it) {
     const Domain& domain = report.variables()[it.variable].domain;
-    Code code = it.from == it.broken ? Code::LeavesRange
-                : it.byEvent         ? Code::EventMayLeaveRange
-                                     : Code::MayLeaveRange;
+    using Told = syntax::CodeFor<2>;
+    const auto code = it.from == it.broken ? Told(Code::LeavesRange)
+                      : it.byEvent         ? Told(Code::EventMayLeaveRange)
+                                           : Told(Code::MayLeaveRange);
     std::string limit = it.overshoots ? fmt::format("above {}", domain.max())
                                       : fmt::format("below {}", domain.min());
     if (it.overshoots && it.fallsShort) limit += fmt::format(" or below {}", domain.min());
@@ -216,7 +218,7 @@ private:
         definitionOf(report, it.variable),
         fmt::format("can be {} there", report.variables().words(it.variable, it.from - it.clean)));
     for (const Origin& origin : origins.of(it.variable, it.from - it.clean))
-      finding.related(origin.at, origin.words);
+      finding.related(origin.at, origin.description);
     offerWait(finding, it);
   }
 

@@ -32,7 +32,7 @@ struct Part {
   syntax::Range range;
 };
 
-bool reportConflict(Report& report, Code code, const Definition<syntax::Skill>& skill,
+bool reportConflict(Report& report, syntax::CodeFor<3> code, const Definition<syntax::Skill>& skill,
                     const std::vector<Part>& parts, const State& state,
                     const std::vector<Condition>& conditions) {
   std::size_t conflict = firstConflict(state, conditions);

@@ -32,9 +32,10 @@ void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
   if (isBlamed(report, process, conditions)) return;
   if (dependsOnUnreturned(report, id, nodeId, conditions.front(), never)) return;
   bool loops = node.statement->kind == StatementKind::While;
-  Code code = always  ? Code::TestAlwaysHolds
-              : loops ? Code::LoopNeverEntered
-                      : Code::TestNeverHolds;
+  using Told = syntax::CodeFor<0>;
+  const auto code = always  ? Told(Code::TestAlwaysHolds)
+                    : loops ? Told(Code::LoopNeverEntered)
+                            : Told(Code::TestNeverHolds);
   Finding finding = report.findings.report(code, report.at(id, nodeId));
   if (always && !hasOtherArm(node)) finding.severity(syntax::Severity::Hint);
   addValues(finding, report, process, report.solver.before(id, nodeId), conditions);

@@ -45,12 +45,12 @@ public:
   }
 
 private:
-  void reportUnless(bool used, Code code, const Symbol& symbol) {
+  void reportUnless(bool used, syntax::CodeFor<1> code, const Symbol& symbol) {
     if (!used) report.findings.report(code, symbol.at, symbol.name);
   }
 
   /// Nothing refers to it, so that nothing is missed.
-  void reportRemovable(Code code, const Symbol& symbol) {
+  void reportRemovable(syntax::CodeFor<1> code, const Symbol& symbol) {
     report.findings.report(code, symbol.at, symbol.name)
         .fix(fmt::format("remove `{}`", symbol.name),
              withSpaceAround(report, {symbol.at.file, symbol.extent}), "");

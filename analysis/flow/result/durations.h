@@ -9,7 +9,7 @@
 
 namespace proskill::analysis::flow {
 
-/// A stretch of time in seconds. Bounds are as if closed.
+/// A region of time in seconds. Bounds are as if closed.
 struct Duration {
   syntax::Rational least;
   std::optional<syntax::Rational> most; ///< nothing: no bound is known

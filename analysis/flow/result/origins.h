@@ -11,7 +11,7 @@ namespace proskill::analysis::flow {
 /// Where a value may come from: an effect, or the start of the program.
 struct Origin {
   Location at;
-  std::string words; ///< "becomes Good here"
+  std::string description; ///< "becomes Good here"
 };
 
 /// The effects of a program by what they set.

@@ -24,8 +24,8 @@ export function actorsOf(trace: Trace): Actor[] {
   const words = new Map<string, Set<string>>();
   for (const step of trace.steps) {
     const known = words.get(step.actor);
-    if (known) known.add(step.words);
-    else words.set(step.actor, new Set([step.words]));
+    if (known) known.add(step.description);
+    else words.set(step.actor, new Set([step.description]));
   }
   const processes = new Set(trace.steps.filter((step) => step.transitions.some((each) => each.startsWith(`${step.actor}_t`)))
     .map((step) => step.actor));

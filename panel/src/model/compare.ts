@@ -6,7 +6,7 @@ export interface Pair {
   right: number | null;
 }
 
-const key = (step: Step): string => `${step.actor}\u0000${step.words}`;
+const key = (step: Step): string => `${step.actor}\u0000${step.description}`;
 
 /** Beyond so many differences the rest is taken as different: it would not be read anyway. */
 const mostDifferences = 2000;

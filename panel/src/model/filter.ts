@@ -32,7 +32,7 @@ const plain = (text: string): string => text.replaceAll('`', '').toLowerCase();
 export function matches(step: Step, needle: string): boolean {
   const text = [
     step.actor,
-    step.words,
+    step.description,
     ...step.changes.map((change) => `${change.variable} ${change.before} ${change.after}`),
   ].join('\n');
   return plain(text).includes(plain(needle));

@@ -45,11 +45,11 @@ function skillLane(trace: Trace, name: string, kind: ActorKind): Lane {
     const status = step.changes.find((change) => change.variable === variable)?.after;
     const mine = step.actor === name;
     if (mine) lane.marks.push(index);
-    const ended = mine || status ? endOf(mine ? step.words : '', status, hasStatus) : null;
+    const ended = mine || status ? endOf(mine ? step.description : '', status, hasStatus) : null;
     if (running && ended) {
       Object.assign(running, { to: index, open: false, tone: ended });
       running = null;
-    } else if (mine && !running && starts.test(step.words)) {
+    } else if (mine && !running && starts.test(step.description)) {
       running = { from: index, to: trace.steps.length - 1, open: true, label: name, tone: 'running' };
       lane.bars.push(running);
     }

@@ -31,7 +31,7 @@ export function traceOf(value: Json, about: Json = value): Trace {
   const text = (key: string): string => (typeof about[key] === 'string' ? (about[key] as string) : '');
   const trace: Trace = {
     name: text('name'),
-    words: text('words') || text('name'),
+    description: text('description') || text('name'),
     verdict: text('verdict'),
     initial: value['initial'] as Trace['initial'],
     steps: value['steps'].map(stepOf),

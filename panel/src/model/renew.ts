@@ -7,7 +7,7 @@ export interface Continuation {
   same: boolean;
 }
 
-const deed = (step: Step): string => JSON.stringify([step.actor, step.words, step.changes]);
+const deed = (step: Step): string => JSON.stringify([step.actor, step.description, step.changes]);
 
 /** The step of `fresh` that does what the step of `former` does, as often as it was done before; else the nearest. */
 export function continuation(former: Trace, index: number, fresh: Trace): Continuation {
@@ -23,7 +23,7 @@ export function continuation(former: Trace, index: number, fresh: Trace): Contin
 
 /** Whether two traces tell the same story, wherever their places have moved to. */
 export function tellsTheSame(left: Trace, right: Trace): boolean {
-  const story = ({ words, verdict, initial, steps, loop }: Trace): string =>
-    JSON.stringify([words, verdict, initial, loop ?? null, steps.map((step) => [deed(step), step.earliest, step.latest])]);
+  const story = ({ description, verdict, initial, steps, loop }: Trace): string =>
+    JSON.stringify([description, verdict, initial, loop ?? null, steps.map((step) => [deed(step), step.earliest, step.latest])]);
   return story(left) === story(right);
 }

@@ -232,7 +232,7 @@ export class LanesView {
 
   private stepTip(step: number): string {
     const it = this.trace!.steps[step]!;
-    return `${step + 1}. ${it.actor}: ${it.words.replaceAll('`', '')}\n${windowOf(it)} s`;
+    return `${step + 1}. ${it.actor}: ${it.description.replaceAll('`', '')}\n${windowOf(it)} s`;
   }
 
   private barTip(lane: Lane, label: string, from: number, to: number | null, tone: string): string {

@@ -192,12 +192,12 @@ export class StepList {
     return h('div', {
       class: classes.filter(Boolean).join(' '), id: `step-${index}`, role: 'option', 'aria-selected': String(index === this.current),
       'aria-posinset': this.positions.get(index) ?? 1, 'aria-setsize': steps.length,
-      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.words}`,
+      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.description}`,
       onclick: () => this.choose(index), ondblclick: () => this.events.enter(index),
     }, h('span', { class: 'number' }, String(index + 1)),
     h('span', { class: `date${sameDate ? ' same' : ''}`, title: windowWords(step) }, `${windowOf(step)} s`),
     (!grouped || compared) && whoElement(step.actor),
-    ...wordsOf(step.words),
+    ...wordsOf(step.description),
     trace.loop === index && h('span', { class: 'tag' }, 'from here on for ever'),
     only && h('span', { class: 'tag' }, 'only here'),
     step.location && h('span', { class: 'place' }, placeOf(step.location)));
@@ -216,7 +216,7 @@ export class StepList {
     const step = this.shown!.compared!.other.steps[index]!;
     return h('div', { class: `row step only-right hue-${this.hueOf(step.actor)}`, role: 'presentation' },
       h('span', { class: 'number' }, String(index + 1)), h('span', { class: 'date', title: windowWords(step) }, `${windowOf(step)} s`),
-      whoElement(step.actor), h('span', { class: 'words' }, prose(step.words)),
+      whoElement(step.actor), h('span', { class: 'words' }, prose(step.description)),
       h('span', { class: 'tag' }, 'only in the other'));
   }
 

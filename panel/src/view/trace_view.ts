@@ -44,7 +44,7 @@ export class TraceView {
   private shown: number[] = [];
   private found: number[] = [];
   private compared: { other: Trace; pairs: Pair[] } | null = null;
-  private valuesOf = new Values({ name: '', words: '', verdict: '', initial: {}, steps: [] });
+  private valuesOf = new Values({ name: '', description: '', verdict: '', initial: {}, steps: [] });
   private others: Verdict[] = [];
   /** as it was given, and the same with the watches that can be asked of it */
   private given: Trace | null = null;
@@ -194,7 +194,7 @@ export class TraceView {
     this.body.hidden = true;
     this.empty.hidden = false;
     this.empty.replaceChildren(h('p', {}, h('span', { class: `badge ${verdict.verdict}` }, verdict.verdict)),
-      h('p', {}, prose(verdict.words)), h('p', { class: 'faint' }, prose(verdict.reason || 'After the last change there is no trace of it any more.')));
+      h('p', {}, prose(verdict.description)), h('p', { class: 'faint' }, prose(verdict.reason || 'After the last change there is no trace of it any more.')));
     this.host.tell('step', null);
   }
 
@@ -216,7 +216,7 @@ export class TraceView {
     const trace = this.trace!;
     const end = trace.steps.at(-1)?.date;
     this.head.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
-      h('h2', { title: trace.name }, prose(trace.words)),
+      h('h2', { title: trace.name }, prose(trace.description)),
       h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), `, ${end ? decimal(end) : '0'} s`),
       h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'), this.renewed);
     this.renewed.textContent = '';
@@ -258,7 +258,7 @@ export class TraceView {
 
   private compareSections(): Section[] {
     const others = this.others.filter((verdict) => verdict.name !== this.trace!.name);
-    const items = others.map((verdict) => ({ label: verdict.words.replaceAll('`', ''), hint: plural(verdict.steps ?? 0, 'step'), choose: () => void this.compareWith(verdict.name) }));
+    const items = others.map((verdict) => ({ label: verdict.description.replaceAll('`', ''), hint: plural(verdict.steps ?? 0, 'step'), choose: () => void this.compareWith(verdict.name) }));
     return [{ title: items.length > 0 ? 'Compare with the trace of' : 'No other property has a trace', items }];
   }
 
@@ -271,7 +271,7 @@ export class TraceView {
     this.comparing.hidden = !other;
     if (other) {
       const count = this.compared!.pairs.filter(isDifferent).length;
-      this.comparing.replaceChildren(icon('compare'), h('span', {}, 'Compared with ', prose(other.words), ': ',
+      this.comparing.replaceChildren(icon('compare'), h('span', {}, 'Compared with ', prose(other.description), ': ',
         count === 0 ? 'the same steps' : plural(count, 'step differs', 'steps differ')),
       button({ icon: 'previous', title: 'Previous difference', onclick: () => this.toDifference(-1) }),
       button({ icon: 'next', title: 'Next difference', onclick: () => this.toDifference(1) }),

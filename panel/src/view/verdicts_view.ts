@@ -44,7 +44,7 @@ export class VerdictsView {
     this.drawSummary(this.program);
     const needle = this.field.value.trim().toLowerCase();
     const shown = this.program.verdicts.filter((verdict) =>
-      (!this.onlyBad.on || !verdict.good) && `${verdict.name} ${verdict.words}`.toLowerCase().includes(needle));
+      (!this.onlyBad.on || !verdict.good) && `${verdict.name} ${verdict.description}`.toLowerCase().includes(needle));
     const subjects = new Map<string, Verdict[]>();
     for (const verdict of shown) subjects.set(verdict.subject, [...(subjects.get(verdict.subject) ?? []), verdict]);
     const worst = (list: Verdict[]): number => Math.min(...list.map((verdict) => rank[markOf(verdict)]));
@@ -109,5 +109,5 @@ export class VerdictsView {
 /** Without the subject's name at the beginning, which stands above. */
 function shortWords(verdict: Verdict): string {
   const start = `\`${verdict.subject}\` `;
-  return verdict.words.startsWith(start) ? verdict.words.slice(start.length) : verdict.words;
+  return verdict.description.startsWith(start) ? verdict.description.slice(start.length) : verdict.description;
 }

@@ -1,5 +1,5 @@
 """Whether the server's messages are of the protocol's types: a session that calls every request that the server offers,
-recorded and handed to ../conformance/check.mjs. Usage: conformance.py PROSKILL"""
+recorded and handed to ../conformance/check.mjs. Whether its numbers are the protocol's, too. Usage: conformance.py PROSKILL"""
 
 import json
 import pathlib
@@ -173,6 +173,8 @@ def session(program):
 
 def main():
     npm.install(CHECKER)
+    if subprocess.run(['node', CHECKER / 'numbers.mjs', 'check']).returncode:
+        sys.exit(1)
     record = session(sys.argv[1])
     with tempfile.NamedTemporaryFile('w', suffix='.json') as file:
         json.dump(record, file)

@@ -78,7 +78,7 @@ class Types:
     def __init__(self, manual):
         blocks = re.findall(r'```ts\n(.*?)```', manual, re.S)
         self.interfaces = Reader(PROTOCOL + '\n'.join(blocks)).interfaces()
-        self.seen = set()  # members that some value had, as `Step.words`
+        self.seen = set()  # members that some value had, as `Step.description`
 
     def members(self, name):
         base, own = self.interfaces[name]

@@ -39,8 +39,8 @@ export const scenarios = {
   /** The failing property of the drone is run from the Testing view. */
   async testing(world) {
     const { editor, page } = world;
-    const { words } = verified(world, kProgram, failing);
-    world.failingRow = words.replace(/^.*` /, '');
+    const { description } = verified(world, kProgram, failing);
+    world.failingRow = description.replace(/^.*` /, '');
     await editor.command('View: Close All Editors');
     await editor.openFile(kProgram);
     await editor.command('Testing: Focus on Test Explorer View');

@@ -25,8 +25,8 @@ export async function chooseTrace(programs: Programs, uri: vscode.Uri, question:
   const traces = await tracesOf(programs, uri);
   if (!traces.length) throw new Error('There is no trace: verify the program first. A property that holds has none.');
   const section = (label: string, icon: string, of: (verdict: panel.Verdict) => boolean): Entry[] => {
-    const entries = traces.filter(of).map(({ name, words, verdict, steps }) => ({
-      label: `$(${icon}) ${name}`, description: `${verdict}, ${steps} ${steps === 1 ? 'step' : 'steps'}`, detail: words.replaceAll('`', ''), name,
+    const entries = traces.filter(of).map(({ name, description, verdict, steps }) => ({
+      label: `$(${icon}) ${name}`, description: `${verdict}, ${steps} ${steps === 1 ? 'step' : 'steps'}`, detail: description.replaceAll('`', ''), name,
     }));
     return entries.length ? [{ label, kind: vscode.QuickPickItemKind.Separator }, ...entries] : [];
   };

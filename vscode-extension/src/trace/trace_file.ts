@@ -30,7 +30,7 @@ export async function readTrace(file: vscode.Uri): Promise<Read | undefined> {
 }
 
 async function choose(traces: panel.Trace[]): Promise<panel.Trace | undefined> {
-  const entries = traces.map((trace) => ({ label: trace.name, description: `${trace.verdict}, ${trace.steps.length} steps`, detail: trace.words, trace }));
+  const entries = traces.map((trace) => ({ label: trace.name, description: `${trace.verdict}, ${trace.steps.length} steps`, detail: trace.description, trace }));
   return (await vscode.window.showQuickPick(entries, { placeHolder: 'The trace of which property?', matchOnDetail: true }))?.trace;
 }
 

@@ -13,7 +13,7 @@ function M.trace(from, encoding)
   local trace = { initial = from.initial, stale = from.stale == true, steps = {} }
   for _, step in ipairs(from.steps) do
     table.insert(trace.steps, {
-      actor = step.actor, words = step.words, changes = step.changes,
+      actor = step.actor, description = step.description, changes = step.changes,
       earliest = present(step.earliest), latest = present(step.latest),
       place = encoding and place.of_protocol(step.location, encoding)
               or not encoding and place.of_program(step.location) or nil,

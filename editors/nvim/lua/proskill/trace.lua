@@ -24,13 +24,13 @@ for group, link in pairs({
 end
 
 local function items(shown)
-  local start = ('start  %s: %s'):format(shown.words, shown.verdict)
+  local start = ('start  %s: %s'):format(shown.description, shown.verdict)
   local result = { place.item(shown.place, { text = start, nr = 0 }) }
   for number, step in ipairs(shown.trace.steps) do
     local changes = steps.changes(step)
     table.insert(result, place.item(step.place, {
       nr = number,
-      text = ('%s  %s: %s%s'):format(steps.date(step), step.actor, step.words,
+      text = ('%s  %s: %s%s'):format(steps.date(step), step.actor, step.description,
                                      changes ~= '' and '  [' .. changes .. ']' or ''),
     }))
   end
@@ -57,7 +57,7 @@ local function note(shown, step)
     table.insert(notes, { ' ' .. steps.change(change) .. ' ', 'ProskillStepChange' })
   end
   if step then
-    table.insert(notes, { (' %s · %s'):format(steps.date(step), step.words), 'ProskillStepNote' })
+    table.insert(notes, { (' %s · %s'):format(steps.date(step), step.description), 'ProskillStepNote' })
   end
   return notes
 end
@@ -198,7 +198,7 @@ local function open(verdict, trace)
   end
   local shown = {
     trace = trace, at = 0, window = vim.api.nvim_get_current_win(),
-    name = verdict.name, words = verdict.words, verdict = verdict.verdict, place = verdict.place,
+    name = verdict.name, description = verdict.description, verdict = verdict.verdict, place = verdict.place,
   }
   vim.fn.setqflist({}, ' ', {
     title = 'trace of ' .. verdict.name, items = items(shown), idx = 1,
@@ -238,7 +238,7 @@ local function show(buffer, verdict)
   elseif verdict.steps then
     ask(buffer, verdict)
   else
-    message.info(('%s: %s, without a trace'):format(verdict.words, verdict.verdict))
+    message.info(('%s: %s, without a trace'):format(verdict.description, verdict.verdict))
   end
 end
 
@@ -252,7 +252,7 @@ local function choose(buffer, verdicts)
   end
   vim.ui.select(candidates, {
     prompt = 'Trace of', format_item = function(verdict)
-      return ('%s: %s'):format(verdict.words, verdict.verdict)
+      return ('%s: %s'):format(verdict.description, verdict.verdict)
     end,
   }, function(chosen)
     if chosen then

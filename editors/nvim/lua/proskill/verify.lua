@@ -8,7 +8,7 @@ local place = require('proskill.place')
 
 local M = {}
 
--- The last verdicts: { buffer, list = { { name, words, verdict, good, severity, place, trace, steps } } }.
+-- The last verdicts: { buffer, list = { { name, description, verdict, good, severity, place, trace, steps } } }.
 M.last = nil
 
 local cancel = nil
@@ -20,7 +20,7 @@ local function verdict_of(from, where)
     end
   end
   return {
-    name = from.name, words = from.words, verdict = from.verdict, good = from.good,
+    name = from.name, description = from.description, verdict = from.verdict, good = from.good,
     severity = from.severity, place = where, reason = present(from.reason),
     trace = present(from.trace), steps = present(from.steps),
   }
@@ -56,7 +56,7 @@ local function item_of(verdict)
   local kind = verdict.good and 'I' or verdict.severity == 'error' and 'E' or 'W'
   local reason = (verdict.reason or '') ~= '' and ' (' .. verdict.reason .. ')' or ''
   return place.item(verdict.place, {
-    type = kind, text = ('%s: %s%s'):format(verdict.words, verdict.verdict, reason),
+    type = kind, text = ('%s: %s%s'):format(verdict.description, verdict.verdict, reason),
     module = verdict.name,
   })
 end
