@@ -22,8 +22,8 @@ def git(*arguments):
     subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *arguments], cwd=tidy.ROOT, check=True, capture_output=True)
 
 
-def commit(name):
-    pathlib.Path(tidy.ROOT, name).write_text("", encoding="utf-8")
+def commit(name, before=""):
+    pathlib.Path(tidy.ROOT, name).write_text(before + f"// {name}\n" * 10, encoding="utf-8")
     git("add", name)
     git("commit", "-qm", name)
 
@@ -44,6 +44,9 @@ with tempfile.TemporaryDirectory() as directory:
     git("checkout", "-qb", "branch")
     commit("mine.cpp")
     expect("on a branch", tidy.changed(), ({"mine.cpp"}, "since the branch left main"))
+    git("mv", "last.cpp", "moved.cpp")
+    commit("9.cpp", '#include "moved.h"\n')
+    expect("where files only move", tidy.changed()[0], {"mine.cpp"})
     units = [Unit("mine.cpp", "last.cpp"), *(Unit(f"{i}.cpp") for i in range(1, tidy.RECENT))]
     expect("without a unit", tidy.unread(units), {"0.cpp"})
-finish(found, "4 cases")
+finish(found, "5 cases")
