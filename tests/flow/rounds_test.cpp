@@ -18,6 +18,15 @@ std::string codes(const std::string& program) {
 
 } // namespace
 
+TEST_CASE("what a body reads before its own call is of no other body's call") {
+  // `last` has no outcome of its own yet, so its wait goes on at once: nothing is said of it.
+  const std::string program = "(defskill s :action (s) :failure bad)\n"
+                              "(defskill first :body ((s) (^ (= s.status failure))))\n"
+                              "(defskill last :body ((^ (/= s.status failure)) (s)))\n"
+                              "(defskill m :body ((first) (last)))";
+  CHECK(codes(program).find("PS0701") == std::string::npos);
+}
+
 TEST_CASE("A loop that a refused call keeps going is told at its beginning") {
   const std::string door = "(defsv door :states (Closed Open) :init Closed)\n"
                            "(defevent opens :effects (door Open))\n"

@@ -38,9 +38,14 @@ Solver::Closing Solver::closingOf(ProcessId process, bool inside) {
   Closing closing;
   for (Slot slot = 0; slot < slots.size(); ++slot) {
     VariableKind kind = model.variables()[slots[slot]].kind;
-    View& view = moves.of(isOfCall(kind) ? model.concurrent(process) : beside, slots[slot]);
+    const bool stale = !inside && model.mayReadStale(process, slots[slot]);
+    const IdSet& movers = stale            ? model.everybody()
+                          : isOfCall(kind) ? model.concurrent(process)
+                                           : beside;
+    View& view = moves.of(movers, slots[slot]);
     view.readers.push_back({.process = process, .inside = inside, .slot = slot});
     closing.relations.push_back(&view.relation);
+    if (stale) closing.stale.push_back(slot);
   }
   return closing;
 }
@@ -131,6 +136,7 @@ void Solver::prepareEvents() {
 
 void Solver::close(State& state, const Closing& closing) {
   if (!state.reachable) return;
+  for (Slot slot : closing.stale) state.values[slot] |= ValueSet::of(0);
   for (Slot slot : closing.moving)
     state.values[slot] = closing.relations[slot]->closure(state.values[slot]);
 }

@@ -63,6 +63,7 @@ private:
   struct Closing {
     std::vector<const Relation*> relations; ///< by slot
     std::vector<Slot> moving;               ///< those whose relation is not empty
+    std::vector<Slot> stale;                ///< outcomes that may be older: from none at all on
   };
   /// The same for what a node calls, of the few slots that this may change.
   using Changes = std::vector<std::pair<Slot, const Relation*>>;

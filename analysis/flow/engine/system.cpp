@@ -51,6 +51,39 @@ Location System::at(const Process& process, syntax::Range range) const {
   return source.skills.all[process.definition].at(range);
 }
 
+bool System::mayReadStale(ProcessId reader, VariableId id) const {
+  const Variable& variable = shared[id];
+  const Process& process = processes[reader];
+  if (variable.kind != VariableKind::Status && variable.kind != VariableKind::Result) return false;
+  if (process.kind != ProcessKind::Skill && process.kind != ProcessKind::Branch) return false;
+  const ProcessId skill = skillProcess[variable.definition];
+  const auto& calls = sites[skill];
+  const auto isOfReader = [&](const Site& site) {
+    return processes[site.caller].definition == process.definition;
+  };
+  const auto isOther = [&](const Site& site) { return site.caller != calls.front().caller; };
+  return std::ranges::any_of(calls, isOther) && std::ranges::any_of(calls, isOfReader) &&
+         readsBeforeCall(process, id, skill);
+}
+
+bool System::readsBeforeCall(const Process& reader, VariableId variable, ProcessId skill) const {
+  std::vector<bool> seen(reader.graph->nodes.size());
+  std::vector<NodeId> todo{0};
+  while (!todo.empty()) {
+    const NodeId at = todo.back();
+    todo.pop_back();
+    if (at == kNoNode || seen[at]) continue;
+    seen[at] = true;
+    const Node& node = (*reader.graph)[at];
+    std::vector<VariableId> reads;
+    for (const syntax::Expr* condition : node.conditions) names.addReads(*condition, reads);
+    if (std::ranges::count(reads, variable) > 0) return true;
+    if (node.kind == NodeKind::Call && reader.actions[at].target == skill) continue;
+    for (const Edge& edge : node.edges) todo.push_back(edge.target);
+  }
+  return false;
+}
+
 void System::addThreads(const SkillGraph& graph, ProcessKind kind, std::size_t definition) {
   auto first = static_cast<ProcessId>(processes.size());
   for (const Graph& each : graph.graphs) {

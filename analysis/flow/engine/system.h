@@ -68,6 +68,10 @@ public:
   [[nodiscard]] const IdSet& everybody() const { return allProcesses; }
   /// Those that may act between two steps of a process and are not called by it.
   [[nodiscard]] const IdSet& concurrent(ProcessId id) const { return others[id]; }
+  /// The variable is the status or result of a skill that the body calls, and another one, too, and
+  /// the thread may read it before it calls the skill: what it reads is the outcome of the body's
+  /// own last call, which lies before this run, whatever others have called since.
+  [[nodiscard]] bool mayReadStale(ProcessId reader, VariableId variable) const;
   /// Skills that cannot be running while this one is; itself, where it is never called while it is.
   [[nodiscard]] const IdSet& exclusive(ProcessId id) const { return excluded[id]; }
   /// Events happen at any time: no environment restricts them.
@@ -80,6 +84,8 @@ public:
   [[nodiscard]] Location at(const Process& process, syntax::Range range) const;
 
 private:
+  [[nodiscard]] bool readsBeforeCall(const Process& reader, VariableId variable,
+                                     ProcessId skill) const;
   void addProcesses();
   void addThreads(const SkillGraph& graph, ProcessKind kind, std::size_t definition);
   void link();
