@@ -47,6 +47,6 @@ with tempfile.TemporaryDirectory() as directory:
     git("mv", "last.cpp", "moved.cpp")
     commit("9.cpp", '#include "moved.h"\n')
     expect("where files only move", tidy.changed()[0], {"mine.cpp"})
-    units = [Unit("mine.cpp", "last.cpp"), *(Unit(f"{i}.cpp") for i in range(1, tidy.RECENT))]
+    units = [Unit("mine.cpp", "moved.cpp"), *(Unit(f"{i}.cpp") for i in range(1, tidy.RECENT))]
     expect("without a unit", tidy.unread(units), {"0.cpp"})
 finish(found, "5 cases")
