@@ -36,7 +36,7 @@ struct Date {
 
 /// A step of a witness.
 struct Step {
-  std::vector<fiacre::OriginId> origins; ///< of the statements that were passed, most telling last
+  std::vector<fiacre::OriginId> origins; ///< of the statements that were passed, the most descriptive last
   std::vector<std::string> transitions;  ///< the Fiacre transitions: `skill_takeoff_1_t3`
   std::vector<std::string> instances;    ///< of processes, that move: `skill_takeoff_1`
   Date earliest;                         ///< since the start, over all runs through these steps

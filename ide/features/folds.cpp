@@ -1,4 +1,4 @@
-#include "ide/features/fold_list.h"
+#include "ide/answers/fold.h"
 
 namespace proskill::ide {
 

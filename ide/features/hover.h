@@ -1,16 +1,11 @@
 #pragma once
 
-#include "ide/description/markup.h"
+#include "ide/answers/hover.h"
 #include "ide/snapshot/snapshot.h"
 
 #include <optional>
 
 namespace proskill::ide {
-
-struct Hover {
-  Markup text;
-  syntax::Range range; ///< of the word that it is about
-};
 
 /// What is told of the name or the word of the language at a place: the definition, the comment
 /// above it, the allowed moves, who sets it, what it can be here. Nothing where no word stands.

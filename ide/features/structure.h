@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ide/answers/fold.h"
 #include "ide/snapshot/snapshot.h"
 
 #include <string>
@@ -7,17 +8,6 @@
 
 /// What can be told of a text from its form alone: folds, selections, links.
 namespace proskill::ide {
-
-enum class FoldKind : std::uint8_t { Form, Comment };
-
-/// Lines that can be folded into the first of them.
-struct Fold {
-  std::uint32_t firstLine = 0;
-  std::uint32_t lastLine = 0; ///< > firstLine
-  FoldKind kind = FoldKind::Form;
-
-  friend bool operator==(const Fold&, const Fold&) = default;
-};
 
 /// By their first lines, which all differ.
 [[nodiscard]] std::vector<Fold> folds(const syntax::Document& document);

@@ -1,49 +1,13 @@
 #pragma once
 
+#include "ide/answers/token.h"
 #include "ide/snapshot/snapshot.h"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 /// What each word of a text is, for an editor that colours by meaning.
 namespace proskill::ide {
-
-/// In the order of the legend that clients are told; new ones are added at the end.
-enum class TokenType : std::uint8_t {
-  Keyword, // `defskill`, `if`, `and`
-  Field,   // `:init`
-  Comment,
-  String,
-  Number,
-  Operator, // `=`, `^`, `//`
-  Skill,
-  Variable,
-  Value, // of a state variable
-  Event,
-  Parameter,
-  Type, // of an input
-  Resource,
-  Property,
-  Environment,
-  Tag,
-  Label,
-};
-
-/// Bits of a set.
-enum TokenModifier : std::uint8_t {
-  kDefinition = 1,
-  kWritten = 2, ///< a state variable is set
-  kUnused = 4,  ///< the definition of what nothing else mentions
-};
-
-struct Token {
-  syntax::Range range; ///< within one line
-  TokenType type = TokenType::Keyword;
-  std::uint8_t modifiers = 0;
-
-  friend bool operator==(const Token&, const Token&) = default;
-};
 
 /// In the order of the text; those that touch `within`.
 [[nodiscard]] std::vector<Token> tokens(const View& view, syntax::Range within);

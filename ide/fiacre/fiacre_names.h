@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fiacre/syntax/parse.h"
+#include "ide/answers/token.h"
 #include "ide/completion/completion.h"
-#include "ide/features/tokens.h"
 
 namespace proskill::ide {
 

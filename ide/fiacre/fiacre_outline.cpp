@@ -1,7 +1,7 @@
 #include "ide/fiacre/fiacre_text.h"
 
 #include "fiacre/syntax/words.h"
-#include "ide/features/fold_list.h"
+#include "ide/answers/fold.h"
 #include "ide/fiacre/fiacre_names.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "fiacre/syntax/parse.h"
+#include "ide/answers/fold.h"
+#include "ide/answers/hover.h"
+#include "ide/answers/token.h"
 #include "ide/completion/completion.h"
-#include "ide/features/hover.h"
-#include "ide/features/structure.h"
-#include "ide/features/tokens.h"
 
 #include <map>
 #include <optional>

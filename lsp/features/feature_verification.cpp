@@ -74,16 +74,19 @@ Answer Verification::verifyRequested(const Request& request) {
   auto job = worker::jobFor(view->program());
   job.names = namesIn(request.params);
   job.budget = withLimits(chosen.requestBudget, request.params.value("limits", Json()));
+  // Limits of the request itself are no settings.
+  const auto limits = request.params.contains("limits") ? LimitSettings{} : kRequestLimits;
   const auto& open = request.snapshot.open();
   Progress workDone([this](std::string_view method,
                            const Json& params) { outside.send(rpc::notification(method, params)); },
                     request.params.value("workDoneToken", Json()), nullptr);
   workDone.begin("Verifying " + view->program().files.front().path.filename().string());
   board.set(view->owner, VerificationState::Checking);
-  auto verified = run(view->owner, open, job, request.cancellation, [&](const auto& progress) {
-    workDone.report(wordsOf(progress), percentageOf(progress));
-    board.setProgress(view->owner, progress);
-  });
+  auto verified =
+      run(view->owner, open, job, limits, request.cancellation, [&](const auto& progress) {
+        workDone.report(wordsOf(progress), percentageOf(progress));
+        board.setProgress(view->owner, progress);
+      });
   if (!verified) {
     const auto& failure = verified.error();
     workDone.end(failure.message);

@@ -199,7 +199,7 @@ void Verification::checkProgram(const Programs& program, const ide::Snapshot& no
   job.budget = chosen.liveBudget;
   board.set(program, VerificationState::Checking);
   auto verified =
-      run(program, now.open(), job, cancellation,
+      run(program, now.open(), job, kLiveLimits, cancellation,
           [&](const worker::WorkerProgress& progress) { board.setProgress(program, progress); });
   {
     const std::lock_guard lock(mutex);
@@ -226,7 +226,7 @@ void Verification::record(const Programs& program, Verified verified) {
 
 std::expected<Verified, worker::WorkerFailure>
 Verification::run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
-                  const rpc::Cancellation& cancellation,
+                  const LimitSettings& limits, const rpc::Cancellation& cancellation,
                   const std::function<void(const worker::WorkerProgress&)>& progress) {
   const auto& root = program->program.files.front().path;
   log(fmt::format("verifying {}", root.string()));
@@ -235,7 +235,7 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
     log(fmt::format("verifying {}: {}", root.string(), report.error().message));
     return std::unexpected(report.error());
   }
-  auto verified = readReport(*report, program, open);
+  auto verified = readReport(*report, program, open, limits);
   if (!verified)
     return std::unexpected(
         worker::WorkerFailure{false, "the process that verifies gave a report of an unknown form"});

@@ -53,7 +53,7 @@ private:
                     const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   std::expected<Verified, worker::WorkerFailure>
   run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
-      const rpc::Cancellation& cancellation,
+      const LimitSettings& limits, const rpc::Cancellation& cancellation,
       const std::function<void(const worker::WorkerProgress&)>& progress);
   void record(const Programs& program, Verified verified);
   void noticeEdit(const ide::Snapshot& now);

@@ -6,6 +6,14 @@
 
 namespace proskill::lsp {
 
+/// The settings that raise the limits of a verification, as users write them; empty: none does.
+struct LimitSettings {
+  std::string_view seconds;
+  std::string_view megabytes;
+};
+inline constexpr LimitSettings kLiveLimits{"verify.seconds", "verify.megabytes"};
+inline constexpr LimitSettings kRequestLimits{"verify.requestSeconds", "verify.requestMegabytes"};
+
 /// Whether and how programs are verified. docs/lsp.md has the names and the defaults.
 struct VerificationSettings {
   bool trusted = true; ///< else nothing is verified, whatever else is said

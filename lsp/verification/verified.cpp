@@ -33,7 +33,19 @@ std::vector<ide::Waypoint> wayOf(const analysis::Program& program, const Ordered
   return way;
 }
 
-ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJson& json) {
+/// An inconclusive verdict that a limit is to blame for says how to get a better one.
+std::string withSetting(const std::string& reason, const LimitSettings& limits) {
+  const auto raisedBy = [&](std::string_view setting) {
+    if (setting.empty()) return reason;
+    return fmt::format("{}; the setting `{}` raises it", reason, setting);
+  };
+  if (reason.ends_with("the time limit was met")) return raisedBy(limits.seconds);
+  if (reason.ends_with("the memory limit was met")) return raisedBy(limits.megabytes);
+  return reason;
+}
+
+ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJson& json,
+                                const LimitSettings& limits) {
   ide::PropertyVerdict property;
   property.name = json.at("name").get<std::string>();
   property.kind = json.at("kind").get<std::string>();
@@ -43,7 +55,7 @@ ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJ
   property.weight =
       json.at("severity") == "error" ? codegen::Weight::Error : codegen::Weight::Warning;
   property.location = locationIn(program, json.at("location"));
-  property.reason = json.value("reason", "");
+  property.reason = withSetting(json.value("reason", ""), limits);
   if (const auto& trace = json.at("trace"); !trace.is_null()) {
     property.steps = trace.at("steps").size();
     if (property.bad()) property.way = wayOf(program, trace);
@@ -65,7 +77,7 @@ verify::Exploration explorationOf(const OrderedJson& json) {
 }
 
 Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> analysed,
-              const ide::OpenTexts& open) {
+              const ide::OpenTexts& open, const LimitSettings& limits) {
   const auto& program = analysed->program;
   Verified verified;
   auto verdicts = std::make_shared<ide::ProgramVerdicts>();
@@ -73,7 +85,7 @@ Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProg
     if (auto text = open.find(file.path); text != open.end())
       verdicts->versions[file.path] = text->second.version;
   for (const auto& json : report.at("properties")) {
-    auto property = propertyOf(program, json);
+    auto property = propertyOf(program, json, limits);
     if (property.steps) verified.traces[property.name] = json.at("trace").dump();
     verdicts->properties.push_back(std::move(property));
   }
@@ -102,9 +114,9 @@ std::optional<analysis::Location> locationIn(const analysis::Program& program,
 
 std::optional<Verified> readReport(const OrderedJson& report,
                                    std::shared_ptr<const ide::AnalysedProgram> program,
-                                   const ide::OpenTexts& open) {
+                                   const ide::OpenTexts& open, const LimitSettings& limits) {
   try {
-    return read(report, std::move(program), open);
+    return read(report, std::move(program), open, limits);
   } catch (const OrderedJson::exception&) {
     return std::nullopt;
   } catch (const std::bad_optional_access&) {

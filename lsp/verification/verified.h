@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/verdicts/verdicts.h"
+#include "lsp/verification/verification_settings.h"
 #include "report/ordered_json.h"
 #include "report/report_json.h"
 #include "rpc/rpc.h"
@@ -20,9 +21,10 @@ struct Verified {
 };
 
 /// Reads a report (docs/verify.schema.json) on this program. Nothing where it has not that form.
+/// A reason that is a limit says which setting raises it.
 [[nodiscard]] std::optional<Verified>
 readReport(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> program,
-           const ide::OpenTexts& open);
+           const ide::OpenTexts& open, const LimitSettings& limits);
 
 /// What is known after some properties have been verified again: the newer verdict of each, where
 /// both are for the same texts; else the newer ones alone.

@@ -9,7 +9,7 @@
 
 namespace proskill::report {
 
-/// A stretch of a text that is marked, with what is said about it.
+/// A part of a text that is marked, with what is said about it.
 struct Mark {
   syntax::Range range;
   std::string label; ///< may be empty

@@ -146,6 +146,16 @@ std::string bytesText(std::uint64_t bytes) {
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024 * 1024));
 }
 
+/// Why the exploration stopped, and how it goes further.
+std::string withOption(const std::string& stopped) {
+  for (const auto& [limit, option] : {std::pair{"time limit", "--time-limit"},
+                                      {"memory limit", "--memory-limit"},
+                                      {"limit of classes", "--class-limit"}})
+    if (stopped.find(limit) != std::string::npos)
+      return fmt::format("{}; `{}` raises it", stopped, option);
+  return stopped;
+}
+
 void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& paint) {
   const auto& rows = report.result.rows;
   auto count = [&](auto&& predicate) { return std::ranges::count_if(rows, predicate); };
@@ -163,7 +173,7 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
   out << fmt::format("\n{} classes, {} markings, {} transitions, {} in {:.3f} s{}\n",
                      explored.classes, explored.markings, explored.transitions,
                      bytesText(explored.bytes), explored.seconds,
-                     explored.complete ? "" : "; stopped: " + explored.stopped);
+                     explored.complete ? "" : "; stopped: " + withOption(explored.stopped));
 }
 
 } // namespace

@@ -140,6 +140,8 @@ TEST_CASE("a limit that is met leaves the rest inconclusive and ends with 3") {
   CHECK(std::ranges::any_of(report["properties"], [](const Json& row) {
     return row["verdict"] == "inconclusive" && !row["reason"].get<std::string>().empty();
   }));
+  CHECK(verify({path, "--class-limit", "1"}).out.find("`--class-limit` raises it") !=
+        std::string::npos);
 }
 
 TEST_CASE("a violation that was found before a limit counts") {

@@ -126,7 +126,7 @@ TEST_CASE("a mission or monitor that is refused when the program starts is told 
 TEST_CASE("a monitor that is always armed starts as soon as its precondition holds") {
   const std::string program = R"(
     (defsv door :states (Closed Open) :init Closed)
-    (defskill mission :body ((^ 1) (set (door Open)) (^ 1)))
+    (defskill mission :body ((^ 1) (set (door Open)) (^ 1) (set (door Closed))))
     (defskill watch :precondition (open (door Open)) :body ((^ 5)) :monitor )";
   const auto refused = verdicts(program + "t)");
   CHECK(refused.at("watch.can_run") == "unreachable");

@@ -69,11 +69,8 @@ def cycles():
         for folder in reach:
             reach[folder] |= set().union(*(reach.get(to, set()) for to in reach[folder]))
     return [f"ARCHITECTURE.md: {folder}/ is part of a cycle" for folder in rows
-            if folder in reach[folder] and folder not in KNOWN_CYCLE]
+            if folder in reach[folder]]
 
-
-# The outline and the tokens of a Fiacre file are those of any file to an editor, and are asked for in one place.
-KNOWN_CYCLE = {"ide/features", "ide/fiacre"}
 
 SOURCES = [name for name in files(".cpp", ".h") if name.split("/")[0] in FOLDERS]
 found = [complain(name, *include) for name in SOURCES for include in INCLUDE.findall(read(name))]

@@ -44,7 +44,7 @@ struct Simulation::State {
     if (!next) return std::nullopt;
     Candidate made{id, {}};
     auto& choice = made.choice;
-    choice.step = {.origins = tellingLast(provenance, log),
+    choice.step = {.origins = mostDescriptiveLast(provenance, log),
                    .transitions = {nameOf(system, id, log)},
                    .instances = instancesOf(system, id),
                    .date = at,

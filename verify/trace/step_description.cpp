@@ -27,8 +27,8 @@ std::vector<std::string> instancesOf(const System& system, TransitionId transiti
   return names;
 }
 
-std::vector<fiacre::OriginId> tellingLast(const fiacre::Provenance& provenance,
-                                          const StepLog& log) {
+std::vector<fiacre::OriginId> mostDescriptiveLast(const fiacre::Provenance& provenance,
+                                                  const StepLog& log) {
   std::vector<fiacre::OriginId> all;
   for (auto origin : log.origins)
     if (std::ranges::find(all, origin) == all.end()) all.push_back(origin);

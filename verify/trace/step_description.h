@@ -14,8 +14,8 @@ namespace proskill::verify {
 [[nodiscard]] std::vector<std::string> instancesOf(const System& system, TransitionId transition);
 
 /// Each origin once, in the order of the path; those with words after those without.
-[[nodiscard]] std::vector<fiacre::OriginId> tellingLast(const fiacre::Provenance& provenance,
-                                                        const StepLog& log);
+[[nodiscard]] std::vector<fiacre::OriginId>
+mostDescriptiveLast(const fiacre::Provenance& provenance, const StepLog& log);
 
 /// Every watched variable's value, in `after`.
 [[nodiscard]] std::vector<Change> valuesIn(const System& system, const std::vector<Word>& state);

@@ -52,7 +52,7 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
     if (fails) state = before;
     const Window& window = dating->steps[i];
     made.steps.push_back(
-        {.origins = tellingLast(provenance, log),
+        {.origins = mostDescriptiveLast(provenance, log),
          .transitions = {nameOf(system, evidence.steps[i], log)},
          .instances = instancesOf(system, evidence.steps[i]),
          .earliest = window.earliest,

@@ -80,7 +80,7 @@ private:
     }
   }
 
-  /// An event strikes whatever the state of affairs is.
+  /// An event occurs whatever the state of affairs is.
   void visitEvents() {
     const System& system = report.system();
     const Process& process = system[system.ofEvents()];

@@ -151,6 +151,16 @@ TEST_CASE("beyond its limits a verification is inconclusive") {
   CHECK(result["verdicts"][0]["reason"] == "the limit of classes was met");
 }
 
+TEST_CASE("a verdict that a limit left open names the setting that raises it") {
+  Session::Options options;
+  options.initializationOptions = {{"verify", {{"live", false}, {"requestSeconds", 1e-6}}}};
+  Session session(options);
+  openLamp(session, kGood);
+  const auto result = session.result("proskill/verify", verifying(kMain));
+  CHECK(result["verdicts"][0]["reason"] ==
+        "the time limit was met; the setting `verify.requestSeconds` raises it");
+}
+
 TEST_CASE("in a workspace that is not trusted nothing is verified") {
   test::TemporaryDirectory directory;
   auto options = withShell("touch " + directory.path("started"));

@@ -1,10 +1,24 @@
 #pragma once
 
-#include "ide/features/structure.h"
+#include "syntax/text/source.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace proskill::ide {
+
+enum class FoldKind : std::uint8_t { Form, Comment };
+
+/// Lines that can be folded into the first of them.
+struct Fold {
+  std::uint32_t firstLine = 0;
+  std::uint32_t lastLine = 0; ///< > firstLine
+  FoldKind kind = FoldKind::Form;
+
+  friend bool operator==(const Fold&, const Fold&) = default;
+};
 
 /// The lines that things take, by the first of them; of two that begin in one line the longer one.
 class FoldList {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ide/description/markup.h"
+#include "syntax/text/source.h"
+
+namespace proskill::ide {
+
+struct Hover {
+  Markup text;
+  syntax::Range range; ///< of the word that it is about
+};
+
+} // namespace proskill::ide
