@@ -36,11 +36,12 @@ struct Date {
 
 /// A step of a witness.
 struct Step {
-  std::vector<fiacre::OriginId> origins; ///< of the statements that were passed, the most descriptive last
-  std::vector<std::string> transitions;  ///< the Fiacre transitions: `skill_takeoff_1_t3`
-  std::vector<std::string> instances;    ///< of processes, that move: `skill_takeoff_1`
-  Date earliest;                         ///< since the start, over all runs through these steps
-  std::optional<Date> latest;            ///< nothing: unbounded
+  std::vector<fiacre::OriginId>
+      origins; ///< of the statements that were passed, the most descriptive last
+  std::vector<std::string> transitions; ///< the Fiacre transitions: `skill_takeoff_1_t3`
+  std::vector<std::string> instances;   ///< of processes, that move: `skill_takeoff_1`
+  Date earliest;                        ///< since the start, over all runs through these steps
+  std::optional<Date> latest;           ///< nothing: unbounded
   std::int64_t date = 0; ///< in the concrete run that was replayed, in units of 1/Trace::scale
   std::vector<Change> changes;
   std::string failure; ///< why the step fails: the run ends with it; empty where it does not

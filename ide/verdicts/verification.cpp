@@ -83,11 +83,32 @@ std::optional<verify::Question> progressBeside(const codegen::Model& model, cons
   return verify::Question{found->property};
 }
 
+constexpr std::string_view kOfRunsWithTime = "of runs in which time goes on";
+
 /// A run in which time stands still breaks no bound, so it must be said that it does not count.
-void sayTimePasses(const codegen::Model& model, VerificationReport& report) {
-  for (auto& row : report.rows)
-    if (row.verdict == Verdict::Holds && isBounded(model, *row.check))
-      row.reason = "of runs in which time goes on: `program.time_progress` is violated";
+/// \param progress whether time can always go on
+void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictRow& row) {
+  if (row.verdict != Verdict::Holds || !isBounded(model, *row.check)) return;
+  switch (progress) {
+  case verify::Truth::True:
+    if (row.reason.starts_with(kOfRunsWithTime)) row.reason.clear();
+    break;
+  case verify::Truth::False:
+    row.reason = fmt::format("{}: `program.time_progress` is violated", kOfRunsWithTime);
+    break;
+  case verify::Truth::Unknown:
+    row.reason = fmt::format("{}: `program.time_progress` is not decided", kOfRunsWithTime);
+    break;
+  }
+}
+
+/// Where the question whether time can go on stands; nothing where it is not asked.
+std::optional<std::size_t> placeOfProgress(const Asked& asked, std::size_t questions) {
+  const auto found =
+      std::ranges::find_if(asked.checks, [](const auto* it) { return isProgress(*it); });
+  if (found != asked.checks.end()) return found - asked.checks.begin();
+  if (questions > asked.checks.size()) return asked.checks.size();
+  return std::nullopt;
 }
 
 } // namespace
@@ -166,23 +187,24 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
   const auto asked = askedOf(model, names);
   auto questions = asked.questions;
   if (const auto beside = progressBeside(model, asked)) questions.push_back(*beside);
+  const auto progressAt = placeOfProgress(asked, questions.size());
+  auto progress = verify::Truth::Unknown;
   std::vector<std::optional<VerdictRow>> rows(questions.size());
   options.decided = [&](std::size_t i, verify::Answer answer) {
+    if (progressAt == i) progress = answer.truth;
     if (i >= asked.checks.size()) return;
     rows[i] = row(*asked.checks[i], std::move(answer), model);
+    if (progressAt) sayTimePasses(model, progress, *rows[i]);
     if (onRow) onRow(i, *rows[i]);
   };
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
-  bool timeStops = false;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const bool progress = i >= asked.checks.size() || isProgress(*asked.checks[i]);
-    timeStops = timeStops || (progress && result->answers[i].truth == verify::Truth::False);
-  }
+  if (progressAt) progress = result->answers[*progressAt].truth;
   auto report = reportOf(model, asked, std::move(*result));
   for (std::size_t i = 0; i < asked.checks.size(); ++i)
     if (rows[i]) report.rows[i] = std::move(*rows[i]);
-  if (timeStops) sayTimePasses(model, report);
+  for (auto& each : report.rows)
+    if (progressAt) sayTimePasses(model, progress, each);
   return report;
 }
 

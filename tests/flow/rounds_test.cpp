@@ -58,6 +58,28 @@ TEST_CASE("A refused call that skills beside rule out is not told") {
   CHECK(codes(others).empty());
 }
 
+TEST_CASE("A loop that others may end at once is not told") {
+  const std::string start = R"((defsv door :states (Closed Open) :init Open)
+    (defevent opens :effects (door Open)) (defevent closes :effects (door Closed))
+    (defskill drive :precondition (clear (door Open)) :time_interval [1,2] :action (d)
+      :success ok :failure ko)
+    (defskill other :time_interval [1,2] :action (o))
+    )";
+  const std::string loop = "(while (/= drive.status success) (drive))";
+  const std::string guarded = "(defskill m :invariant (i (:guard (door Open))) :body ";
+  const std::string called = "(defskill x :body (" + loop + "))\n";
+  const auto isTold = [&](const std::string& rest) {
+    return codes(start + rest).find("PS1007") != std::string::npos;
+  };
+  CHECK_FALSE(isTold(guarded + "((// (" + loop + ") ((other)))))"));
+  CHECK_FALSE(isTold(called + guarded + "((x)))"));
+  CHECK_FALSE(isTold("(defskill m :failure f :body ((// (" + loop +
+                     ") ((^ (door Closed)) (failure f)))))"));
+  CHECK_FALSE(isTold("(defskill x :interrupt () :body (" + loop + "))\n" +
+                     "(defskill m :body ((// ((x)) ((^ (door Closed)) (x.interrupt)))))"));
+  CHECK(isTold(called + "(defskill m :body ((// ((x)) ((other)))))"));
+}
+
 TEST_CASE("A loop whose wait does not wait again is told at its beginning") {
   const auto told = [](const std::string& body) {
     return codes("(defsv battery :states (Good Critical) :init Good)\n"

@@ -10,8 +10,7 @@ namespace {
 constexpr std::string_view kStops =
     "of runs in which time goes on: `program.time_progress` is violated";
 
-/// What the verdict rests on, where the door is so at the start.
-std::string reasonOf(const std::string& door, const std::string& check) {
+codegen::Model modelWhere(const std::string& door) {
   const auto program = test::programOfText("(defsv door :states (Open Closed) :init " + door + R"()
 (defevent opens :effects (door Open))
 (defskill drive :precondition (way (door Open)) :time_interval [1,2] :action (d))
@@ -19,7 +18,12 @@ std::string reasonOf(const std::string& door, const std::string& check) {
 (defproperty soon (leadsto (running drive) (not (running drive)) :within [0,3]))
 (defproperty opened (reachable (door Open)))
 )");
-  const auto model = codegen::generate(program).value();
+  return codegen::generate(program).value();
+}
+
+/// What the verdict rests on, where the door is so at the start.
+std::string reasonOf(const std::string& door, const std::string& check) {
+  const auto model = modelWhere(door);
   const auto report = ide::verifyModel(model, {check}, {});
   REQUIRE(report.has_value());
   REQUIRE(report->rows.size() == 1);
@@ -33,4 +37,29 @@ TEST_CASE("where time can stop, verdicts on bounds say that they are about the o
   CHECK(reasonOf("Closed", "soon") == kStops);
   CHECK(reasonOf("Closed", "opened").empty());
   CHECK(reasonOf("Open", "soon").empty());
+}
+
+TEST_CASE("a verdict on bounds that came before a limit says whether it is about all runs") {
+  const auto model = modelWhere("Closed");
+  const auto isOfAllRuns = [](const ide::VerdictRow& row) {
+    return row.verdict == ide::Verdict::Holds && row.reason.empty() && row.check->name == "soon";
+  };
+  std::size_t open = 0;
+  for (std::size_t jump = 1; jump < 60; ++jump) {
+    std::size_t looks = 0;
+    verify::Options options;
+    options.limits.seconds = 10;
+    options.clock = [&] { return ++looks > jump ? 1000.0 : 0.0; };
+    bool handedOver = false;
+    const auto report =
+        ide::verifyModel(model, {}, options, [&](std::size_t, const ide::VerdictRow& row) {
+          handedOver = handedOver || isOfAllRuns(row);
+        });
+    REQUIRE(report.has_value());
+    INFO("the limit is met at look " << jump);
+    CHECK_FALSE(handedOver);
+    CHECK(std::ranges::none_of(report->rows, isOfAllRuns));
+    for (const auto& row : report->rows) open += row.reason.ends_with("is not decided") ? 1 : 0;
+  }
+  CHECK(open > 0); // the limit was met in between, too
 }

@@ -53,8 +53,7 @@ void Explorer::walkCalm(Walk& walk) const {
 
 /// The steps from a node's parent to it, or from the initial state.
 const Steps& Explorer::legTo(NodeIndex index) const {
-  auto [entry, isNew] = legs.try_emplace(index);
-  if (!isNew) return entry->second;
+  if (const auto known = legs.find(index); known != legs.end()) return known->second;
   const ZoneNode& node = graph.nodes[index];
   const FreeInputs* open = reductions.freeInputs;
   Walk walk = node.parent == kNone ? walkFrom(initialState(system))
@@ -73,7 +72,7 @@ const Steps& Explorer::legTo(NodeIndex index) const {
     walkOn(walk, node.transition);
   }
   walkStubbornSets(walk);
-  return entry->second = std::move(walk.taken);
+  return legs.emplace(index, std::move(walk.taken)).first->second; // whole, or a limit was met
 }
 
 /// The way to a node, as it was taken: with the setters that lead to each choice of values and

@@ -25,6 +25,48 @@ bool waitsForNothing(const Node& node) {
   return upper && upper->numerator == 0;
 }
 
+bool hasNode(const Process& process, NodeKind kind) {
+  return process.graph &&
+         std::ranges::find(process.graph->nodes, kind, &Node::kind) != process.graph->nodes.end();
+}
+
+/// A thread, those that forked it or called its skill, and so on.
+IdSet threadsAround(const System& system, ProcessId thread) {
+  IdSet around;
+  std::vector<ProcessId> todo{thread};
+  while (!todo.empty()) {
+    const ProcessId at = todo.back();
+    todo.pop_back();
+    if (at == kNoProcess || around.contains(at)) continue;
+    around.insert(at);
+    todo.push_back(system[at].parent);
+    if (system[at].kind == ProcessKind::Skill)
+      for (const Site& site : system.callers(at)) todo.push_back(site.caller);
+  }
+  return around;
+}
+
+/// Others may end it at once: a guard of who forked or called it, a branch beside one of them that
+/// ends the skill, or an interrupt.
+bool mayBeEnded(const System& system, ProcessId thread) {
+  const IdSet around = threadsAround(system, thread);
+  for (ProcessId other = 0; other < system.size(); ++other) {
+    const Process& process = system[other];
+    if (other != thread && around.contains(other) && hasNode(process, NodeKind::InvariantFailure))
+      return true;
+    if (!around.contains(other) && process.kind == ProcessKind::Branch &&
+        around.contains(process.parent) && hasNode(process, NodeKind::Leave))
+      return true;
+    if (other == thread || !process.graph) continue;
+    for (NodeId node = 0; node < process.actions.size(); ++node)
+      if ((*process.graph)[node].kind == NodeKind::Interrupt &&
+          process.actions[node].target != kNoProcess &&
+          around.contains(process.actions[node].target))
+        return true;
+  }
+  return false;
+}
+
 /// What a condition leaves of a state: where it is certain, all of it.
 enum class Need : std::uint8_t { Possible, Certain };
 
@@ -44,6 +86,7 @@ public:
   }
 
   std::optional<InstantRound> find() {
+    if (mayBeEnded(system, id)) return std::nullopt;
     for (NodeId head : loop)
       for (const State& start : solver.cases(id, head)) {
         path.clear();
