@@ -64,8 +64,7 @@ public:
         options(with),
         limits(watch),
         result(to),
-        whole(withStateLayout(model.system)),
-        isAnswered(model.goals.size()) {
+        whole(withStateLayout(model.system)) {
     result.exploration.complete = true;
   }
 
@@ -81,14 +80,6 @@ public:
       if (compiled.goals[i].kind == GoalKind::Run)
         if (auto failure = watch(i)) return failure;
     return std::nullopt;
-  }
-
-  /// Leaves open what is not decided.
-  void giveUp(const std::string& reason) {
-    result.exploration.complete = false;
-    result.exploration.stopped = reason;
-    for (std::size_t i = 0; i < isAnswered.size(); ++i)
-      if (!isAnswered[i]) answer(i, unknown(reason));
   }
 
 private:
@@ -135,17 +126,13 @@ private:
   std::optional<Unsupported> watch(std::size_t index) {
     const Goal& goal = compiled.goals[index];
     const auto seen = watchedBy(goal.monitor);
-    const auto takesHere = [&](Reduction reduction) {
-      return options.reductions.contains(reduction) && !compiled.system.hasPriorities;
-    };
-    const bool slices = takesHere(Reduction::DeadVariables) && goal.monitor.ofPoints;
+    const bool slices = takes(Reduction::DeadVariables) && goal.monitor.ofPoints;
     const Relevance relevance =
         slices ? findRelevant(compiled.system, seen, limits) : everything(compiled.system);
     const System system = withStateLayout(compiled.system, relevance.cells);
     const LiveVariables live(system, seen, relevance.dropped, limits);
-    auto found =
-        watchFor(system, goal.monitor, takesHere(Reduction::LiveVariables) ? &live : nullptr,
-                 relevance.dropped, errorsAreAsked(), limits);
+    auto found = watchFor(system, goal.monitor, takes(Reduction::LiveVariables) ? &live : nullptr,
+                          relevance.dropped, errorsAreAsked(), limits);
     if (!found.failure.empty()) return Unsupported{found.failure, found.failureOrigin};
     if (found.evidence) found.statistics.complete = true;
     add(result.exploration, found.statistics);
@@ -162,7 +149,6 @@ private:
   }
 
   void answer(std::size_t index, Answer made) {
-    isAnswered[index] = true;
     result.answers[index] = {made.truth, std::nullopt, made.reason};
     if (options.decided && made.truth != Truth::Unknown)
       options.decided(index, std::move(made));
@@ -176,8 +162,15 @@ private:
   LimitWatch& limits;
   Result& result;
   System whole; ///< with every cell kept
-  std::vector<bool> isAnswered;
 };
+
+/// Leaves open what is not decided when a limit is met.
+void giveUp(const LimitMet& limit, Result& result) {
+  result.exploration.complete = false;
+  result.exploration.stopped = limit.which;
+  for (auto& answer : result.answers)
+    if (answer.truth == Truth::Unknown && answer.reason.empty()) answer = unknown(limit.which);
+}
 
 } // namespace
 
@@ -192,14 +185,9 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
     const auto compiled = compile(program, provenance, questions, &limits);
     if (!compiled) return std::unexpected(compiled.error());
     Verification verification(*compiled, provenance, options, limits, result);
-    try {
-      if (auto failure = verification.run()) return std::unexpected(*failure);
-    } catch (const LimitMet& limit) {
-      verification.giveUp(limit.which);
-    }
+    if (auto failure = verification.run()) return std::unexpected(*failure);
   } catch (const LimitMet& limit) {
-    result.exploration.stopped = limit.which;
-    for (auto& answer : result.answers) answer = unknown(limit.which);
+    giveUp(limit, result);
   }
   result.exploration.seconds = limits.seconds();
   return result;

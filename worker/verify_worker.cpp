@@ -197,10 +197,11 @@ std::expected<Verifiable, std::string> verifiableOf(const WorkerJob& job) {
 /// Hands over each verdict as soon as there is one, so that none is lost whatever ends the process.
 class Handover {
 public:
-  Handover(const Verifiable& of, const std::vector<std::string>& names)
-      : subject(of), told(ide::askedOf(of.model, names).checks.size()) {
+  Handover(const Verifiable& of, const std::vector<std::string>& names) : subject(of) {
+    const auto asked = ide::askedOf(of.model, names);
+    told.resize(asked.checks.size());
     const verify::Result nothing{std::vector<verify::Answer>(told.size()), {}};
-    const auto open = ide::reportOf(of.model, ide::askedOf(of.model, names), nothing);
+    const auto open = ide::reportOf(of.model, asked, nothing);
     say({{"begin", report::reportJson({of.program, of.model, open, of.model.mainSkill})}});
   }
 

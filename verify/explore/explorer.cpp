@@ -1,8 +1,7 @@
 #include "verify/explore/explorer.h"
 
-#include "verify/reduce/free_inputs.h"
+#include "verify/explore/conclude.h"
 #include "verify/reduce/live_variables.h"
-#include "verify/reduce/stubborn_sets.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
@@ -17,7 +16,8 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
       reductions(with),
       limits(watch),
       onFound(std::move(tell)),
-      graph(of, with, extrapolation) {
+      graph(of, with, extrapolation),
+      walker(of, graph.enabling, with) {
   goalsOfEvent.resize(system.eventCount);
   hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
   result.goals.resize(goals.size());
@@ -51,15 +51,8 @@ Progress Explorer::progress() const {
 
 Explored Explorer::run() {
   auto& statistics = result.statistics;
-  try {
-    explore();
-  } catch (const LimitMet& limit) {
-    statistics.stopped = limit.which;
-  }
-  statistics.complete =
-      next == graph.nodes.size() && result.failure.empty() && statistics.stopped.empty();
-  if (!statistics.complete && statistics.stopped.empty())
-    statistics.stopped = result.failure.empty() ? "all questions decided" : "an error of the model";
+  exploreWithinLimits(statistics, [this] { explore(); });
+  conclude(statistics, next == graph.nodes.size(), result.failure, "all questions decided");
   statistics.classes = graph.nodes.size();
   statistics.markings = graph.states.size();
   statistics.domains = graph.timing.zones().size();
@@ -216,23 +209,9 @@ bool Explorer::advance(Current& current, TransitionId transition) {
   return true;
 }
 
-/// As long as there is a step that is safe to take alone, takes it. Stops where it comes by a state
-/// again: that state is then stored and expanded fully, so that nothing is put off for ever.
-void Explorer::followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                                  const std::function<bool(TransitionId)>& advance) const {
-  if (!reductions.stubbornSets) return;
-  std::vector<Word> mark; // Brent: the state at the last power of two
-  for (std::size_t length = 1;; ++length) {
-    const TransitionId next = reductions.stubbornSets->pick(state.data(), enabled);
-    if (next == kNone || state == mark) return;
-    if (std::has_single_bit(length)) mark = state;
-    if (!advance(next)) return;
-  }
-}
-
 void Explorer::runStubbornSets(Current& current) {
-  followStubbornSets(current.state, current.enabled,
-                     [&](TransitionId next) { return advance(current, next); });
+  walker.followStubbornSets(current.state, current.enabled,
+                            [&](TransitionId next) { return advance(current, next); });
 }
 
 void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/explore/walker.h"
 #include "verify/explore/zone_cover.h"
 #include "verify/limits.h"
 #include "verify/model/goals.h"
@@ -11,9 +12,6 @@
 #include <unordered_map>
 
 namespace proskill::verify {
-
-/// Transitions from the initial state on.
-using Steps = std::vector<TransitionId>;
 
 /// What an exploration found, and how far it went.
 struct Explored {
@@ -107,20 +105,7 @@ private:
   void found(std::size_t goal);
   [[nodiscard]] bool allDecided() const { return open == 0 && !goals.empty(); }
   [[nodiscard]] Progress progress() const;
-  /// Takes safe steps from a state on by `advance`, which gets each transition and says whether to
-  /// go on.
-  void followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                          const std::function<bool(TransitionId)>& advance) const;
-  /// A state on the way to a node, and the steps that were taken.
-  struct Walk {
-    std::vector<Word> state;
-    TransitionSet enabled;
-    Steps taken;
-  };
-  [[nodiscard]] Walk walkFrom(std::vector<Word> state) const;
   [[nodiscard]] Walk walkFrom(StateId state) const;
-  bool walkOn(Walk& walk, TransitionId transition) const;
-  void walkStubbornSets(Walk& walk) const;
   void walkCalm(Walk& walk) const;
   [[nodiscard]] const Steps& legTo(NodeIndex index) const;
 
@@ -130,6 +115,7 @@ private:
   LimitWatch& limits;
   OnFound onFound;
   ZoneGraph graph;
+  Walker walker;
   Explored result;
   NodeIndex next = 0; ///< to be expanded
 

@@ -1,5 +1,6 @@
 #include "verify/explore/monitor_search.h"
 
+#include "verify/explore/conclude.h"
 #include "verify/explore/monitor_graph.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
@@ -33,16 +34,8 @@ public:
 
   Watched run() {
     auto& statistics = result.statistics;
-    try {
-      explore();
-    } catch (const LimitMet& limit) {
-      statistics.stopped = limit.which;
-    }
-    statistics.complete =
-        next == graph.size() && result.failure.empty() && statistics.stopped.empty();
-    if (!statistics.complete && statistics.stopped.empty())
-      statistics.stopped =
-          result.failure.empty() ? "a violation was found" : "an error of the model";
+    exploreWithinLimits(statistics, [this] { explore(); });
+    conclude(statistics, next == graph.size(), result.failure, "a violation was found");
     statistics.classes = graph.size();
     statistics.markings = states.size();
     statistics.domains = zones.size();

@@ -4,41 +4,12 @@
 #include "analysis/flow/result/loops.h"
 #include "syntax/diagnostics/codes.h"
 
-#include <utility>
-
 /// Loops in which no time passes, and waits that take none.
 namespace proskill::analysis::flow {
 
 namespace {
 
 using syntax::Code;
-
-bool takesNoTime(const Node& node) {
-  switch (node.kind) {
-  case NodeKind::Interrupt:
-  case NodeKind::Test:
-  case NodeKind::Choose:
-  case NodeKind::Set:
-  case NodeKind::Emit:
-  case NodeKind::Step: return true;
-  case NodeKind::Delay: {
-    const auto& upper = node.statement->duration.upper;
-    return upper && upper->numerator == 0;
-  }
-  case NodeKind::Start:
-  case NodeKind::Refused:
-  case NodeKind::Run:
-  case NodeKind::Call:
-  case NodeKind::Wait:
-  case NodeKind::Fork:
-  case NodeKind::Leave:
-  case NodeKind::Outcome:
-  case NodeKind::InvariantFailure:
-  case NodeKind::Interrupted:
-  case NodeKind::End: return false;
-  }
-  std::unreachable();
-}
 
 class Progress {
 public:

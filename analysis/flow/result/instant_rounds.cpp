@@ -1,5 +1,6 @@
 #include "analysis/flow/result/instant_rounds.h"
 
+#include "analysis/flow/result/loops.h"
 #include "analysis/flow/result/report.h"
 
 #include <algorithm>
@@ -19,11 +20,6 @@ struct Pass {
   std::size_t edge = 0;
   std::size_t precondition = 0;
 };
-
-bool waitsForNothing(const Node& node) {
-  const auto& upper = node.statement->duration.upper;
-  return upper && upper->numerator == 0;
-}
 
 bool hasNode(const Process& process, NodeKind kind) {
   return process.graph &&
@@ -277,28 +273,9 @@ bool mayBeHeldUp(const System& system, ProcessId caller, ProcessId callee) {
 bool mayTakeNoTime(const Solver& solver, ProcessId process, NodeId node) {
   const Node& each = (*solver.system()[process].graph)[node];
   const ProcessId target = solver.system()[process].actions[node].target;
-  switch (each.kind) {
-  case NodeKind::Interrupt:
-  case NodeKind::Test:
-  case NodeKind::Choose:
-  case NodeKind::Set:
-  case NodeKind::Emit:
-  case NodeKind::Step:
-  case NodeKind::Wait: return true;
-  case NodeKind::Delay: return waitsForNothing(each);
-  case NodeKind::Call:
+  if (each.kind == NodeKind::Call)
     return target != kNoProcess && !mayBeHeldUp(solver.system(), process, target);
-  case NodeKind::Start:
-  case NodeKind::Refused:
-  case NodeKind::Run:
-  case NodeKind::Fork:
-  case NodeKind::Leave:
-  case NodeKind::Outcome:
-  case NodeKind::InvariantFailure:
-  case NodeKind::Interrupted:
-  case NodeKind::End: return false;
-  }
-  std::unreachable();
+  return each.kind == NodeKind::Wait || takesNoTime(each);
 }
 
 std::optional<InstantRound> instantRound(const Solver& solver, ProcessId process,

@@ -3,6 +3,7 @@
 #include "graph/components.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace proskill::analysis::flow {
 
@@ -13,6 +14,33 @@ bool hasSelfLoop(const Graph& graph, NodeId node) {
 }
 
 } // namespace
+
+bool takesNoTime(const Node& node) {
+  switch (node.kind) {
+  case NodeKind::Interrupt:
+  case NodeKind::Test:
+  case NodeKind::Choose:
+  case NodeKind::Set:
+  case NodeKind::Emit:
+  case NodeKind::Step: return true;
+  case NodeKind::Delay: {
+    const auto& upper = node.statement->duration.upper;
+    return upper && upper->numerator == 0;
+  }
+  case NodeKind::Start:
+  case NodeKind::Refused:
+  case NodeKind::Run:
+  case NodeKind::Call:
+  case NodeKind::Wait:
+  case NodeKind::Fork:
+  case NodeKind::Leave:
+  case NodeKind::Outcome:
+  case NodeKind::InvariantFailure:
+  case NodeKind::Interrupted:
+  case NodeKind::End: return false;
+  }
+  std::unreachable();
+}
 
 std::vector<std::vector<NodeId>> loopsOf(const Graph& graph,
                                          const std::function<bool(NodeId)>& within) {
