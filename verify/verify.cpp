@@ -6,11 +6,13 @@
 #include "verify/reduce/dead_variables.h"
 #include "verify/reduce/free_inputs.h"
 #include "verify/reduce/live_variables.h"
+#include "verify/reduce/monitor_view.h"
 #include "verify/reduce/stubborn_sets.h"
 #include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -39,20 +41,46 @@ Answer answerWithoutEvidence(const Goal& goal, const Exploration& exploration,
   return {Truth::True, std::nullopt, {}};
 }
 
-/// What a monitor looks at, as goals are known to the reductions.
-std::vector<Goal> watchedBy(const Monitor& monitor) {
-  std::vector<Goal> all;
-  const auto add = [&](NodeId condition) {
-    all.push_back({.kind = GoalKind::Condition, .condition = condition, .ofSteps = true});
-  };
-  for (const auto& location : monitor.locations) {
-    add(location.stay);
-    for (const auto& edge : location.edges) add(edge.condition);
+/// Whether a reduction keeps all that a monitor sees.
+bool suits(const Monitor& monitor, Reduction reduction) {
+  switch (reduction) {
+  case Reduction::DeadVariables: return monitor.ofPoints;
+  case Reduction::FreeInputs:
+  case Reduction::StubbornSets: return watchesPoints(monitor);
+  case Reduction::LiveVariables:
+  case Reduction::Inclusion:
+  case Reduction::Extrapolation: return true;
   }
-  // A process that is left out must not go round and round: that would be a run of its own.
-  if (monitor.looksForCycles()) all.push_back({.kind = GoalKind::Deadlock});
-  return all;
+  std::unreachable();
 }
+
+/// A system as a search for some goals looks at it.
+struct Prepared {
+  /// \throw LimitMet
+  Prepared(const System& whole, const std::vector<Goal>& goals,
+           const std::function<bool(Reduction)>& takes, LimitWatch& limits)
+      : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)
+                                                  : everything(whole)),
+        system(withStateLayout(whole, relevance.cells)) {
+    const Bits& dropped = reductions.dropped = relevance.dropped;
+    reductions.inclusion = takes(Reduction::Inclusion);
+    if (takes(Reduction::StubbornSets))
+      reductions.stubbornSets = &stubbornSets.emplace(system, goals, dropped, limits);
+    if (takes(Reduction::LiveVariables))
+      reductions.liveVariables = &liveVariables.emplace(system, goals, dropped, limits);
+    if (takes(Reduction::FreeInputs) && !freeInputs.emplace(system, goals, dropped).none())
+      reductions.freeInputs = &*freeInputs;
+  }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  Relevance relevance;
+  System system;
+  std::optional<StubbornSets> stubbornSets;
+  std::optional<LiveVariables> liveVariables;
+  std::optional<FreeInputs> freeInputs;
+  Reductions reductions;
+};
 
 /// Answers questions to a compiled model, each as soon as it is decided.
 class Verification {
@@ -93,24 +121,12 @@ private:
   /// Answers the questions about states and steps, by one exploration.
   std::optional<Unsupported> explore() {
     const auto& goals = compiled.goals;
-    const Relevance relevance = takes(Reduction::DeadVariables)
-                                    ? findRelevant(compiled.system, goals, limits)
-                                    : everything(compiled.system);
-    const System system = withStateLayout(compiled.system, relevance.cells);
-    const StubbornSets stubbornSets(system, goals, relevance.dropped, limits);
-    const LiveVariables liveVariables(system, goals, relevance.dropped, limits);
-    const FreeInputs freeInputs(system, goals, relevance.dropped);
-    const bool open = takes(Reduction::FreeInputs) && !freeInputs.none();
-    const Reductions reductions{
-        .inclusion = takes(Reduction::Inclusion),
-        .stubbornSets = takes(Reduction::StubbornSets) ? &stubbornSets : nullptr,
-        .liveVariables = takes(Reduction::LiveVariables) ? &liveVariables : nullptr,
-        .freeInputs = open ? &freeInputs : nullptr,
-        .dropped = relevance.dropped};
+    const Prepared prepared(
+        compiled.system, goals, [&](Reduction r) { return takes(r); }, limits);
     const auto extrapolation =
         takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
-    const Witness witness(whole, reductions, provenance, limits);
-    const auto found = search(system, goals, reductions, extrapolation, limits,
+    const Witness witness(whole, prepared.reductions, provenance, limits);
+    const auto found = search(prepared.system, goals, prepared.reductions, extrapolation, limits,
                               [&](std::size_t i, const Evidence& evidence) {
                                 answer(i, answerBy(goals[i], evidence, witness));
                               });
@@ -125,19 +141,16 @@ private:
   /// Answers a question about runs, by an exploration of its own.
   std::optional<Unsupported> watch(std::size_t index) {
     const Goal& goal = compiled.goals[index];
-    const auto seen = watchedBy(goal.monitor);
-    const bool slices = takes(Reduction::DeadVariables) && goal.monitor.ofPoints;
-    const Relevance relevance =
-        slices ? findRelevant(compiled.system, seen, limits) : everything(compiled.system);
-    const System system = withStateLayout(compiled.system, relevance.cells);
-    const LiveVariables live(system, seen, relevance.dropped, limits);
-    auto found = watchFor(system, goal.monitor, takes(Reduction::LiveVariables) ? &live : nullptr,
-                          relevance.dropped, errorsAreAsked(), limits);
+    const auto seen = goalsOf(goal.monitor);
+    const Prepared prepared(
+        compiled.system, seen, [&](Reduction r) { return takes(r) && suits(goal.monitor, r); },
+        limits);
+    auto found =
+        watchFor(prepared.system, goal.monitor, prepared.reductions, errorsAreAsked(), limits);
     if (!found.failure.empty()) return Unsupported{found.failure, found.failureOrigin};
     if (found.evidence) found.statistics.complete = true;
     add(result.exploration, found.statistics);
-    const Reductions used{.dropped = relevance.dropped};
-    const Witness witness(whole, used, provenance, limits);
+    const Witness witness(whole, prepared.reductions, provenance, limits);
     answer(index, found.evidence ? answerBy(goal, *found.evidence, witness)
                                  : answerWithoutEvidence(goal, found.statistics, {}));
     return std::nullopt;

@@ -1,6 +1,7 @@
 #include "syntax/diagnostics/diagnostic.h"
 #include "tests/flow/judgement.h"
 #include "tests/support/random/random_program.h"
+#include "tests/support/random/seeds.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,17 +13,6 @@
 using namespace proskill;
 
 namespace {
-
-/// A longer run: `PROSKILL_SEEDS=100000 test_flow`.
-std::uint64_t seeds(std::uint64_t usual) {
-  const char* wanted = std::getenv("PROSKILL_SEEDS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : usual;
-}
-
-std::uint64_t firstSeed() {
-  const char* wanted = std::getenv("PROSKILL_FIRST_SEED");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 1;
-}
 
 const test::ProgramSize kUsual{.labels = 40};
 /// More skills that share more, in shorter bodies.
@@ -70,9 +60,10 @@ void expectSound(std::uint64_t seed, const test::ProgramSize& size, Tally& tally
 
 TEST_CASE("The engine refutes nothing that the analysis claims about random programs") {
   Tally tally;
-  std::uint64_t count = seeds(600);
-  for (std::uint64_t i = 0; i < count; ++i)
-    expectSound(firstSeed() + i, i % 2 == 0 ? kUsual : kMany, tally);
+  const auto seeds = test::seedsOr(1, 600);
+  const std::uint64_t count = seeds.end - seeds.first;
+  for (auto seed = seeds.first; seed < seeds.end; ++seed)
+    expectSound(seed, seed % 2 == 1 ? kUsual : kMany, tally);
   std::string often;
   for (const auto& [code, times] : tally.codes) often += fmt::format(" {}: {}", code, times);
   INFO(tally.decided << " decided, " << tally.impossible << " claims of never, " << tally.certain

@@ -1,5 +1,6 @@
 #include "tests/meaning/agreement.h"
 #include "tests/support/random/random_program.h"
+#include "tests/support/random/seeds.h"
 
 #include <catch2/catch.hpp>
 
@@ -29,18 +30,9 @@ void note(Tally& tally, std::uint64_t seed, const std::string& kind,
   UNSCOPED_INFO("seed " << seed << ", " << kind << "\n" << meaning::smallest(program, kLimit));
 }
 
-/// `PROSKILL_MEANING_SEEDS=FIRST:COUNT` compares others than those of every day.
-std::pair<std::uint64_t, std::uint64_t> seeds(std::uint64_t first, std::uint64_t count) {
-  const char* asked = std::getenv("PROSKILL_MEANING_SEEDS");
-  if (!asked) return {first, first + count};
-  char* rest = nullptr;
-  const auto from = std::strtoull(asked, &rest, 10);
-  return {from, from + std::strtoull(rest + 1, nullptr, 10)};
-}
-
 Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSize& size) {
   Tally tally;
-  const auto [begin, end] = seeds(first, count);
+  const auto [begin, end] = test::seedsOr(first, count);
   for (auto seed = begin; seed < end; ++seed) {
     const auto program = test::randomProgram(seed, size);
     const auto comparison = meaning::compare(program, kLimit);

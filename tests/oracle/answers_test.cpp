@@ -1,12 +1,11 @@
 #include "tests/support/random/random_program.h"
+#include "tests/support/random/seeds.h"
 #include "tests/support/texts.h"
 
 #include "codegen/model.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>
-
-#include <cstdlib>
 
 using namespace proskill;
 
@@ -19,12 +18,6 @@ struct Questions {
   std::size_t questions = 0;
   std::size_t decided = 0;
 };
-
-/// `PROSKILL_SEEDS=COUNT` asks more programs than every day.
-std::uint64_t seedsAsked() {
-  const char* asked = std::getenv("PROSKILL_SEEDS");
-  return asked ? std::strtoull(asked, nullptr, 10) : kLargePrograms;
-}
 
 /// Asks everything of a program that may be too large for the oracle. An answer may be missing
 /// because there was no room, never because its trace could not be made.
@@ -60,7 +53,8 @@ TEST_CASE("every witness of a large random program is made and replayed") {
                                  .properties = 4,
                                  .environment = 70};
   Questions tally;
-  for (std::uint64_t seed = 0; seed < seedsAsked(); ++seed) askAll(seed, nested, tally);
+  const auto seeds = test::seedsOr(0, kLargePrograms);
+  for (auto seed = seeds.first; seed < seeds.end; ++seed) askAll(seed, nested, tally);
   WARN(tally.programs << " programs, " << tally.questions << " questions, " << tally.decided
                       << " decided");
   CHECK(tally.decided > tally.questions / 2);

@@ -1,12 +1,19 @@
+#include "tests/oracle/agreement.h"
 #include "tests/support/oracle/point_judge.h"
 #include "tests/support/random/random_model.h"
+#include "tests/support/random/random_program.h"
 #include "tests/support/random/random_source.h"
+#include "tests/support/random/seeds.h"
+#include "tests/support/texts.h"
 
+#include "codegen/model.h"
 #include "fiacre/check/check.h"
 #include "fiacre/print/print.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>
+
+#include <span>
 
 namespace proskill::test::runs_test {
 
@@ -18,6 +25,7 @@ using fiacre::ObservableKind;
 using fiacre::Pattern;
 using fiacre::PatternKind;
 using test::RandomSource;
+using Setting = std::pair<std::string, verify::Options>;
 
 namespace {
 
@@ -25,13 +33,10 @@ constexpr std::int64_t kLongest = 4; ///< time in a pattern
 
 /// What a random model asks for, as something to make patterns of.
 Observable observable(RandomSource& random, const fiacre::Program& program) {
-  Observable all = random.pick(program.properties).pattern.operands.empty()
-                       ? Observable{.path = {1}, .name = "s1"}
-                       : Observable{};
-  while (all.name.empty() && all.operands.empty() && all.kind != ObservableKind::Value) {
-    const auto& operands = random.pick(program.properties).pattern.operands;
-    if (!operands.empty()) all = operands[0];
-  }
+  std::vector<Observable> asked;
+  for (const auto& property : program.properties)
+    for (const auto& operand : property.pattern.operands) asked.push_back(operand);
+  const Observable all = asked.empty() ? Observable{.path = {1}, .name = "s1"} : random.pick(asked);
   if (random.chance(15)) return {.kind = ObservableKind::Not, .operands = {all}};
   if (all.kind == ObservableKind::State && random.chance(25))
     return {.kind = ObservableKind::Enter, .operands = {all}};
@@ -94,17 +99,17 @@ Ltl formula(RandomSource& random, const fiacre::Program& program, int depth, int
   return made;
 }
 
-/// The answer of the engine, the same whatever is reduced; it has a trace where it is no.
-bool answer(fiacre::Program program, const Pattern& asked) {
+/// The answer of the engine under each of the settings; it has a trace where it is no.
+bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pattern& asked,
+            std::span<const Setting> settings) {
   program.properties = {{.name = "p", .pattern = asked}};
   std::optional<bool> known;
-  for (bool reduced : {true, false}) {
-    verify::Options options;
-    if (!reduced) options.reductions.clear();
-    const auto result = verify::verify(program, {}, {{0}}, options);
+  for (const auto& [name, options] : settings) {
+    const auto result = verify::verify(program, origins, {{0}}, options);
+    INFO(name << (result ? "" : ": " + result.error().message));
     REQUIRE(result.has_value());
     const auto& given = result->answers[0];
-    INFO((reduced ? "reduced: " : "not reduced: ") << given.reason);
+    INFO(given.reason);
     REQUIRE(given.truth != verify::Truth::Unknown);
     const bool truth = given.truth == verify::Truth::True;
     CHECK(given.trace.has_value() == !truth);
@@ -114,32 +119,63 @@ bool answer(fiacre::Program program, const Pattern& asked) {
   return *known;
 }
 
+/// With everything reduced, and with nothing.
+std::span<const Setting> bothEnds() { return std::span(oracle::settings()).first(2); }
+
+struct Tally {
+  std::size_t compared = 0;
+  std::size_t violated = 0;
+
+  void check(std::size_t least) const {
+    INFO(compared << " compared, " << violated << " violated");
+    CHECK(compared > least);
+    CHECK(violated > compared / 5);
+    CHECK(violated < compared * 4 / 5);
+  }
+};
+
+/// Compares the answers to random patterns with those of the oracle, where it can judge.
+void comparePatterns(const fiacre::Program& program, const fiacre::Provenance& origins,
+                     std::uint64_t seed, std::span<const Setting> settings, Tally& tally) {
+  const oracle::Interpreter model(program);
+  const oracle::RegionGraph graph(model, 1500, kLongest + 1);
+  if (!graph.complete()) return;
+  RandomSource random(seed + 1);
+  for (int i = 0; i < 6; ++i) {
+    const auto asked = pattern(random, program);
+    INFO("seed " << seed << ": " << fiacre::printPattern(asked, program.main) << "\n"
+                 << fiacre::print(program));
+    const auto expected = oracle::isTrueOfPoints(model, graph, asked);
+    if (!expected) continue;
+    REQUIRE(answer(program, origins, asked, settings) == *expected);
+    ++tally.compared;
+    tally.violated += *expected ? 0 : 1;
+  }
+}
+
 } // namespace
 
 TEST_CASE("patterns with scopes and times are decided as point by point, on random models") {
-  std::size_t compared = 0;
-  std::size_t violated = 0;
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const auto program = seed % 4 == 3 ? test::randomModelWithData(seed) : test::randomModel(seed);
-    const oracle::Interpreter model(program);
-    const oracle::RegionGraph graph(model, 1500, kLongest + 1);
-    if (!graph.complete()) continue;
-    RandomSource random(seed + 1);
-    for (int i = 0; i < 6; ++i) {
-      const auto asked = pattern(random, program);
-      INFO("seed " << seed << ": " << fiacre::printPattern(asked, program.main) << "\n"
-                   << fiacre::print(program));
-      const auto expected = oracle::isTrueOfPoints(model, graph, asked);
-      if (!expected) continue;
-      REQUIRE(answer(program, asked) == *expected);
-      ++compared;
-      violated += *expected ? 0 : 1;
-    }
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed)
+    comparePatterns(seed % 4 == 3 ? test::randomModelWithData(seed) : test::randomModel(seed), {},
+                    seed, bothEnds(), tally);
+  tally.check(500);
+}
+
+TEST_CASE("patterns are decided as point by point, on random programs, whatever is reduced") {
+  Tally tally;
+  const auto seeds = test::seedsOr(0, 400);
+  const test::ProgramSize small{.basicSkills = 1, .composites = 0, .halves = 0};
+  for (auto seed = seeds.first; seed < seeds.end; ++seed) {
+    const auto forms = test::randomProgram(seed, small);
+    const auto made = codegen::generate(test::programOfText(test::textOf(forms)));
+    REQUIRE(made.has_value());
+    std::vector<Setting> settings{oracle::settings()[0]};
+    settings.push_back(oracle::settings()[1 + seed % (oracle::settings().size() - 1)]);
+    comparePatterns(made->fiacre, made->provenance, seed, settings, tally);
   }
-  INFO(compared << " compared, " << violated << " violated");
-  CHECK(compared > 500);
-  CHECK(violated > compared / 5);
-  CHECK(violated < compared * 4 / 5);
+  tally.check(seeds.end - seeds.first);
 }
 
 TEST_CASE("formulas of LTL are decided as by all that may be true of a position") {
@@ -157,7 +193,7 @@ TEST_CASE("formulas of LTL are decided as by all that may be true of a position"
       INFO("seed " << seed << ": " << fiacre::printPattern(asked, program.main) << "\n"
                    << fiacre::print(program));
       const bool expected = oracle::isTrueOfRuns(model, graph, asked.ltl);
-      REQUIRE(answer(program, asked) == expected);
+      REQUIRE(answer(program, {}, asked, bothEnds()) == expected);
       ++compared;
       violated += expected ? 0 : 1;
     }

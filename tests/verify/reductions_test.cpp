@@ -257,6 +257,35 @@ TEST_CASE("Open variables: a trace sets what it needs, and no more") {
              Catch::Contains("event_to1"));
 }
 
+TEST_CASE("Open variables and safe steps are nothing to a monitor that does not see them") {
+  Model model = weather();
+  model.variable("y", range(0, 1), number(0));
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {on(equals(name("weather"), number(2))), to("b")}),
+                     from("b", {wait(1, 1), to("a")})}));
+  for (const char* other : {"q", "r"})
+    model.add(process(other, {"a", "b", "c"},
+                      {from("a", {now(), to("b")}), from("b", {now(), to("c")}),
+                       from("c", {wait(2, 2), to("a")})}));
+  auto returns = plain(fiacre::PatternKind::LeadsTo);
+  returns.pattern.operands = {{.path = {5}, .name = "b"}, {.path = {5}, .name = "a"}};
+  returns.pattern.within = fiacre::Interval{.lower = 0, .upper = 1};
+  const auto unreduced = classes(model, returns, {});
+  CHECK(classes(model, returns, {Reduction::FreeInputs}) < unreduced / 2);
+  CHECK(classes(model, returns, {Reduction::StubbornSets}) < unreduced * 2 / 3);
+}
+
+TEST_CASE("A monitor that counts an event of the environment sees each of them") {
+  Model model = weather();
+  auto late = plain(fiacre::PatternKind::LeadsTo);
+  late.pattern.operands = {{.kind = fiacre::ObservableKind::Event, .name = "to1"},
+                           {.kind = fiacre::ObservableKind::Event, .name = "to2"}};
+  late.pattern.within = fiacre::Interval{.lower = 0, .upper = 3};
+  model.ask(late);
+  for (const auto& options : reductionChoices())
+    CHECK(model.answers(options).answers[0].truth == verify::Truth::False);
+}
+
 TEST_CASE("Inclusion: a smaller zone of the same state is not explored") {
   Model model;
   model.add(process(

@@ -4,12 +4,6 @@
 
 namespace proskill::verify {
 
-namespace {
-
-void append(Steps& to, const Steps& more) { to.insert(to.end(), more.begin(), more.end()); }
-
-} // namespace
-
 Walk Explorer::walkFrom(StateId state) const {
   std::vector<Word> words(system.words);
   std::copy_n(graph.states.at(state), system.storedWords, words.begin());
@@ -26,8 +20,7 @@ void Explorer::walkCalm(Walk& walk) const {
 const Steps& Explorer::legTo(NodeIndex index) const {
   if (const auto known = legs.find(index); known != legs.end()) return known->second;
   const ZoneNode& node = graph.nodes[index];
-  Walk walk =
-      node.parent == kNone ? walker.fromStart() : walkFrom(graph.nodes[node.parent].state);
+  Walk walk = node.parent == kNone ? walker.fromStart() : walkFrom(graph.nodes[node.parent].state);
   if (node.parent != kNone) {
     walkCalm(walk);
     walker.choose(walk, node.transition, node.choice);

@@ -92,20 +92,30 @@ Evidence MonitorGraph::evidenceOf(const Way& way, std::optional<std::size_t> loo
   Evidence made;
   made.monitor = &monitor;
   std::size_t marksBefore = 0;
+  Walk walk = walker.fromStart();
+  walker.arrive(walk);
   for (std::size_t i = 0; i < way.moves.size(); ++i) {
     const WatchMove& move = way.moves[i];
     if (loop == i) {
-      made.loop = made.steps.size();
+      made.loop = walk.taken.size();
       marksBefore = made.marks.size();
     }
-    if (move.kind == MoveKind::Step) made.steps.push_back(move.transition);
-    made.marks.push_back({.after = made.steps.size(),
-                          .until = made.steps.size(),
-                          .atStep = move.kind == MoveKind::Step,
-                          .atEnd = move.kind == MoveKind::Stutter,
-                          .location = way.locations[i],
-                          .edge = move.edge});
+    MonitorMove mark{.atStep = move.kind == MoveKind::Step,
+                     .atEnd = move.kind == MoveKind::Stutter,
+                     .location = way.locations[i],
+                     .edge = move.edge};
+    const auto stored = walker.becomeCalm(walk); // time may pass before each move
+    mark.after = mark.until = walk.taken.size();
+    walker.moveInputs(walk, stored);
+    if (mark.atStep) {
+      walker.choose(walk, move.transition, move.choice);
+      mark.after = mark.until = walk.taken.size() + 1;
+      walker.take(walk, move.transition);
+      walker.arrive(walk);
+    }
+    if (move.edge != kNone) made.marks.push_back(mark);
   }
+  made.steps = std::move(walk.taken);
   if (made.loop != made.steps.size()) return made;
   made.loop.reset(); // the run ends; only the monitor goes on
   made.rest = marksBefore;

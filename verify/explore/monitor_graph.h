@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/explore/search.h"
+#include "verify/explore/walker.h"
 #include "verify/model/monitor.h"
 
 #include <optional>
@@ -19,7 +20,8 @@ enum class MoveKind : std::uint8_t {
 struct WatchMove {
   MoveKind kind = MoveKind::Start;
   TransitionId transition = kNone;
-  std::uint32_t edge = 0; ///< of the location before
+  std::uint32_t edge = kNone; ///< of the location before; kNone: it stays there
+  std::uint32_t choice = 0;   ///< of the values of open variables with which the step is fired
 };
 
 /// A state of the model and of its monitor, with the zone of the clocks of both.
@@ -42,7 +44,9 @@ struct WatchArc {
 class MonitorGraph {
 public:
   /// \param keepArcs whether cycles are looked for
-  MonitorGraph(const Monitor& of, bool keepArcs) : monitor(of), cycles(keepArcs) {}
+  /// \param with takes the steps as the search does; has to outlive this
+  MonitorGraph(const Monitor& of, bool keepArcs, const Walker& with)
+      : monitor(of), cycles(keepArcs), walker(with) {}
 
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
   [[nodiscard]] const WatchNode& at(NodeIndex node) const { return nodes[node]; }
@@ -74,6 +78,7 @@ private:
 
   const Monitor& monitor;
   bool cycles;
+  const Walker& walker;
   std::vector<WatchNode> nodes;
   std::vector<std::vector<WatchArc>> arcs; ///< by node
   std::uint64_t arcCount = 0;

@@ -1,7 +1,10 @@
 #include "verify/explore/monitor_search.h"
 
+#include "verify/explore/arrivals.h"
 #include "verify/explore/conclude.h"
 #include "verify/explore/monitor_graph.h"
+#include "verify/reduce/live_variables.h"
+#include "verify/reduce/monitor_view.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
@@ -13,17 +16,20 @@ namespace {
 
 class MonitorSearch {
 public:
-  MonitorSearch(const System& of, const Monitor& with, const LiveVariables* live,
-                const Bits& dropped, bool errorsAreAsked, LimitWatch& watch)
+  MonitorSearch(const System& of, const Monitor& with, const Reductions& used, bool errorsAreAsked,
+                LimitWatch& watch)
       : system(of),
         monitor(with),
-        liveVariables(live),
+        reductions(used),
         errorsAsked(errorsAreAsked),
         cycles(with.looksForCycles()),
-        graph(with, cycles),
+        visible(stepsSeenBy(with, of)),
         limits(watch),
-        enabling(of, dropped),
+        enabling(of, used.dropped),
+        walker(of, enabling, used),
+        graph(with, cycles, walker),
         timing(of, Extrapolation::LowerUpper),
+        arrivals(walker, timing, watch),
         states(of.storedWords) {
     for (const auto& location : monitor.locations)
       for (const auto& edge : location.edges)
@@ -84,13 +90,13 @@ private:
   }
 
   void start() {
-    std::vector<Word> state = initialState(system);
-    enabling.compute(state.data(), enabled);
-    const SignatureId signature = enabling.signature(enabled, timing);
-    const auto clocks = static_cast<std::uint32_t>(timing.at(signature).clocks.size());
-    for (auto location : monitor.initial)
-      arrive(state, signature, location,
-             Dbm(clocks + (monitor.locations[location].timed ? 1U : 0U)), kNone, {});
+    Walk walk = walker.fromStart();
+    const Arrival at = arrivals.at(walk);
+    const auto clocks = static_cast<std::uint32_t>(timing.at(at.chain.front()).clocks.size());
+    for (auto location : monitor.initial) {
+      const bool timed = monitor.locations[location].timed;
+      arrive(at, location, arrivals.through(at, Dbm(clocks + (timed ? 1U : 0U)), timed), kNone, {});
+    }
   }
 
   /// Lets time pass as far as the state allows it, and forgets what nothing compares any more.
@@ -116,17 +122,18 @@ private:
 
   /// A node for the monitor in `location` as the model has come to a state; `zone` is of that
   /// moment.
-  void arrive(const std::vector<Word>& state, SignatureId signature, std::uint32_t location,
-              const Dbm& zone, NodeIndex parent, WatchMove move) {
+  void arrive(const Arrival& there, std::uint32_t location, const Dbm& zone, NodeIndex parent,
+              WatchMove move) {
     if (done()) return;
     const auto& at = monitor.locations[location];
-    const bool stays = seenIn(at.stay, state);
+    const bool stays = seenIn(at.stay, there.state);
     if (!stays && std::ranges::none_of(at.edges, [](const auto& edge) { return !edge.ofStep; }))
       return;
+    const SignatureId signature = there.chain.back();
     auto made = settled(zone, timing.at(signature), at.timed, !stays);
     if (!made) return;
-    std::vector<Word> kept = state;
-    if (liveVariables) liveVariables->clean(kept.data());
+    std::vector<Word> kept = there.state;
+    if (reductions.liveVariables) reductions.liveVariables->clean(kept.data());
     const auto [id, isNew] = states.add(kept.data());
     if (isNew) {
       signatureOf.push_back(signature);
@@ -179,11 +186,13 @@ private:
         moveAlone(index, node, signature, i, MoveKind::Silent);
     if (node.instant || done()) return;
     if (fails()) return reportErrors(index, node);
+    if (reductions.freeInputs) return expandOpen(index, node);
     bool stopped = true;
     const TransitionSet all = enabled;
     eachIn(all, [&](TransitionId transition) {
       stopped = false;
-      if (!done() && !enabling.isBlocked(transition, all)) take(index, node, signature, transition);
+      if (!done() && !enabling.isBlocked(transition, all))
+        take(index, node, {.transition = transition}, loaded);
     });
     if (!stopped) return;
     // Nothing is left to do, so time goes on for ever, beyond all bounds.
@@ -191,6 +200,22 @@ private:
       if (location.edges[i].ofStep && location.edges[i].clock.upper == kInfinite &&
           seenIn(location.edges[i].condition, loaded))
         moveAlone(index, node, signature, i, MoveKind::Stutter);
+  }
+
+  /// The state stands for all choices of values of its open variables. The environment can always
+  /// go on.
+  void expandOpen(NodeIndex index, const WatchNode& node) {
+    const FreeInputs& open = *reductions.freeInputs;
+    std::vector<Word> state = loaded;
+    eachIn(open.candidates(state.data(), enabled), [&](TransitionId transition) {
+      if (done() || open.staysWithin(transition, loaded.data())) return;
+      WatchMove move{.transition = transition};
+      open.eachFiring(transition, state.data(), [&] {
+        take(index, node, move, state);
+        ++move.choice;
+        return false;
+      });
+    });
   }
 
   /// A guard comes to a fault: runs end here, and are no business of the monitor's.
@@ -204,7 +229,7 @@ private:
   void reportErrors(NodeIndex index, const WatchNode& node) {
     const TransitionSet all = enabled;
     eachIn(all, [&](TransitionId id) {
-      if (system.transitions[id].fails) take(index, node, signatureOf[node.state], id);
+      if (system.transitions[id].fails) take(index, node, {.transition = id}, loaded);
     });
   }
 
@@ -215,9 +240,8 @@ private:
     const bool timedAfter = monitor.locations[taken.to].timed;
     Dbm zone = zones.zone(node.zone);
     if (timed && !constrain(zone, taken.clock)) return;
-    const std::vector<Word> state = loaded;
-    arrive(state, signature, taken.to, watchKept(zone, timed, timedAfter, taken.reset), index,
-           {kind, kNone, edge});
+    arrive({loaded, {signature}, {}}, taken.to, watchKept(zone, timed, timedAfter, taken.reset),
+           index, {kind, kNone, edge});
   }
 
   /// The zone with the monitor's clock as the next location wants it.
@@ -229,54 +253,80 @@ private:
     return zone.over(from);
   }
 
-  void take(NodeIndex index, const WatchNode& node, SignatureId signature,
-            TransitionId transition) {
+  /// A step of the model from the loaded state, with some values of its open variables.
+  void take(NodeIndex index, const WatchNode& node, WatchMove move,
+            const std::vector<Word>& state) {
     limits.check();
+    const TransitionId transition = move.transition;
+    const SignatureId signature = signatureOf[node.state];
     Dbm zone = zones.zone(node.zone);
     if (!timing.allow(zone, signature, transition)) return;
     ++result.statistics.transitions;
-    after = loaded;
+    Walk walk{state, enabledIn(state, transition), {}};
     log.clear();
-    const Outcome outcome = fire(system, transition, after.data(), log);
+    const Outcome outcome = fire(system, transition, walk.state.data(), log);
     if (outcome == Outcome::GaveUp) return;
-    if (outcome == Outcome::Failed) {
-      if (errorsAsked) return;
-      result.failure = log.failure;
-      result.failureOrigin = log.origins.empty() ? 0 : log.origins.back();
-      return;
-    }
-    TransitionSet next = enabled;
-    enabling.update(transition, after.data(), next);
-    const SignatureId afterSignature = enabling.signature(next, timing);
+    if (outcome == Outcome::Failed) return noticeError();
+    const std::vector<Word> after = walk.state;
+    enabling.update(transition, walk.state.data(), walk.enabled);
+    walker.normalise(walk);
+    const Arrival there = arrivals.at(walk);
+    const auto from = timing.kept(signature, transition, there.chain.front());
+    move.kind = MoveKind::Step;
+    const std::uint32_t at = node.location;
+    if (!visible.contains(transition)) return arriveBy(there, node, at, zone, from, index, move);
     Bits events;
     for (auto event : log.events) events.insert(event);
-    const Moment moment{loaded.data(), after.data(), &events};
-    const auto& location = monitor.locations[node.location];
-    const std::vector<Word> reached = after;
-    for (std::uint32_t i = 0; i < location.edges.size(); ++i) {
-      const auto& edge = location.edges[i];
-      if (!edge.ofStep || !holdsAt(system, edge.condition, moment)) continue;
-      Dbm own = zone;
-      if (location.timed && !constrain(own, edge.clock)) continue;
-      std::vector<std::uint32_t> from = timing.kept(signature, transition, afterSignature);
-      if (monitor.locations[edge.to].timed)
-        from.push_back(location.timed && !edge.reset ? own.dimension() - 1 : 0);
-      arrive(reached, afterSignature, edge.to, own.over(from), index,
-             {MoveKind::Step, transition, i});
+    const Moment moment{state.data(), after.data(), &events};
+    for (move.edge = 0; move.edge < monitor.locations[at].edges.size(); ++move.edge) {
+      const auto& edge = monitor.locations[at].edges[move.edge];
+      if (edge.ofStep && holdsAt(system, edge.condition, moment))
+        arriveBy(there, node, edge.to, zone, from, index, move);
     }
+  }
+
+  /// The monitor takes part in the step, or does not see it. \param from clocks that go on
+  void arriveBy(const Arrival& there, const WatchNode& node, std::uint32_t to, Dbm zone,
+                std::vector<std::uint32_t> from, NodeIndex index, WatchMove move) {
+    const auto& at = monitor.locations[node.location];
+    const bool reset = move.edge != kNone && at.edges[move.edge].reset;
+    if (at.timed && move.edge != kNone && !constrain(zone, at.edges[move.edge].clock)) return;
+    const bool timed = monitor.locations[to].timed;
+    if (timed) from.push_back(at.timed && !reset ? zone.dimension() - 1 : 0);
+    arrive(there, to, arrivals.through(there, zone.over(from), timed), index, move);
+  }
+
+  /// What is enabled in the loaded state with other values of open variables, as far as it matters
+  /// to the transition.
+  [[nodiscard]] TransitionSet enabledIn(const std::vector<Word>& state, TransitionId transition) {
+    TransitionSet there = enabled;
+    if (!reductions.freeInputs || state == loaded) return there;
+    for (auto variable : reductions.freeInputs->readBy(transition))
+      enabling.refresh(reductions.freeInputs->all()[variable].readers, state.data(), there);
+    return there;
+  }
+
+  /// Where nobody asks for errors, one ends the search.
+  void noticeError() {
+    if (errorsAsked) return;
+    result.failure = log.failure;
+    result.failureOrigin = log.origins.empty() ? 0 : log.origins.back();
   }
 
   const System& system;
   const Monitor& monitor;
-  const LiveVariables* liveVariables;
+  const Reductions& reductions;
   bool errorsAsked;
   bool cycles;
   bool hasErrors = false;
-  MonitorGraph graph;
+  Bits visible; ///< transitions
   LimitWatch& limits;
   std::int32_t most = 0; ///< the largest constant that the monitor's clock is compared with
   Enabling enabling;
+  Walker walker;
+  MonitorGraph graph;
   Timing timing;
+  Arrivals arrivals;
   StateStore states;
   ZoneStore zones;
   std::vector<SignatureId> signatureOf; ///< by state
@@ -286,16 +336,15 @@ private:
 
   StateId loadedState = kNone;
   std::vector<Word> loaded;
-  std::vector<Word> after;
   TransitionSet enabled;
   StepLog log;
 };
 
 } // namespace
 
-Watched watchFor(const System& system, const Monitor& monitor, const LiveVariables* liveVariables,
-                 const Bits& dropped, bool errorsAreAsked, LimitWatch& limits) {
-  return MonitorSearch(system, monitor, liveVariables, dropped, errorsAreAsked, limits).run();
+Watched watchFor(const System& system, const Monitor& monitor, const Reductions& reductions,
+                 bool errorsAreAsked, LimitWatch& limits) {
+  return MonitorSearch(system, monitor, reductions, errorsAreAsked, limits).run();
 }
 
 } // namespace proskill::verify

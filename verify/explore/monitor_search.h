@@ -3,7 +3,7 @@
 #include "verify/explore/search.h"
 #include "verify/limits.h"
 #include "verify/model/monitor.h"
-#include "verify/reduce/live_variables.h"
+#include "verify/reduce/reductions.h"
 
 namespace proskill::verify {
 
@@ -21,8 +21,9 @@ struct Watched {
 /// Extra+LU keeps the answer, see Li, "Formal verification of timed automata by means of
 /// LU-abstractions" (FORMATS 2009); Tarjan, "Depth-first search and linear graph algorithms", SIAM
 /// J. Comput. 1972. Runs are maximal sequences of steps; they need not let time diverge.
+/// \pre stubborn sets and free inputs are taken only where watchesPoints()
 [[nodiscard]] Watched watchFor(const System& system, const Monitor& monitor,
-                               const LiveVariables* liveVariables, const Bits& dropped,
-                               bool errorsAreAsked, LimitWatch& limits);
+                               const Reductions& reductions, bool errorsAreAsked,
+                               LimitWatch& limits);
 
 } // namespace proskill::verify

@@ -1,14 +1,11 @@
 #include "verify/explore/walker.h"
 
+#include "verify/reduce/live_variables.h"
 #include "verify/state/state_layout.h"
 
 namespace proskill::verify {
 
-namespace {
-
 void append(Steps& to, const Steps& more) { to.insert(to.end(), more.begin(), more.end()); }
-
-} // namespace
 
 Walk Walker::from(std::vector<Word> state) const {
   Walk walk{std::move(state), {}, {}};
@@ -24,8 +21,7 @@ Walk Walker::fromStart() const {
 
 void Walker::normalise(Walk& walk) const {
   if (reductions.freeInputs)
-    append(walk.taken,
-           reductions.freeInputs->normalise(walk.state.data(), walk.enabled, enabling));
+    append(walk.taken, reductions.freeInputs->normalise(walk.state.data(), walk.enabled, enabling));
 }
 
 bool Walker::take(Walk& walk, TransitionId transition) const {
@@ -61,8 +57,23 @@ void Walker::moveInputs(Walk& walk, const std::vector<Word>& to) const {
 }
 
 void Walker::runStubbornSets(Walk& walk) const {
-  followStubbornSets(walk.state, walk.enabled,
-                     [&](TransitionId next) { return take(walk, next); });
+  followStubbornSets(walk.state, walk.enabled, [&](TransitionId next) { return take(walk, next); });
+}
+
+void Walker::arrive(Walk& walk) const {
+  runStubbornSets(walk);
+  if (!reductions.liveVariables) return;
+  reductions.liveVariables->clean(walk.state.data());
+  enabling.compute(walk.state.data(), walk.enabled);
+}
+
+SignatureId Walker::signature(const Walk& walk, Timing& timing) const {
+  bool urgent = enabling.isUrgent(walk.enabled);
+  if (urgent && reductions.freeInputs) {
+    std::vector<Word> trial = walk.state;
+    urgent = !reductions.freeInputs->calm(trial.data(), walk.enabled);
+  }
+  return enabling.signature(walk.enabled, urgent, timing);
 }
 
 } // namespace proskill::verify

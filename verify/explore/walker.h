@@ -10,6 +10,8 @@ namespace proskill::verify {
 /// Transitions from the initial state on.
 using Steps = std::vector<TransitionId>;
 
+void append(Steps& to, const Steps& more);
+
 /// A state on a way through the graph, and the steps that were taken.
 struct Walk {
   std::vector<Word> state;
@@ -39,6 +41,8 @@ public:
   void moveInputs(Walk& walk, const std::vector<Word>& to) const;
   /// Takes the steps that stubborn sets allow to take alone.
   void runStubbornSets(Walk& walk) const;
+  /// The same, and forgets what is dead, as in a state that is stored.
+  void arrive(Walk& walk) const;
 
   /// As long as there is a step that is safe to take alone, takes it by `advance`, which says
   /// whether to go on. Stops where it comes by a state again: that state is then stored and
@@ -56,9 +60,14 @@ public:
     }
   }
 
-private:
+  /// To the values of open variables that stand for all.
   void normalise(Walk& walk) const;
 
+  /// What time needs to know of the state: of all choices of values of open variables, where there
+  /// are some.
+  [[nodiscard]] SignatureId signature(const Walk& walk, Timing& timing) const;
+
+private:
   const System& system;
   const Enabling& enabling;
   const Reductions& reductions;

@@ -23,6 +23,7 @@ struct Goal {
   Bits events;
   NodeId condition = 0;
   bool ofSteps = false;   ///< the condition watches what happens in a step
+  bool ofRuns = false;    ///< a monitor watches it: each step that it sees counts
   bool initially = false; ///< Events: the initial state is one of those asked for
   std::string reason;
   Monitor monitor;

@@ -25,15 +25,6 @@ Bits observedBy(const System& system, const std::vector<Goal>& goals) {
   return observed;
 }
 
-bool isWatched(const System& system, const Bits& observed, const Transition& transition) {
-  bool seen = std::ranges::any_of(transition.events,
-                                  [&](EventId event) { return observed.contains(event); });
-  for (auto part : transition.parts)
-    for (const auto& instruction : system.paths[part].code)
-      seen = seen || (instruction.event != kNone && observed.contains(instruction.event));
-  return seen;
-}
-
 } // namespace
 
 FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
@@ -50,7 +41,7 @@ FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const B
     for (auto setter : variables[v].setters) {
       insert(setters, setter);
       variableOf[setter] = v;
-      if (!isWatched(*system, observed, system->transitions[setter])) insert(silent, setter);
+      if (!mayPass(*system, system->transitions[setter], observed)) insert(silent, setter);
     }
   findReads(dropped);
   findPlaces(dropped);

@@ -26,6 +26,14 @@ Bits closedCells(const System& system, const std::vector<Goal>& goals) {
   return closed;
 }
 
+/// Events that count each time that they happen.
+Bits countedEvents(const System& system, const std::vector<Goal>& goals) {
+  Bits counted;
+  for (const auto& goal : goals)
+    if (goal.ofRuns) addEvents(system, goal.condition, counted);
+  return counted;
+}
+
 /// Instances whose clocks a step of theirs would start anew.
 Bits clockedInstances(const System& system) {
   Bits all;
@@ -47,6 +55,7 @@ public:
       : system(of),
         dropped(without),
         closed(closedCells(of, goals)),
+        counted(countedEvents(of, goals)),
         clocked(clockedInstances(of)) {}
 
   std::vector<FreeInput> run() {
@@ -73,6 +82,7 @@ private:
   [[nodiscard]] bool isFree(const Transition& transition) const {
     return !transition.urgent && transition.clock == kNone && !transition.tentative &&
            !transition.fails && !transition.consumed.meets(clocked) &&
+           !mayPass(system, transition, counted) &&
            std::ranges::all_of(transition.parts, [&](PathId part) {
              return system.instances[system.paths[part].instance].locations.size() == 1;
            });
@@ -226,8 +236,9 @@ private:
 
   const System& system;
   const Bits& dropped;
-  Bits closed;
-  Bits clocked;
+  Bits closed;  ///< cells
+  Bits counted; ///< events
+  Bits clocked; ///< instances
 };
 
 } // namespace

@@ -44,6 +44,14 @@ std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCel
   return atEnd;
 }
 
+bool mayPass(const System& system, const Transition& transition, const Bits& events) {
+  const auto isOne = [&](EventId event) { return event != kNone && events.contains(event); };
+  return std::ranges::any_of(transition.events, isOne) ||
+         std::ranges::any_of(transition.parts, [&](PathId part) {
+           return std::ranges::any_of(system.paths[part].code, isOne, &Instruction::event);
+         });
+}
+
 bool mayMakeTrue(const System& system, const Path& path, NodeId condition) {
   Bits cells;
   addReads(system, condition, cells);

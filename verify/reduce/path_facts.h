@@ -10,6 +10,9 @@ namespace proskill::verify {
 /// itself for `loop`.
 [[nodiscard]] std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCells);
 
+/// Whether the transition may pass one of the events.
+[[nodiscard]] bool mayPass(const System& system, const Transition& transition, const Bits& events);
+
 /// Whether running the path may turn a condition on cells from false to true. A path that only
 /// writes constants to the one cell of a condition does so only with one that makes it true. \pre
 /// the system has a state layout

@@ -201,12 +201,8 @@ void StubbornSets::findCandidates(const Touching& touching, const std::vector<Go
     if (!transition.urgent || dropped.contains(i) || transition.writes.meets(visibleCells))
       continue;
     limits.check();
-    bool seen = std::ranges::any_of(transition.events,
-                                    [&](EventId event) { return visibleEvents.contains(event); });
+    bool seen = mayPass(system, transition, visibleEvents);
     for (auto part : transition.parts) seen = seen || system.paths[part].mayFail;
-    for (auto part : transition.parts)
-      for (const auto& instruction : system.paths[part].code)
-        seen = seen || (instruction.event != kNone && visibleEvents.contains(instruction.event));
     const Bits writes = dataWrites(system, transition);
     writes.each([&](CellId cell) {
       seen = seen || std::ranges::any_of(touching.guardedByClock[cell], [&](TransitionId other) {

@@ -10,6 +10,41 @@
 
 namespace proskill::verify {
 
+namespace {
+
+/// Other steps in place of those of evidence, and where each of those is now.
+struct Rewritten {
+  Steps steps;
+  std::vector<std::size_t> ownPlaces{0}; ///< by steps taken: how many these are right behind them
+  std::vector<std::size_t> places{0};    ///< the same, with what was put in behind them
+
+  void endStep() { ownPlaces.push_back(steps.size()); }
+  void endPlace() { places.push_back(steps.size()); }
+
+  /// The evidence with these steps.
+  [[nodiscard]] Evidence of(const Evidence& evidence) const {
+    Evidence made = evidence;
+    made.steps = steps;
+    for (auto& mark : made.marks)
+      mark.after = mark.until = (mark.atStep ? ownPlaces : places)[mark.after];
+    if (made.loop) made.loop = places[*made.loop];
+    return made;
+  }
+};
+
+/// The evidence without one step, which no monitor sees.
+Evidence without(const Evidence& evidence, std::size_t step) {
+  Evidence made = evidence;
+  made.steps.erase(made.steps.begin() + static_cast<std::ptrdiff_t>(step));
+  for (auto& mark : made.marks) {
+    if (mark.after > step) --mark.after;
+    if (mark.until > step) --mark.until;
+  }
+  return made;
+}
+
+} // namespace
+
 Witness::Witness(const System& whole, const Reductions& used, const fiacre::Provenance& origins,
                  LimitWatch& watch)
     : system(whole),
@@ -76,18 +111,15 @@ const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
 
 /// The evidence on the whole system, with as few steps of the environment as will do.
 Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
-  Evidence whole = evidence;
-  whole.steps = completed(goal, evidence.steps, whole);
+  Evidence whole = completed(goal, evidence);
   if (!open) return whole;
   std::optional<Dating> dating;
-  Evidence better{.clocks = evidence.clocks};
-  better.steps = completed(goal, lazily(evidence.steps, goal.kind == GoalKind::Stuck), better);
+  Evidence better = completed(goal, lazily(goal, evidence));
   if (!check(goal, better, dating).empty()) return whole;
   constexpr std::size_t kLong = 400;
   for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
     if (!open->isSetter(better.steps[i])) continue;
-    Evidence shorter = better;
-    shorter.steps.erase(shorter.steps.begin() + static_cast<std::ptrdiff_t>(i));
+    Evidence shorter = without(better, i);
     if (check(goal, shorter, dating).empty()) better = std::move(shorter);
   }
   return better;
@@ -96,11 +128,14 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
 /// The search sets open variables before each step and back after it. Here they are set only when a
 /// step reads them, when time may have to pass and could not as they are, and where asked for at
 /// the end.
-Steps Witness::lazily(const Steps& steps, bool valuesAtEnd) const {
-  Steps made;
+Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
+  const Steps& steps = evidence.steps;
+  const bool valuesAtEnd = goal.kind == GoalKind::Stuck;
+  const bool lastIsAskedFor = !valuesAtEnd && goal.kind != GoalKind::Run;
   StepLog log;
   std::vector<Word> there = initialState(system); // as the search had it
   std::vector<Word> here = there;
+  Rewritten made;
   const auto urgent = [&](const std::vector<Word>& state) {
     TransitionSet enabled;
     enabling.compute(state.data(), enabled);
@@ -108,34 +143,36 @@ Steps Witness::lazily(const Steps& steps, bool valuesAtEnd) const {
   };
   const auto take = [&](TransitionId id) {
     limits.check();
-    made.push_back(id);
+    made.steps.push_back(id);
     return fire(system, id, here.data(), log) == Outcome::Done;
   };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TransitionId step = steps[i];
-    if (open->isSetter(step) && (valuesAtEnd || i + 1 < steps.size())) {
-      if (fire(system, step, there.data(), log) != Outcome::Done) return steps;
+    if (open->isSetter(step) && !(lastIsAskedFor && i + 1 == steps.size())) {
+      if (fire(system, step, there.data(), log) != Outcome::Done) return evidence;
     } else {
       for (auto setter : open->between(here.data(), there.data(), open->readBy(step))) take(setter);
-      if (!take(step) || fire(system, step, there.data(), log) != Outcome::Done) return steps;
+      if (!take(step) || fire(system, step, there.data(), log) != Outcome::Done) return evidence;
     }
+    made.endStep();
     if (urgent(here) && !urgent(there))
       for (auto setter : open->between(here.data(), there.data())) take(setter);
+    made.endPlace();
   }
   if (valuesAtEnd)
     for (auto setter : open->between(here.data(), there.data())) take(setter);
-  return made;
+  return made.of(evidence);
 }
 
 /// The steps with those of the dropped processes put in where they have to happen: at once.
-Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidence) const {
-  if (dropped.empty()) return steps;
-  Steps made;
+Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
+  if (dropped.empty()) return evidence;
+  Rewritten made;
   std::vector<Word> state = initialState(system);
   StepLog log;
   const auto take = [&](TransitionId id) {
     limits.check();
-    made.push_back(id);
+    made.steps.push_back(id);
     return fire(system, id, state.data(), log) == Outcome::Done;
   };
   const auto takeOne = [&](bool urgent) {
@@ -151,25 +188,21 @@ Steps Witness::completed(const Goal& goal, const Steps& steps, Evidence& evidenc
     }
   };
   // A monitor moves in a state when all that has to happen at once has happened.
-  std::vector<std::size_t> ownPlaces{0};
   if (evidence.monitor) settle(false);
-  std::vector<std::size_t> places{made.size()};
-  for (auto step : steps) {
+  made.places[0] = made.steps.size();
+  for (auto step : evidence.steps) {
     settle(false);
-    if (!take(step)) return steps;
-    ownPlaces.push_back(made.size());
+    if (!take(step)) return evidence;
+    made.endStep();
     if (evidence.monitor) settle(false);
-    places.push_back(made.size());
+    made.endPlace();
   }
-  const std::size_t last = steps.size();
   if (goal.kind == GoalKind::Deadlock || evidence.rest) settle(true);
-  for (auto& mark : evidence.marks) {
-    const bool mayBeLater = evidence.rest && !mark.atStep && mark.after == last;
-    mark.after = (mark.atStep ? ownPlaces : places)[mark.after];
-    mark.until = mayBeLater ? made.size() : mark.after;
-  }
-  if (evidence.loop) evidence.loop = places[*evidence.loop];
-  return made;
+  Evidence whole = made.of(evidence);
+  for (std::size_t i = 0; evidence.rest && i < whole.marks.size(); ++i)
+    if (!whole.marks[i].atStep && evidence.marks[i].after == evidence.steps.size())
+      whole.marks[i].until = whole.steps.size(); // it may be later
+  return whole;
 }
 
 } // namespace proskill::verify

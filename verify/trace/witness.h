@@ -27,8 +27,8 @@ private:
                                   std::optional<Dating>& dating) const;
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
-  [[nodiscard]] Steps lazily(const Steps& steps, bool valuesAtEnd) const;
-  [[nodiscard]] Steps completed(const Goal& goal, const Steps& steps, Evidence& evidence) const;
+  [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;
+  [[nodiscard]] Evidence completed(const Goal& goal, const Evidence& evidence) const;
 
   const System& system;
   Enabling enabling; ///< of what the search looked at

@@ -158,6 +158,21 @@ private:
     return std::ranges::any_of(start, [&](const Point& point) { return alive.contains(point); });
   }
 
+  /// Whether a step comes, at once or when time has passed, that leads to one of the points: time
+  /// alone is no run.
+  [[nodiscard]] bool stepsInto(const Point& from, const Points& points) const {
+    const auto leads = [&](std::size_t node, std::size_t edge) {
+      return points.contains({graph.nodes()[node].edges[edge].target, {}});
+    };
+    if (from.edge) return leads(from.node, *from.edge);
+    std::set<std::size_t> passed;
+    for (std::optional<std::size_t> at = from.node; at && passed.insert(*at).second;
+         at = graph.nodes()[*at].later)
+      for (std::size_t i = 0; i < graph.nodes()[*at].edges.size(); ++i)
+        if (leads(*at, i)) return true;
+    return false;
+  }
+
   /// Whether a run sees `wanted` again and again: there where it ends, or on a cycle with a step.
   /// Strikes off, until nothing changes, what can not come to `wanted` with more to come.
   [[nodiscard]] bool canRepeat(const Predicate& wanted) const {
@@ -168,10 +183,7 @@ private:
     };
     for (bool changed = true; changed;) {
       const auto recurs = [&](const Point& point) {
-        if (rests(point)) return true;
-        if (!wanted(point)) return false;
-        const auto after = next(point);
-        return std::ranges::any_of(after, [&](const Point& each) { return alive.contains(each); });
+        return rests(point) || (wanted(point) && stepsInto(point, alive));
       };
       std::map<Point, std::vector<Point>> before;
       std::vector<Point> todo;

@@ -1,0 +1,42 @@
+#include "verify/reduce/monitor_view.h"
+
+#include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
+
+namespace proskill::verify {
+
+bool watchesPoints(const Monitor& monitor) { return monitor.ofPoints && !monitor.looksForCycles(); }
+
+std::vector<Goal> goalsOf(const Monitor& monitor) {
+  std::vector<Goal> all;
+  const auto add = [&](NodeId condition) {
+    all.push_back(
+        {.kind = GoalKind::Condition, .condition = condition, .ofSteps = true, .ofRuns = true});
+  };
+  for (const auto& location : monitor.locations) {
+    add(location.stay);
+    for (const auto& edge : location.edges) add(edge.condition);
+  }
+  // A process that is left out must not go round and round: that would be a run of its own.
+  if (monitor.looksForCycles()) all.push_back({.kind = GoalKind::Deadlock});
+  return all;
+}
+
+Bits stepsSeenBy(const Monitor& monitor, const System& system) {
+  Bits cells;
+  Bits events;
+  for (const auto& goal : goalsOf(monitor)) {
+    addReads(system, goal.condition, cells);
+    addEvents(system, goal.condition, events);
+  }
+  Bits seen;
+  for (TransitionId i = 0; i < system.transitions.size(); ++i) {
+    const auto& transition = system.transitions[i];
+    if (!watchesPoints(monitor) || transition.writes.meets(cells) ||
+        mayPass(system, transition, events))
+      seen.insert(i);
+  }
+  return seen;
+}
+
+} // namespace proskill::verify
