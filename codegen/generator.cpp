@@ -1,5 +1,6 @@
 #include "codegen/model.h"
 #include "codegen/process/component.h"
+#include "codegen/process/executed_action.h"
 #include "codegen/property/checks.h"
 #include "codegen/term/annotate.h"
 #include "codegen/term/tina_edition.h"
@@ -23,15 +24,18 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
                   .results = {},
                   .alarmed = {},
                   .invariantActive = {},
-                  .arguments = {}};
-  if (context.isRuntime()) context.arguments = CallTable(program, context.plan);
+                  .arguments = {},
+                  .performed = {},
+                  .alarms = {}};
+  if (context.isPerformed()) context.arguments = CallTable(program, context.plan);
   Model model;
   model.fiacre = buildProgram(context);
   annotate(model.fiacre, context.origins.provenance);
   model.unit = times->unit();
-  if (context.isRuntime()) model.actionCalls = context.arguments.actions();
+  if (context.isPerformed()) model.actionCalls = context.arguments.actions();
+  if (context.isExecuted()) tellExecutor(context, model);
   if (context.plan.mission) model.mainSkill = context.plan.mission->name();
-  if (!context.isRuntime()) addChecks(context, model);
+  if (!context.isPerformed()) addChecks(context, model);
   if (options.edition == Edition::Tina) removeIdleProcesses(model.fiacre);
   if (options.edition == Edition::Tina || context.isRuntime()) coerceNumbers(model.fiacre);
   context.origins.provenance.watched = watchedVariables(context);

@@ -5,13 +5,16 @@
 
 #include <cstdint>
 #include <expected>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace proskill::codegen {
 
-/// Tina: the expanded edition in the types of frac, without what frac may refuse.
-enum class Edition : std::uint8_t { Compact, Expanded, Tina, Runtime };
+/// Tina: the expanded edition in the types of frac, without what frac may refuse. Executed: the
+/// compact edition, with actions that somebody performs (docs/runtime.md).
+enum class Edition : std::uint8_t { Compact, Expanded, Tina, Runtime, Executed };
 
 /// Exact: a forbidden move is seen in the transition that makes it. Paper: the automaton polls the
 /// variable.
@@ -22,6 +25,9 @@ struct Options {
   StateVariableAutomata automata = StateVariableAutomata::Exact;
   std::string mainSkill;             ///< empty: the one that no other skill calls
   std::int64_t ticksPerSecond = 100; ///< of the runtime edition
+  /// Executed: what the program says of its environment is part of the model, as is the most
+  /// general caller; else events and interrupts from outside are reported by somebody.
+  bool environment = false;
 };
 
 /// When a verdict is good news.
@@ -51,12 +57,61 @@ struct ActionCall {
   friend bool operator==(const ActionCall&, const ActionCall&) = default;
 };
 
+/// Executed: a basic skill, as whoever performs its action has to know it.
+struct Performed {
+  /// How the action may end, and the port that says so.
+  struct Result {
+    std::string status; ///< `success` or `failure`
+    std::string tag;    ///< empty where it has none
+    std::string port;
+  };
+  std::string skill;
+  std::string process;
+  std::string numberCell; ///< the lvalue that has the number of its ActionCall
+  std::vector<Result> results;
+  std::string unknownPort;                  ///< its action ended, and not by one of the results
+  std::string stoppedPort;                  ///< its action ended after it was asked to stop
+  std::optional<fiacre::Interval> interval; ///< how long its action takes, in units
+  fiacre::OriginId intervalOrigin = 0;
+};
+
+/// Executed: a composite skill whose run is measured.
+struct Measured {
+  std::string skill;
+  std::string process;
+  fiacre::Interval interval; ///< in units
+  fiacre::OriginId origin = 0;
+};
+
+/// Executed: an event, or an interrupt from outside.
+struct Signal {
+  std::string name; ///< of the event or of the skill
+  bool interrupts = false;
+  std::string port;
+};
+
+/// Executed: what is wrong where a step passes an origin.
+enum class Alarm : std::uint8_t {
+  ForbiddenMove,
+  FailedInvariant,
+  FailedPostcondition,
+  UnknownResult,
+};
+
 /// A program's meaning. `unit` of time: one step of the model is numerator/denominator seconds.
 struct Model {
   fiacre::Program fiacre;
   fiacre::Provenance provenance;
   std::vector<Check> checks;
-  std::vector<ActionCall> actionCalls; ///< runtime
+  std::vector<ActionCall> actionCalls; ///< runtime and executed
+  std::vector<Performed> performed;
+  std::vector<Measured> measured;
+  std::vector<Signal> signals; ///< all of the program's, whoever gives them
+  std::map<fiacre::OriginId, Alarm> alarms;
+  std::string missionProcess; ///< executed; empty where there is no mission
+  /// Executed: processes of the environment, whose waits may last as long as they like.
+  std::vector<std::string> drawnProcesses;
+  bool hasEnvironment = false; ///< executed: the signals come from one of these processes
   syntax::Rational unit{1, 1};
   std::string mainSkill; ///< empty where there is none: a library of skills
 };

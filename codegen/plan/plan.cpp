@@ -189,7 +189,9 @@ std::expected<GenerationPlan, GenerationError> makeGenerationPlan(const Program&
                                                                   const Options& options) {
   const auto mission = chooseMission(program, options);
   if (!mission) return std::unexpected(mission.error());
-  return Planner(program, *mission).make();
+  auto plan = Planner(program, *mission).make();
+  for (auto& skill : plan.skills) skill.isMeasured = options.edition == Edition::Executed;
+  return plan;
 }
 
 } // namespace proskill::codegen

@@ -23,6 +23,7 @@ struct SkillPlan {
   bool callerMayStop = false;         ///< its caller may set its `stop`, before it runs too
   bool branchEnds = false;            ///< a branch of it has a `(success …)` or `(failure …)`
   bool resultIsRead = false;          ///< something reads `.res`
+  bool isMeasured = false;            ///< whoever executes it looks at its time interval
 
   [[nodiscard]] const syntax::Skill& skill() const { return definition->node(); }
   [[nodiscard]] std::string_view name() const { return skill().name.text; }
@@ -37,7 +38,7 @@ struct SkillPlan {
     return callers.size() + (root || generalCaller ? 1U : 0U) > 1;
   }
   /// It has a watchdog.
-  [[nodiscard]] bool isWatched() const { return body && skill().timeInterval; }
+  [[nodiscard]] bool isWatched() const { return body && skill().timeInterval && !isMeasured; }
   /// Its watchdog has to tell one run from the next.
   [[nodiscard]] bool isWatchedAgain() const { return isWatched() && !runsOnce(); }
   /// Something may end it before its body has come to an end.

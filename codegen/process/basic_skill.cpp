@@ -1,5 +1,6 @@
 #include "codegen/process/basic_skill.h"
 
+#include "codegen/process/executed_action.h"
 #include "codegen/process/runtime_action.h"
 #include "codegen/process/skill_frame.h"
 
@@ -20,6 +21,8 @@ public:
     process.comment = context.definitionOf(*skill.definition);
     if (context.isRuntime())
       RuntimeAction(context, skill, frame).addTo(process);
+    else if (context.isExecuted())
+      ExecutedAction(context, skill, frame).addTo(process);
     else
       addOffline(process);
     return process;

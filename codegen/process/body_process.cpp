@@ -190,7 +190,7 @@ Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) 
   const auto words = fmt::format("calls `{}`", callee);
   std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee)),
                              keepOutcome(callee)};
-  if (context.isRuntime())
+  if (context.isPerformed())
     all.push_back(saying("synthesized action arg index",
                          assign(context.cellField(callee, "ArgIndex"), argumentsOf(statement))));
   all.push_back(to(sync));

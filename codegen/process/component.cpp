@@ -68,9 +68,9 @@ private:
       else
         std::ranges::move(compositeSkill(context, skill), std::back_inserter(others));
     }
-    if (context.plan.hasGeneralCaller() && !context.isRuntime())
+    if (context.plan.hasGeneralCaller() && context.hasEnvironment())
       others.push_back(generalCaller(context));
-    if (!context.isRuntime()) others.push_back(environmentProcess(context));
+    if (hasEnvironmentProcess()) others.push_back(environmentProcess(context));
     for (const auto& variable : context.program.stateVariables.all)
       program.processes.push_back(stateVariableAutomaton(context, variable));
     std::ranges::move(others, std::back_inserter(program.processes));
@@ -92,16 +92,32 @@ private:
     component.name =
         context.names.process({"main", sanitised(context.program.files[0].path.stem().string())});
     component.variables = variables(skills);
-    if (!context.isRuntime()) {
-      component.ports = ports();
+    if (!context.isRuntime()) component.ports = ports();
+    if (hasEnvironmentProcess()) {
       program.processes.back().ports = component.ports;
       for (auto& port : program.processes.back().ports) port.interval.reset();
     }
+    addActionPorts(component);
     for (auto& process : program.processes) bind(process, component);
     for (const auto& process : program.processes)
       component.instances.push_back(instanceOf(process));
     program.main = component.name;
     program.components.push_back(std::move(component));
+  }
+
+  /// Executed, without an environment of the program's own, whoever runs it says what happens.
+  [[nodiscard]] bool hasEnvironmentProcess() const {
+    return context.isExecuted() ? context.hasEnvironment() && context.plan.environment
+                                : context.hasEnvironment();
+  }
+
+  void addActionPorts(fiacre::Component& component) {
+    const auto add = [&](const std::string& port) { component.ports.emplace_back().name = port; };
+    for (const auto& action : context.performed) {
+      for (const auto& result : action.results) add(result.port);
+      add(action.unknownPort);
+      if (!action.stoppedPort.empty()) add(action.stoppedPort);
+    }
   }
 
   std::vector<fiacre::Variable> variables(const SkillTypes& skills) {
@@ -145,7 +161,8 @@ private:
     for (const auto& name : environmentPorts(context)) {
       fiacre::Port port;
       port.name = name;
-      if (context.plan.environment) port.interval = fiacre::Interval{.lower = 0, .upper = 0};
+      if (hasEnvironmentProcess() && context.plan.environment)
+        port.interval = fiacre::Interval{.lower = 0, .upper = 0};
       all.push_back(std::move(port));
     }
     return all;
@@ -187,7 +204,7 @@ private:
     for (const auto& renaming : context.names.renamings())
       text += fmt::format("\n`{}` is `{}` here: its own name is taken or reserved.",
                           renaming.preferred, renaming.name);
-    if (context.isRuntime()) text += argumentsText();
+    if (context.isPerformed()) text += argumentsText();
     return text;
   }
 
@@ -209,6 +226,7 @@ private:
     case Edition::Expanded: return "a model for verification, every state named";
     case Edition::Tina: return "a model for Tina";
     case Edition::Runtime: return "a program for the executor, in H-Fiacre";
+    case Edition::Executed: return "the model that `proskill run` executes";
     }
     std::unreachable();
   }

@@ -158,7 +158,9 @@ Statement SkillFrame::outcome(const Ending& ending) {
 
 Statement SkillFrame::happens(const Ending& ending) {
   const auto& name = context.names.tag({skill.name(), ending.status, ending.tag.text});
-  Statement marked = at(origin(ending.range, ending.description), tag(name));
+  const auto words = origin(ending.range, ending.description);
+  if (ending.status == "failed_inv") context.alarms.emplace(words, Alarm::FailedInvariant);
+  Statement marked = at(words, tag(name));
   if (!ending.effects) return marked;
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
 }
@@ -176,7 +178,9 @@ Statement SkillFrame::postconditionFails(const Ending& ending) {
   const auto words = ending.description + ", but its postcondition does not hold";
   const auto& mark =
       context.names.tag({skill.name(), ending.status, ending.tag.text, "postcondition"});
-  return at(origin(ending.postcondition->range, words), tag(mark));
+  const auto place = origin(ending.postcondition->range, words);
+  context.alarms.emplace(place, Alarm::FailedPostcondition);
+  return at(place, tag(mark));
 }
 
 Statement SkillFrame::report(const Ending& ending) {
@@ -240,7 +244,7 @@ void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
   if (!skill.runsOnce()) return;
   // Once the mission has ended nothing more is asked of the program, so this is no deadlock.
   const bool ends = &skill == context.plan.mission || !context.plan.mission;
-  if (ends && !context.isRuntime())
+  if (ends && !context.isPerformed())
     addState(process, "ended", place(), sequence({wait({}), stay()}),
              "The end. The loop tells it from a deadlock.");
   else

@@ -30,11 +30,22 @@ struct Context {
   std::set<std::string_view> alarmed; ///< state variables of which some move may be forbidden
   std::optional<fiacre::Function> invariantActive; ///< where any skill has an invariant
   std::string_view reader; ///< the thread whose conditions are being translated
-  CallTable arguments;     ///< runtime
+  CallTable arguments;     ///< runtime and executed
+  std::vector<Performed> performed;
+  std::map<fiacre::OriginId, Alarm> alarms; ///< filled while the model is made
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
+  [[nodiscard]] bool isExecuted() const { return options.edition == Edition::Executed; }
+  /// Somebody performs the actions, with their arguments.
+  [[nodiscard]] bool isPerformed() const { return isRuntime() || isExecuted(); }
+  /// Events and interrupts from outside happen by themselves.
+  [[nodiscard]] bool hasEnvironment() const {
+    return !isPerformed() || (isExecuted() && options.environment);
+  }
   /// Every state is named, not only those where time passes.
-  [[nodiscard]] bool isExpanded() const { return options.edition != Edition::Compact; }
+  [[nodiscard]] bool isExpanded() const {
+    return options.edition != Edition::Compact && !isExecuted();
+  }
 
   [[nodiscard]] const syntax::StateVariable& stateVariable(std::string_view name) const {
     return program.stateVariables.find(name)->node();

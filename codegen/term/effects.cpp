@@ -69,6 +69,7 @@ Statement alarm(Context& context, const Actor& actor, const Assignment& assignme
   const auto words = fmt::format("makes a forbidden move: `{}`",
                                  context.origins.excerpt(actor.file, assignment.effect->range));
   const auto place = context.origins.of(actor, assignment.effect->range, words);
+  context.alarms.emplace(place, Alarm::ForbiddenMove);
   const auto error = name(context.names.error(variable));
   if (context.isExpanded())
     return at(context.origins.of(actor, assignment.effect->range),

@@ -49,7 +49,7 @@ void SkillTypes::findFields() {
         {"returned", boolType(), boolean(false), "it is done, its caller has not seen it"});
   if (any([](const SkillPlan& skill) { return skill.isWatchedAgain(); }))
     fields.push_back({"watched", boolType(), boolean(false), "its watchdog is watching it"});
-  if (context.isRuntime()) {
+  if (context.isPerformed()) {
     const auto last = context.arguments.last();
     fields.push_back({"ArgIndex", rangeType(0, last), number(0), "which call's arguments"});
   }

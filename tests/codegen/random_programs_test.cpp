@@ -60,3 +60,9 @@ TEST_CASE("a program gives the same model whenever it is translated") {
     CHECK(fiacre::print(modelOf(text, {}).fiacre) == fiacre::print(modelOf(text, {}).fiacre));
   }
 }
+
+TEST_CASE(
+    "the executed edition of random programs is well typed, with its environment and without") {
+  everyModelIsWellTyped({.edition = Edition::Executed});
+  everyModelIsWellTyped({.edition = Edition::Executed, .environment = true});
+}

@@ -1,0 +1,108 @@
+#include "codegen/process/executed_action.h"
+
+#include "fiacre/print/print.h"
+
+#include <algorithm>
+
+namespace proskill::codegen {
+
+using fiacre::Statement;
+
+ExecutedAction::ExecutedAction(Context& context, const SkillPlan& skill, SkillFrame& frame)
+    : context(context), skill(skill), frame(frame) {
+  made.skill = skill.name();
+  made.unknownPort = context.names.foreign({skill.name(), "unknown"});
+  if (!skill.skill().timeInterval) return;
+  const auto& interval = *skill.skill().timeInterval;
+  made.interval = context.times.interval(interval);
+  made.intervalOrigin = frame.origin(interval.range, "takes its time");
+}
+
+void ExecutedAction::addTo(fiacre::Process& process) {
+  made.process = process.name;
+  frame.addStart(process, "run");
+  auto alternatives = breaks();
+  alternatives.insert(alternatives.begin(),
+                      sequence({select(results()), frame.giveBack(), to("idle")}));
+  const auto& action = skill.skill().action;
+  addState(process, "run", frame.place(), select(std::move(alternatives)),
+           action ? "Action: " + context.origins.excerpt(skill.file(), action->range) : "");
+  for (const auto& [state, ending] : stopping)
+    addState(process, state, frame.place(),
+             sequence({synchronise(made.stoppedPort), frame.end(ending)}),
+             "Its action was asked to stop.");
+  frame.addRest(process);
+  context.performed.push_back(std::move(made));
+}
+
+/// What the action may end with; anything else counts as an interruption.
+std::vector<Statement> ExecutedAction::results() {
+  std::vector<Statement> all;
+  for (const auto& outcome : outcomesOf(skill)) {
+    const auto& port = context.names.foreign({skill.name(), outcome.status, outcome.tag.text});
+    made.results.push_back({outcome.status, std::string(outcome.tag.text), port});
+    all.push_back(sequence({synchronise(port), frame.outcome(outcome)}));
+  }
+  const auto words =
+      frame.origin(skill.skill().name.range, "its action ends without a known result");
+  context.alarms.emplace(words, Alarm::UnknownResult);
+  auto unknown = tag(context.names.tag({skill.name(), "unknown_result"}));
+  all.push_back(sequence({synchronise(made.unknownPort), at(words, std::move(unknown)),
+                          frame.outcome(interruptionOf(skill))}));
+  return all;
+}
+
+std::vector<Statement> ExecutedAction::breaks() {
+  const auto& node = skill.skill();
+  std::vector<Statement> all;
+  if (node.interrupt)
+    all.push_back(breakOff(synchronise(context.names.interruptPort(skill.name())), "outside",
+                           outsideInterruptionOf(skill)));
+  if (skill.mayBeStopped())
+    all.push_back(breakOff(sequence({atOnce(), on(frame.stop())}), "asked", interruptionOf(skill)));
+  for (const auto& invariant : node.invariants)
+    all.push_back(breakOff(sequence({atOnce(), on(frame.fails(invariant))}),
+                           "failed_inv_" + std::string(invariant.tag.text), failureOf(invariant)));
+  return all;
+}
+
+Statement ExecutedAction::breakOff(Statement trigger, const std::string& reason,
+                                   const Ending& ending) {
+  if (made.stoppedPort.empty()) made.stoppedPort = context.names.foreign({skill.name(), "stopped"});
+  const auto state = "stopping_" + reason;
+  const auto known = [&](const auto& each) { return each.first == state; };
+  if (std::ranges::none_of(stopping, known)) stopping.emplace_back(state, ending);
+  const auto words = frame.origin(ending.range, "asks its action to stop");
+  return sequence({std::move(trigger), at(words, to(state))});
+}
+
+void tellExecutor(Context& context, Model& model) {
+  for (auto& action : context.performed)
+    action.numberCell = fiacre::printLvalue(context.cellField(action.skill, "ArgIndex"));
+  for (const auto& skill : context.plan.skills) {
+    if (skill.skill().interrupt)
+      model.signals.push_back(
+          {std::string(skill.name()), true, context.names.interruptPort(skill.name())});
+    const auto& interval = skill.skill().timeInterval;
+    if (!skill.body || !interval) continue;
+    model.measured.push_back(
+        {std::string(skill.name()), context.names.process({"skill", skill.name()}),
+         context.times.interval(*interval),
+         context.origins.of(actorOf(skill), interval->range, "takes its time")});
+  }
+  for (const auto& event : context.program.events.all)
+    model.signals.push_back({std::string(event.name()), false, context.names.event(event.name())});
+  if (context.plan.mission)
+    model.missionProcess = context.names.process({"skill", context.plan.mission->name()});
+  if (context.options.environment && context.plan.environment) {
+    model.drawnProcesses.push_back(
+        context.names.process({"environment", context.plan.environment->name()}));
+    model.hasEnvironment = true;
+  }
+  if (context.options.environment && context.plan.hasGeneralCaller())
+    model.drawnProcesses.emplace_back("most_general_caller");
+  model.performed = std::move(context.performed);
+  model.alarms = std::move(context.alarms);
+}
+
+} // namespace proskill::codegen
