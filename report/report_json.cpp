@@ -33,6 +33,8 @@ OrderedJson momentJson(const ide::Moment& moment) {
   return json;
 }
 
+} // namespace
+
 OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step) {
   OrderedJson json{{"actor", step.actor}, {"description", step.description}};
   json["location"] = step.location ? rangeJson(program, *step.location) : OrderedJson();
@@ -48,8 +50,6 @@ OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& ste
   json["origins"] = step.origins;
   return json;
 }
-
-} // namespace
 
 OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace) {
   OrderedJson initial = OrderedJson::object();

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "report/run_report.h"
+
+namespace proskill::report {
+
+/// The machine's last step in the program's words, at its date.
+[[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Machine& machine,
+                                     verify::TransitionId step, runtime::Nanoseconds date,
+                                     runtime::Nanoseconds before);
+/// A remark, as if it were a step.
+[[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Remark& remark,
+                                     runtime::Nanoseconds before);
+/// `undershoot`
+[[nodiscard]] std::string_view toString(runtime::RemarkKind kind);
+
+} // namespace proskill::report

@@ -1,0 +1,315 @@
+#include "runtime/executor/executor.h"
+
+#include "runtime/executor/stopwatch.h"
+#include "verify/compile/watch.h"
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+
+namespace proskill::runtime {
+
+using verify::TransitionId;
+
+namespace {
+
+class Executor {
+public:
+  Executor(const Executable& of, Clock& with, Platform& on, Observer& told, const RunOptions& given)
+      : executable(of),
+        clock(with),
+        platform(on),
+        observer(told),
+        options(given),
+        machine(of, given.seed),
+        watch(of),
+        runs(of.actions.size()) {
+    platform.addDescriptors(descriptors);
+    if (options.stopDescriptor >= 0) descriptors.push_back(options.stopDescriptor);
+  }
+
+  RunResult run() {
+    clock.start();
+    while (!ended) step();
+    result.date = date;
+    result.missionStatus = missionStatus();
+    return std::move(result);
+  }
+
+private:
+  struct Run {
+    RunNumber number = 0;
+    bool isRunning = false;
+    bool isStopping = false;
+    Nanoseconds askedAt = 0;
+  };
+
+  /// Steps that cannot wait; then what was due first; then what is reported now.
+  void step() {
+    if (stopRequests() > 0) return shutDown();
+    if (const auto urgent = machine.urgent()) {
+      if (++stepsAtOnce > options.mostAtOnce) return end(End::NoTime);
+      return take(*urgent, date);
+    }
+    if (missionIsOver()) return end(End::Mission);
+    const auto now = clock.now();
+    const auto due = machine.due();
+    if (due && due->date <= std::min(now, options.until.value_or(now))) {
+      passTimeTo(due->date);
+      lag = now - date;
+      return take(due->transition, date);
+    }
+    passTimeTo(std::min(now, options.until.value_or(now)));
+    if (options.until && date >= *options.until) return end(End::Until);
+    lag = 0;
+    if (giveUpSlowStop()) return;
+    if (platform.poll(date, report)) return handle();
+    await(due);
+  }
+
+  void passTimeTo(Nanoseconds to) {
+    if (to <= date) return;
+    stepsAtOnce = 0;
+    date = to;
+    watch.tellOvershoots(date, [&](const Remark& remark) { tell(remark); });
+  }
+
+  /// Waits for whatever comes first.
+  void await(const std::optional<Machine::Due>& due) {
+    auto first = platform.next();
+    const auto limit = [&](std::optional<Nanoseconds> other) {
+      if (other && (!first || *other < *first)) first = other;
+    };
+    if (due) limit(due->date);
+    limit(watch.nextOvershoot());
+    limit(graceEnd());
+    if (!first && !platform.mayReport()) return end(End::Stuck);
+    limit(options.until);
+    clock.wait(first, descriptors);
+  }
+
+  void take(TransitionId step, Nanoseconds at) {
+    const auto& handling = executable.handling[step];
+    if (!machine.take(step, at)) {
+      result.failure = machine.log().failure;
+      return end(End::Failed);
+    }
+    ++result.steps;
+    result.maxLag = std::max(result.maxLag, lag);
+    observer.onStep(machine, step, at, lag);
+    for (const auto origin : machine.log().origins)
+      if (executable.isAlarm[origin]) tellAlarm(origin);
+    if (handling.stretch != verify::kNone)
+      watch.follow(handling.stretch, machine, at, [&](const Remark& remark) { tell(remark); });
+    if (handling.action != verify::kNone) follow(handling.action);
+  }
+
+  /// What a step of a basic skill asks of the platform.
+  void follow(std::uint32_t action) {
+    const auto& of = executable.actions[action];
+    const auto from = machine.locationBefore(of.instance);
+    const auto to = machine.location(of.instance);
+    if (from == to) return;
+    if (to == of.run) return startAction(action);
+    if (to != of.idle) stopAction(action);
+  }
+
+  void startAction(std::uint32_t action) {
+    auto& run = runs[action];
+    run = {.number = ++lastRun, .isRunning = true};
+    watch.start(action, date);
+    const Start start{action, run.number, executable.callOf(action, machine.state().data())};
+    tell({.kind = RemarkKind::Started, .date = date, .subject = nameOf(action), .start = &start});
+    platform.start(start, date);
+  }
+
+  void stopAction(std::uint32_t action) {
+    auto& run = runs[action];
+    watch.end(action);
+    run.isStopping = true;
+    run.askedAt = date;
+    tell({.kind = RemarkKind::Asked, .date = date, .subject = nameOf(action)});
+    if (platform.stop(action, run.number, date)) returned(action, kUnknownResult);
+  }
+
+  void handle() {
+    switch (report.kind) {
+    case ReportKind::Signal: return signal(report.signal);
+    case ReportKind::Fault:
+      return tell({.kind = RemarkKind::Fault, .date = date, .text = report.text});
+    case ReportKind::Result: break;
+    }
+    const auto& run = runs[report.action];
+    if (!run.isRunning || run.number != report.run)
+      return tell({.kind = RemarkKind::Fault,
+                   .date = date,
+                   .subject = nameOf(report.action),
+                   .text = report.text.empty() ? "a result of a run that has ended; it is ignored"
+                                               : std::string_view(report.text)});
+    if (!report.text.empty())
+      tell({.kind = RemarkKind::Fault,
+            .date = date,
+            .subject = nameOf(report.action),
+            .text = report.text});
+    returned(report.action, report.result);
+  }
+
+  /// An action has ended: its skill ends with that, or as it was told to.
+  void returned(std::uint32_t action, std::uint32_t result) {
+    auto& run = runs[action];
+    const auto& of = executable.actions[action];
+    run.isRunning = false;
+    auto port = of.stoppedPort;
+    if (!run.isStopping) {
+      watch.finish(action, date, [&](const Remark& remark) { tell(remark); });
+      port = result < of.resultPorts.size() ? of.resultPorts[result] : of.unknownPort;
+    }
+    run.isStopping = false;
+    if (const auto step = machine.at(port)) take(*step, date);
+  }
+
+  void signal(std::uint32_t index) {
+    const auto& of = executable.model.signals[index];
+    if (const auto step = machine.at(executable.signalPorts[index])) return take(*step, date);
+    tell({.kind = RemarkKind::Note,
+          .date = date,
+          .subject = of.name,
+          .text = of.interrupts ? "there is nothing to interrupt"
+                                : "the program's environment says when it comes"});
+  }
+
+  // --- The end
+
+  [[nodiscard]] bool missionIsOver() const {
+    if (executable.mission == verify::kNone) return false;
+    return machine.location(executable.mission) == executable.missionEnded &&
+           std::ranges::none_of(runs, &Run::isRunning);
+  }
+
+  [[nodiscard]] std::string missionStatus() const {
+    for (const auto& watched : executable.system.watched)
+      if (executable.mission != verify::kNone &&
+          watched.display == executable.model.mainSkill + ".status")
+        return verify::shown(
+            watched, verify::readCell(executable.system, watched.cell, machine.state().data()));
+    return "";
+  }
+
+  [[nodiscard]] int stopRequests() const {
+    return options.stopRequests ? options.stopRequests->load(std::memory_order_relaxed) : 0;
+  }
+
+  /// The program is left where it is. Every running action is asked to stop, the last started
+  /// first, and is waited for.
+  void shutDown() {
+    tell({.kind = RemarkKind::Note, .date = date, .text = "asked to end: actions are stopped"});
+    std::vector<std::uint32_t> running;
+    for (std::uint32_t i = 0; i < runs.size(); ++i)
+      if (runs[i].isRunning) running.push_back(i);
+    std::ranges::sort(running, std::greater{}, [&](auto i) { return runs[i].number; });
+    for (const auto action : running) {
+      if (runs[action].isStopping) continue;
+      tell({.kind = RemarkKind::Asked, .date = date, .subject = nameOf(action)});
+      runs[action].isStopping = true;
+      if (platform.stop(action, runs[action].number, date)) runs[action].isRunning = false;
+    }
+    awaitStops(date + options.grace);
+    const bool all = std::ranges::none_of(runs, &Run::isRunning);
+    for (std::uint32_t i = 0; i < runs.size(); ++i)
+      if (runs[i].isRunning)
+        tell({.kind = RemarkKind::Fault,
+              .date = date,
+              .subject = nameOf(i),
+              .text = "its action did not stop in time; it is left to the platform"});
+    end(all ? End::Stopped : End::Abandoned);
+  }
+
+  void awaitStops(Nanoseconds deadline) {
+    while (std::ranges::any_of(runs, &Run::isRunning) && date < deadline && stopRequests() < 2) {
+      if (platform.poll(date, report)) {
+        if (report.kind == ReportKind::Result && runs[report.action].number == report.run)
+          runs[report.action].isRunning = false;
+        continue;
+      }
+      clock.wait(std::min(deadline, platform.next().value_or(deadline)), descriptors);
+      date = std::max(clock.now(), date);
+    }
+  }
+
+  /// The date at which the platform has not stopped an action in time.
+  [[nodiscard]] std::optional<Nanoseconds> graceEnd() const {
+    std::optional<Nanoseconds> first;
+    for (const auto& run : runs)
+      if (run.isRunning && run.isStopping && (!first || run.askedAt + options.grace < *first))
+        first = run.askedAt + options.grace;
+    return first;
+  }
+
+  /// A skill whose action does not stop is ended all the same: what it holds must come free, and
+  /// who waits for it must hear of it.
+  bool giveUpSlowStop() {
+    for (std::uint32_t i = 0; i < runs.size(); ++i) {
+      auto& run = runs[i];
+      if (!run.isRunning || !run.isStopping || run.askedAt + options.grace > date) continue;
+      tell({.kind = RemarkKind::Fault,
+            .date = date,
+            .subject = nameOf(i),
+            .text = "its action does not stop; its skill ends without it"});
+      platform.abandon(i, run.number, date);
+      returned(i, kUnknownResult);
+      return true;
+    }
+    return false;
+  }
+
+  void end(End how) {
+    result.end = how;
+    ended = true;
+  }
+
+  // --- What is told
+
+  void tell(const Remark& remark) {
+    if (isBad(remark.kind)) ++result.bad;
+    observer.onRemark(remark);
+  }
+
+  void tellAlarm(fiacre::OriginId origin) {
+    const auto& of = executable.model.provenance.origins[origin];
+    const bool isGuard = executable.model.alarms.at(origin) == codegen::Alarm::FailedInvariant;
+    tell({.kind = isGuard ? RemarkKind::GuardFailed : RemarkKind::Alarm,
+          .date = date,
+          .subject = of.actor,
+          .text = of.description,
+          .origin = origin});
+  }
+
+  [[nodiscard]] std::string_view nameOf(std::uint32_t action) const {
+    return executable.model.performed[action].skill;
+  }
+
+  const Executable& executable;
+  Clock& clock;
+  Platform& platform;
+  Observer& observer;
+  const RunOptions& options;
+  Machine machine;
+  Stopwatch watch;
+  std::vector<Run> runs; ///< by action
+  std::vector<int> descriptors;
+  Report report;
+  RunNumber lastRun = 0;
+  Nanoseconds date = 0;
+  Nanoseconds lag = 0;
+  std::uint64_t stepsAtOnce = 0;
+  bool ended = false;
+  RunResult result;
+};
+
+} // namespace
+
+RunResult execute(const Executable& executable, Clock& clock, Platform& platform,
+                  Observer& observer, const RunOptions& options) {
+  return Executor(executable, clock, platform, observer, options).run();
+}
+
+} // namespace proskill::runtime

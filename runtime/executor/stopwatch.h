@@ -1,0 +1,88 @@
+#pragma once
+
+#include "runtime/executor/observer.h"
+
+namespace proskill::runtime {
+
+/// Measures what has a time interval: actions and runs of composite skills.
+class Stopwatch {
+public:
+  explicit Stopwatch(const Executable& of);
+
+  void start(std::uint32_t action, Nanoseconds date);
+  /// Its action ends by itself: was it early or late?
+  template <class Tell> void finish(std::uint32_t action, Nanoseconds date, Tell&& tell) {
+    finish(actions[action], ofAction(action), date, tell);
+  }
+  /// It is not measured any more.
+  void end(std::uint32_t action) { actions[action].isRunning = false; }
+
+  /// A composite skill may have started or ended by the machine's last step.
+  template <class Tell>
+  void follow(std::uint32_t stretch, const Machine& machine, Nanoseconds date, Tell&& tell) {
+    const bool ran = runs(stretch, machine.locationBefore(executable.stretches[stretch].instance));
+    const bool isRunning = runs(stretch, machine.location(executable.stretches[stretch].instance));
+    if (!ran && isRunning) stretches[stretch] = {.isRunning = true, .begin = date};
+    if (ran && !isRunning) finish(stretches[stretch], ofStretch(stretch), date, tell);
+  }
+
+  /// The first date at which something has taken too long.
+  [[nodiscard]] std::optional<Nanoseconds> nextOvershoot() const;
+  template <class Tell> void tellOvershoots(Nanoseconds date, Tell&& tell) {
+    for (std::uint32_t i = 0; i < actions.size(); ++i)
+      tellOvershoot(actions[i], ofAction(i), date, tell);
+    for (std::uint32_t i = 0; i < stretches.size(); ++i)
+      tellOvershoot(stretches[i], ofStretch(i), date, tell);
+  }
+
+private:
+  struct Measure {
+    bool isRunning = false;
+    bool isLate = false; ///< and that was told
+    Nanoseconds begin = 0;
+  };
+  struct Subject {
+    std::string_view name;
+    const Span& span;
+    fiacre::OriginId origin = 0;
+  };
+
+  [[nodiscard]] Subject ofAction(std::uint32_t action) const;
+  [[nodiscard]] Subject ofStretch(std::uint32_t stretch) const;
+  [[nodiscard]] bool runs(std::uint32_t stretch, std::int64_t location) const {
+    const auto& of = executable.stretches[stretch];
+    return location != of.idle && location != of.ended;
+  }
+
+  template <class Tell>
+  static void finish(Measure& measure, const Subject& subject, Nanoseconds date, Tell&& tell) {
+    if (!measure.isRunning) return;
+    tellOvershoot(measure, subject, date, tell);
+    measure.isRunning = false;
+    if (date - measure.begin >= subject.span.first) return;
+    tell(Remark{.kind = RemarkKind::Undershoot,
+                .date = date,
+                .subject = subject.name,
+                .text = "took less time than its interval says",
+                .origin = subject.origin});
+  }
+
+  template <class Tell>
+  static void tellOvershoot(Measure& measure, const Subject& subject, Nanoseconds date,
+                            Tell&& tell) {
+    const auto& last = subject.span.last;
+    if (!measure.isRunning || measure.isLate || !last || date - measure.begin <= *last) return;
+    measure.isLate = true;
+    tell(Remark{.kind = RemarkKind::Overshoot,
+                .date = date,
+                .subject = subject.name,
+                .text = "takes more time than its interval says",
+                .origin = subject.origin});
+  }
+
+  const Executable& executable;
+  std::vector<Measure> actions;
+  std::vector<Measure> stretches;
+};
+
+} // namespace proskill::runtime

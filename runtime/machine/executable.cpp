@@ -1,0 +1,202 @@
+#include "runtime/machine/executable.h"
+
+#include "verify/compile/compile.h"
+#include "verify/state/evaluate.h"
+#include "verify/state/state_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::runtime {
+
+namespace {
+
+using verify::kNone;
+
+/// Model time that no nanosecond falls into, or the like.
+struct Refused {
+  NotExecutable error;
+};
+
+Span spanOf(const fiacre::Interval& interval, Nanoseconds unit) {
+  Span span{.first = interval.lower * unit + (interval.lowerOpen ? 1 : 0), .last = {}};
+  if (interval.upper) span.last = *interval.upper * unit - (interval.upperOpen ? 1 : 0);
+  if (span.last && *span.last < span.first)
+    throw Refused{{"an interval of time that no nanosecond lies in", {}}};
+  return span;
+}
+
+class Maker {
+public:
+  Maker(Executable& to, verify::System system) : made(to) { made.system = std::move(system); }
+
+  void make() {
+    findUnit();
+    for (const auto& performed : made.model.performed) made.actions.push_back(actionOf(performed));
+    for (const auto& measured : made.model.measured) made.stretches.push_back(stretchOf(measured));
+    for (const auto& signal : made.model.signals) made.signalPorts.push_back(portOf(signal.port));
+    findMission();
+    findRoles();
+    made.isAlarm.assign(made.model.provenance.origins.size(), false);
+    for (const auto& [origin, alarm] : made.model.alarms) made.isAlarm[origin] = true;
+  }
+
+private:
+  void findUnit() {
+    const auto unit = made.model.unit;
+    if (unit.denominator > kSecond || kSecond % unit.denominator != 0)
+      throw Refused{{fmt::format("{} s is less than a nanosecond, or no whole number of them",
+                                 syntax::toString(unit)),
+                     {}}};
+    made.unit = unit.numerator * (kSecond / unit.denominator);
+  }
+
+  /// Each process has one instance.
+  [[nodiscard]] verify::InstanceId instanceOf(const std::string& process) const {
+    const auto& all = made.system.instances;
+    for (verify::InstanceId i = 0; i < all.size(); ++i)
+      if (all[i].name == process + "_1") return i;
+    return kNone;
+  }
+
+  [[nodiscard]] std::uint32_t portOf(const std::string& name) const {
+    const auto found = std::ranges::find(made.system.ports, name);
+    if (found == made.system.ports.end()) return kNone;
+    return static_cast<std::uint32_t>(found - made.system.ports.begin());
+  }
+
+  [[nodiscard]] std::int64_t locationOf(verify::InstanceId instance, std::string_view name) const {
+    const auto& all = made.system.instances[instance].locations;
+    const auto found = std::ranges::find(all, name);
+    return found == all.end() ? std::int64_t{kNone} : found - all.begin();
+  }
+
+  [[nodiscard]] Action actionOf(const codegen::Performed& performed) const {
+    Action action;
+    action.instance = instanceOf(performed.process);
+    action.idle = locationOf(action.instance, "idle");
+    action.run = locationOf(action.instance, "run");
+    for (const auto& result : performed.results) action.resultPorts.push_back(portOf(result.port));
+    action.unknownPort = portOf(performed.unknownPort);
+    action.stoppedPort = performed.stoppedPort.empty() ? kNone : portOf(performed.stoppedPort);
+    if (performed.interval) action.span = spanOf(*performed.interval, made.unit);
+    const auto& watched = made.system.watched;
+    const auto cell =
+        std::ranges::find(watched, performed.numberCell, &verify::WatchedCell::display);
+    action.number = cell == watched.end() ? kNone : cell->cell;
+    for (std::size_t i = 0; i < made.model.actionCalls.size(); ++i) {
+      const auto& call = made.model.actionCalls[i];
+      if (call.skill != performed.skill) continue;
+      const auto number = static_cast<std::size_t>(call.number);
+      if (action.calls.size() <= number) action.calls.resize(number + 1, SIZE_MAX);
+      action.calls[number] = i;
+    }
+    return action;
+  }
+
+  [[nodiscard]] Stretch stretchOf(const codegen::Measured& measured) const {
+    const auto instance = instanceOf(measured.process);
+    return {.instance = instance,
+            .idle = locationOf(instance, "idle"),
+            .ended = locationOf(instance, "ended"),
+            .span = spanOf(measured.interval, made.unit)};
+  }
+
+  void findMission() {
+    if (made.model.missionProcess.empty()) return;
+    made.mission = instanceOf(made.model.missionProcess);
+    made.missionEnded = locationOf(made.mission, "ended");
+  }
+
+  void findRoles() {
+    std::vector<bool> external(made.system.ports.size(), false);
+    const auto add = [&](std::uint32_t port) {
+      if (port != kNone) external[port] = true;
+    };
+    for (const auto& action : made.actions) {
+      for (const auto port : action.resultPorts) add(port);
+      add(action.unknownPort);
+      add(action.stoppedPort);
+    }
+    if (!made.model.hasEnvironment)
+      for (const auto port : made.signalPorts) add(port);
+    made.atPort.resize(made.system.ports.size());
+    for (verify::TransitionId id = 0; id < made.system.transitions.size(); ++id) {
+      made.handling.push_back(handlingOf(id, external));
+      if (made.handling.back().role == Role::External)
+        made.atPort[made.system.transitions[id].port].push_back(id);
+    }
+  }
+
+  [[nodiscard]] Handling handlingOf(verify::TransitionId id,
+                                    const std::vector<bool>& external) const {
+    const auto& transition = made.system.transitions[id];
+    Handling handling;
+    bool drawn = false;
+    for (const auto part : transition.parts) {
+      const auto instance = made.system.paths[part].instance;
+      for (std::uint32_t i = 0; i < made.actions.size(); ++i)
+        if (made.actions[i].instance == instance) handling.action = i;
+      for (std::uint32_t i = 0; i < made.stretches.size(); ++i)
+        if (made.stretches[i].instance == instance) handling.stretch = i;
+      drawn = drawn || isOfEnvironment(instance);
+    }
+    if (transition.port != kNone && external[transition.port])
+      handling.role = Role::External;
+    else if (!transition.urgent)
+      handling.role = drawn ? Role::Drawn : Role::Timed;
+    if (handling.role != Role::External) handling.span = spanOf(transition.interval, made.unit);
+    return handling;
+  }
+
+  [[nodiscard]] bool isOfEnvironment(verify::InstanceId instance) const {
+    const auto& name = made.system.instances[instance].name;
+    return std::ranges::any_of(made.model.drawnProcesses,
+                               [&](const auto& process) { return name == process + "_1"; });
+  }
+
+  Executable& made;
+};
+
+} // namespace
+
+const codegen::ActionCall* Executable::callOf(std::uint32_t action,
+                                              const verify::Word* state) const {
+  const auto& of = actions[action];
+  const auto number = of.number == kNone ? 0 : verify::readCell(system, of.number, state);
+  const auto index = static_cast<std::size_t>(number);
+  if (index >= of.calls.size() || of.calls[index] == SIZE_MAX) return nullptr;
+  return &model.actionCalls[of.calls[index]];
+}
+
+std::expected<std::unique_ptr<const Executable>, NotExecutable>
+makeExecutable(const analysis::Program& program, const std::string& mainSkill, bool environment) {
+  auto model = codegen::generate(
+      program,
+      {.edition = codegen::Edition::Executed, .mainSkill = mainSkill, .environment = environment});
+  if (!model) return std::unexpected(std::move(model.error()));
+  auto made = std::make_unique<Executable>();
+  made->model = std::move(*model);
+  auto provenance = made->model.provenance;
+  for (const auto& performed : made->model.performed)
+    provenance.watched.push_back({performed.numberCell, performed.numberCell, {}});
+  auto compiled = verify::compile(made->model.fiacre, provenance, {});
+  if (!compiled) return std::unexpected(NotExecutable{compiled.error().message, {}});
+  try {
+    Maker(*made, verify::withStateLayout(std::move(compiled->system))).make();
+  } catch (Refused& refused) {
+    return std::unexpected(std::move(refused.error));
+  }
+  const auto isNumber = [&](const verify::WatchedCell& cell) {
+    return std::ranges::any_of(made->model.performed, [&](const auto& performed) {
+      return performed.numberCell == cell.display;
+    });
+  };
+  const auto& watched = made->system.watched;
+  made->shownVariables =
+      static_cast<std::size_t>(std::ranges::find_if(watched, isNumber) - watched.begin());
+  return made;
+}
+
+} // namespace proskill::runtime

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "runtime/machine/random.h"
+#include "runtime/platform/platform.h"
+
+#include <memory>
+
+namespace proskill::runtime {
+
+/// How a simulated platform behaves, where the program does not say it.
+struct SimulationSettings {
+  struct OfAction {
+    Span duration;                 ///< from `:time_interval`
+    Span stops;                    ///< how long it takes to stop
+    std::vector<unsigned> weights; ///< of its results, how often each is drawn
+  };
+  struct Ending {
+    std::optional<Nanoseconds> after; ///< nothing: drawn
+    std::optional<std::uint32_t> result;
+  };
+  struct Said {
+    Nanoseconds date = 0;
+    std::uint32_t signal = 0;
+  };
+  std::vector<OfAction> actions;
+  std::vector<std::vector<Ending>> endings; ///< by action: of its first runs
+  std::vector<std::optional<Span>>
+      signals;              ///< how long after the last one it comes; nothing: never
+  std::vector<Said> script; ///< by date
+};
+
+/// Actions take what their intervals say, or up to 10 s more than the least; successes are more
+/// likely than failures. Events come every 5 to 60 s where the program has no environment of its
+/// own, and nothing is interrupted.
+[[nodiscard]] SimulationSettings defaultSettings(const Executable& executable);
+
+[[nodiscard]] std::unique_ptr<Platform> simulatedPlatform(SimulationSettings settings,
+                                                          std::uint64_t seed);
+
+} // namespace proskill::runtime

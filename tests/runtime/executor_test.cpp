@@ -1,0 +1,145 @@
+#include "tests/runtime/run_of.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using runtime::End;
+using runtime::RemarkKind;
+using test::runOf;
+
+namespace {
+
+/// A skill that takes its time, may be interrupted, and watches a guard.
+const std::string kFly = R"(
+  (defsv sky :states (Clear Stormy) :init Clear :transitions :all)
+  (defsv motors :states (Off On) :init Off :transitions ((Off On) (On Off)))
+  (defevent storm :effects (sky Stormy))
+  (defskill fly
+    :start (motors On)
+    :invariant (calm (:guard (sky Clear) :effects (motors Off)))
+    :time_interval [2,5]
+    :action (fly)
+    :interrupt (:effects (motors Off))
+    :success there (:effects (motors Off) :postcondition (sky Clear))
+    :failure lost)
+)";
+
+std::string mission(const std::string& body, const std::string& fields = "") {
+  return kFly + "(defskill mission " + fields + " :success done :failure failed :body (" + body +
+         "))";
+}
+
+} // namespace
+
+TEST_CASE("a mission calls an action, waits for its result, and ends") {
+  const auto ran = runOf(mission("(fly) (^ 1.5) (success done)"),
+                         R"({"signals":[],"actions":{"fly":[{"result":"there","after":3.25}]}})");
+  INFO(ran.text());
+  CHECK(ran.result.end == End::Mission);
+  CHECK(ran.result.missionStatus == "success");
+  CHECK(ran.when("fly", "starts") == 0);
+  CHECK(ran.when("fly", "succeeds with `there`") == 3.25);
+  CHECK(ran.when("mission", "succeeds with `done`") == 4.75);
+  CHECK(ran.result.bad == 0);
+}
+
+TEST_CASE("bounds of time are met to the nanosecond") {
+  const auto at = [](const std::string& interval, const std::string& after) {
+    auto text = mission("(fly) (success done)");
+    text.replace(text.find("[2,5]"), 5, interval);
+    const auto ran = runOf(text, R"({"signals":[],"actions":{"fly":[{"result":"there","after":)" +
+                                     after + "}]}}");
+    if (ran.told(RemarkKind::Undershoot)) return std::string("undershoot");
+    const auto* late = ran.told(RemarkKind::Overshoot);
+    return late ? "overshoot at " + std::to_string(late->date) : std::string("on time");
+  };
+  CHECK(at("[2,5]", "2") == "on time");
+  CHECK(at("[2,5]", "1.999999999") == "undershoot");
+  CHECK(at("[2,5]", "5") == "on time");
+  CHECK(at("[2,5]", "5.000000001") == "overshoot at 5000000001");
+  CHECK(at("]2,5[", "2") == "undershoot");
+  CHECK(at("]2,5[", "2.000000001") == "on time");
+  CHECK(at("]2,5[", "4.999999999") == "on time");
+  CHECK(at("]2,5[", "5") == "overshoot at 5000000000");
+  CHECK(at("]2,5[", "100") == "overshoot at 5000000000");
+}
+
+TEST_CASE("a wait ends at the first moment of its interval") {
+  CHECK(runOf(mission("(^ [1,3]) (success done)")).result.date == 1'000'000'000);
+  CHECK(runOf(mission("(^ ]1,3]) (success done)")).result.date == 1'000'000'001);
+}
+
+TEST_CASE("a composite skill that takes too little or too much is told of, when it does") {
+  const auto early = runOf(mission("(^ 1) (success done)", ":time_interval [2,4]"));
+  REQUIRE(early.told(RemarkKind::Undershoot));
+  CHECK(early.told(RemarkKind::Undershoot)->subject == "mission");
+  CHECK(early.result.bad == 1);
+  const auto late = runOf(mission("(^ 5) (success done)", ":time_interval [2,4]"));
+  REQUIRE(late.told(RemarkKind::Overshoot));
+  CHECK(late.told(RemarkKind::Overshoot)->date == 4'000'000'001);
+  CHECK(runOf(mission("(^ 4) (success done)", ":time_interval [2,4]")).result.bad == 0);
+}
+
+TEST_CASE("an interrupt from outside stops the action, and its effects are set") {
+  const auto ran =
+      runOf(mission("(fly) (success done)"),
+            R"({"signals":[{"at":1,"interrupt":"fly"},{"at":1.5,"interrupt":"fly"}]})");
+  INFO(ran.text());
+  CHECK(ran.when("fly", "asks its action to stop") == 1);
+  CHECK(ran.when("fly", "is interrupted from outside") == 1);
+  CHECK(ran.result.date == 1'000'000'000);
+}
+
+TEST_CASE("a skill whose action is slow to stop keeps what it has until it has stopped") {
+  const auto executable = test::executableOf(mission("(fly) (success done)"), false);
+  const auto ran = runOf(*executable, 0, R"({"signals":[{"at":1,"event":"storm"}]})",
+                         R"({"actions":{"fly":{"stops":[0.5,0.5]}}})");
+  INFO(ran.text());
+  CHECK(ran.when("fly", "asks its action to stop") == 1);
+  CHECK(ran.when("fly", "invariant `calm` fails") == 1.5);
+  REQUIRE(ran.told(RemarkKind::GuardFailed));
+  CHECK(ran.result.bad == 0);
+}
+
+TEST_CASE("a forbidden move and a failed postcondition are told of, where they are made") {
+  auto text = mission("(fly) (success done)");
+  text.replace(text.find("((Off On) (On Off))"), 19, "((Off On))");
+  const auto ran = runOf(text, R"({"signals":[],"actions":{"fly":[{"result":"there"}]}})");
+  REQUIRE(ran.told(RemarkKind::Alarm));
+  CHECK(ran.told(RemarkKind::Alarm)->text == "makes a forbidden move: `(motors Off)`");
+  const auto stormy = runOf(mission("(^ 9) (fly) (success done)"),
+                            R"({"signals":[],"actions":{"fly":[{"result":"lost"}]}})");
+  CHECK(stormy.told(RemarkKind::Alarm) == nullptr);
+}
+
+TEST_CASE("a monitor's action ends before the run does") {
+  const auto ran = runOf(kFly + R"((defskill mission :body ((^ 1)))
+                                   (defskill watch :monitor t :body ((^ 0.5) (fly))))");
+  INFO(ran.text());
+  CHECK(ran.result.end == End::Mission);
+  CHECK(ran.result.date >= 2'500'000'000);
+}
+
+TEST_CASE("a run ends where nothing can happen, where its time is over, where time stands still") {
+  CHECK(runOf(mission("(^ (sky Stormy)) (success done)")).result.end == End::Stuck);
+  const auto endless = runOf(mission("(while true (^ 1)) (success done)"));
+  CHECK(endless.result.end == End::Until);
+  CHECK(endless.result.date == 600'000'000'000);
+  CHECK(runOf(mission("(while true (if (sky Stormy) (^ 1))) (success done)")).result.end ==
+        End::NoTime);
+}
+
+TEST_CASE("a request to end stops the actions that run") {
+  const auto executable = test::executableOf(mission("(fly) (success done)"), false);
+  const std::atomic<int> requests = 1;
+  class Asking final : public runtime::Platform {
+  public:
+    void start(const runtime::Start&, runtime::Nanoseconds) override {}
+    bool stop(std::uint32_t, runtime::RunNumber, runtime::Nanoseconds) override { return false; }
+    [[nodiscard]] std::optional<runtime::Nanoseconds> next() const override { return {}; }
+    bool poll(runtime::Nanoseconds, runtime::Report&) override { return false; }
+  } silent;
+  const auto before = runOf(*executable, silent, {.stopRequests = &requests});
+  CHECK(before.result.end == End::Stopped);
+  CHECK(before.result.steps == 0);
+}
