@@ -13,6 +13,7 @@
 #include "cli/commands/verify.h"
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
+#include "cli/execution/run.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
   useHelpFormat(app);
   app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
   for (auto add : {addCheck, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addLsp,
-                   addVerify, addVerifyWorker, addView})
+                   addRun, addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknownCommand(app, word);

@@ -14,6 +14,9 @@ _proskill_values() {
     'graph --kind') echo 'sv skill body calls' ;;
     'graph --format') echo 'dot svg png' ;;
     'graph --color') echo 'auto always never' ;;
+    'run --clock') echo 'real simulated Nx' ;;
+    'run --format') echo 'text json' ;;
+    'run --color') echo 'auto always never' ;;
     'verify --format') echo 'text json junit sarif' ;;
     'verify --traces') echo 'failed all none' ;;
     'verify --graph') echo 'counts' ;;
@@ -34,6 +37,9 @@ _proskill_kinds() {
     'graph -o') echo '-f' ;;
     'graph --output') echo '-f' ;;
     'lsp --log') echo '-f' ;;
+    'run --platform') echo '-f' ;;
+    'run --script') echo '-f' ;;
+    'run --record') echo '-f' ;;
     'verify --properties') echo '-f' ;;
     'verify --environment') echo '-f' ;;
     'verify --save-traces') echo '-d' ;;
@@ -73,6 +79,7 @@ _proskill_options() {
     fmt) echo '--help --check --diff' ;;
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
     lsp) echo '--help --port --log --debounce --stdio' ;;
+    run) echo '--help --main --platform --script --clock --seed --until --format --record --color' ;;
     verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --jobs --reduce --expanded --sv-automata' ;;
     view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
@@ -93,7 +100,7 @@ _proskill() {
   local kind
   kind=$(_proskill_kinds "$command" "$previous")
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check dap emit explain fmt graph lsp verify view $(_proskill_options)"
+    words="check dap emit explain fmt graph lsp run verify view $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ -n "$kind" ]; then

@@ -64,6 +64,19 @@ complete -c proskill -n '__fish_seen_subcommand_from lsp' -l port -d 'Wait for o
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l log -d 'Append one line per request to this file' -r
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l debounce -d 'Wait this long after the last edit before reporting (default 50)' -x
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l stdio -d 'Use standard input and output, as by default'
+complete -c proskill -n __fish_use_subcommand -a run -d 'Execute a program on a robot, or on a simulated one'
+complete -c proskill -n '__fish_seen_subcommand_from run' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Who performs the actions (JSON); by default they are simulated' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l script -d 'What happens in a simulation (JSON): results, events, interrupts' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time, so many times faster (10x), or time that jumps to what comes next (the default of a simulation)' -x -a 'real simulated Nx'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l seed -d 'What is drawn in a simulation; the same seed, the same run (default 0)' -x
+complete -c proskill -n '__fish_seen_subcommand_from run' -l until -d 'End the run after this time (a simulation: 1d): seconds, or with m, h, d' -x
+complete -c proskill -n '__fish_seen_subcommand_from run' -l format -d 'How to print what happens' -x -a 'text json'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l record -d 'Record the run in this file, as a trace that `proskill view` opens' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a verify -d 'Verify the properties of a program'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l property -d 'Verify only this property, or all whose names begin with this word and a dot; may be repeated' -x -a '(__proskill_properties)'

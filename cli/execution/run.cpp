@@ -1,0 +1,185 @@
+#include "cli/execution/run.h"
+
+#include "cli/execution/run_arguments.h"
+#include "cli/output/checked_program.h"
+#include "cli/terminal/error.h"
+#include "cli/terminal/exit_code.h"
+#include "cli/terminal/help.h"
+#include "disk/disk.h"
+#include "disk/growing_file.h"
+#include "report/run_report.h"
+#include "runtime/platform/settings.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace proskill::cli {
+
+namespace {
+
+/// How often the user asked for the end, and what wakes the run that waits.
+std::atomic<int> stopRequests = 0;
+int stopDescriptor = -1;
+
+void askToStop(int signal) {
+  static_cast<void>(signal);
+  ++stopRequests;
+  const std::uint64_t one = 1;
+  std::ignore = ::write(stopDescriptor, &one, sizeof one);
+}
+
+void listenForStops() {
+  stopDescriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  struct sigaction action {};
+  action.sa_handler = askToStop;
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+/// Tells several what happens; in real time what is printed is seen at once.
+class Observers final : public runtime::Observer {
+public:
+  explicit Observers(bool atOnce) : flushes(atOnce) {}
+  void add(std::unique_ptr<runtime::Observer> one) { all.push_back(std::move(one)); }
+
+  void onStep(const runtime::Machine& machine, verify::TransitionId step, runtime::Nanoseconds date,
+              runtime::Nanoseconds lag) override {
+    for (const auto& one : all) one->onStep(machine, step, date, lag);
+    if (flushes) std::cout.flush();
+  }
+  void onRemark(const runtime::Remark& remark) override {
+    for (const auto& one : all) one->onRemark(remark);
+    if (flushes) std::cout.flush();
+  }
+
+private:
+  bool flushes;
+  std::vector<std::unique_ptr<runtime::Observer>> all;
+};
+
+struct Failed {
+  int exitCode;
+};
+
+class Session {
+public:
+  Session(const RunArguments& given, const analysis::Program& of) : arguments(given), program(of) {}
+
+  int run() {
+    const auto platformText = read(arguments.platform);
+    const auto scriptText = read(arguments.script);
+    const auto kind = runtime::platformKind(platformText.value_or("{}"));
+    if (kind != "simulated")
+      return fail("the platform in " + arguments.platform + " is of no known kind");
+    const bool said = runtime::speaksForEnvironment(platformText.value_or("")) ||
+                      runtime::speaksForEnvironment(scriptText.value_or(""));
+    auto made = runtime::makeExecutable(program, arguments.mainSkill, !said);
+    if (!made) return failGeneration(program, made.error());
+    executable = std::move(*made);
+    auto settings = defaultSettings(*executable);
+    if (platformText)
+      if (auto wrong = readPlatform(*platformText, *executable, settings))
+        return fail(arguments.platform + ": " + *wrong);
+    if (scriptText)
+      if (auto wrong = readScript(*scriptText, *executable, settings))
+        return fail(arguments.script + ": " + *wrong);
+    const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
+    return runOn(*platform);
+  }
+
+private:
+  [[nodiscard]] std::optional<std::string> read(const std::string& path) const {
+    if (path.empty()) return std::nullopt;
+    auto text = disk::DiskFileSystem().read(path);
+    if (!text) throw Failed{fail("cannot read `" + path + "`: " + text.error())};
+    return *text;
+  }
+
+  int runOn(runtime::Platform& platform) {
+    const auto factor = clockFactor(arguments.clock);
+    const auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
+    std::optional<disk::GrowingFile> recording; // outlives who adds to it
+    Observers observers(factor.has_value());
+    const report::RunSubject subject{program, *executable};
+    const bool colour = wantsColour(arguments.colour, STDOUT_FILENO);
+    observers.add(arguments.format == RunFormat::Json
+                      ? report::runJson(std::cout, subject)
+                      : report::runText(std::cout, subject, colour));
+    if (!arguments.record.empty()) addRecording(recording, subject, !factor, observers);
+    runtime::RunOptions options{.seed = arguments.seed,
+                                .until = arguments.until,
+                                .stopRequests = &stopRequests,
+                                .stopDescriptor = stopDescriptor};
+    if (!options.until && !factor)
+      options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
+                                                           : 24 * 3600 * runtime::kSecond;
+    const auto result = execute(*executable, *clock, platform, observers, options);
+    if (arguments.format == RunFormat::Json)
+      report::writeRunSummaryJson(std::cout, result);
+    else
+      report::writeRunSummary(std::cout, subject, result, colour);
+    return exitCodeOf(result);
+  }
+
+  void addRecording(std::optional<disk::GrowingFile>& file, report::RunSubject subject,
+                    bool isSimulated, Observers& observers) {
+    auto created = disk::GrowingFile::create(arguments.record);
+    if (!created) throw Failed{fail(created.error())};
+    file.emplace(std::move(*created));
+    // Simulated time goes by so fast that a write a step would take most of it.
+    constexpr std::size_t kBatch = 256;
+    const auto add = [&file](std::string_view bytes, std::string_view end) {
+      if (!file) return;
+      if (const auto wrong = file->add(bytes, end)) {
+        std::cerr << "warning: " << *wrong << "; the recording ends here\n";
+        file.reset();
+      }
+    };
+    observers.add(report::runRecording(add, subject, isSimulated ? kBatch : 1));
+  }
+
+  static int exitCodeOf(const runtime::RunResult& result) {
+    using runtime::End;
+    if (result.bad > 0 || result.end == End::NoTime || result.end == End::Failed) return kFound;
+    if (result.end == End::Mission) return result.missionStatus == "success" ? kDone : kFound;
+    return result.missionStatus.empty() && result.end == End::Until ? kDone : kInconclusive;
+  }
+
+  const RunArguments& arguments;
+  const analysis::Program& program;
+  std::unique_ptr<const runtime::Executable> executable;
+};
+
+int runRun(const RunArguments& arguments) {
+  const auto program = loadChecked(arguments.file, arguments.colour);
+  if (!program) return kFailed;
+  listenForStops();
+  try {
+    return Session(arguments, *program).run();
+  } catch (const Failed& failed) {
+    return failed.exitCode;
+  }
+}
+
+} // namespace
+
+void addRun(CLI::App& app, int& exitCode) {
+  auto arguments = std::make_shared<RunArguments>();
+  auto* command = app.add_subcommand("run", "Execute a program on a robot, or on a simulated one");
+  addRunOptions(*command, *arguments);
+  showBelow(*command,
+            {"proskill run mission.proskill",
+             "proskill run --seed 7 --record run.json mission.proskill",
+             "proskill run --clock 10x --script script.json mission.proskill"},
+            {{kDone, "the mission succeeded, and all went as the program says"},
+             {kFound, "the mission did not succeed, or something happened that should not have"},
+             {kFailed, "the command line, a file or the program is wrong"},
+             {kInconclusive, "the run ended before the mission did"}});
+  command->callback([arguments, &exitCode] { exitCode = runRun(*arguments); });
+}
+
+} // namespace proskill::cli

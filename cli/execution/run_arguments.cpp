@@ -1,0 +1,85 @@
+#include "cli/execution/run_arguments.h"
+
+#include "cli/terminal/choice.h"
+#include "cli/terminal/help.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace proskill::cli {
+
+namespace {
+
+/// A number at the beginning of a word; the word then is what follows it.
+std::optional<double> leadingNumber(std::string_view& word) {
+  double number = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (read.ec != std::errc() || !(number > 0 && number <= 1e9)) return std::nullopt;
+  word.remove_prefix(static_cast<std::size_t>(read.ptr - word.data()));
+  return number;
+}
+
+/// `90`, `90s`, `5m`, `2h`, `1d`
+std::optional<runtime::Nanoseconds> lengthOfTime(std::string_view word) {
+  const auto number = leadingNumber(word);
+  if (!number) return std::nullopt;
+  for (const auto& [unit, seconds] :
+       {std::pair{"", 1}, {"s", 1}, {"m", 60}, {"h", 3600}, {"d", 86400}})
+    if (word == unit && *number * seconds <= 1e9)
+      return std::llround(*number * seconds * static_cast<double>(runtime::kSecond));
+  return std::nullopt;
+}
+
+} // namespace
+
+std::optional<double> clockFactor(const std::string& clock) {
+  if (clock == "real") return 1;
+  std::string_view word = clock;
+  const auto number = leadingNumber(word);
+  return number && word == "x" && *number <= 1e6 ? number : std::nullopt;
+}
+
+void addRunOptions(CLI::App& command, RunArguments& arguments) {
+  command.add_option("file", arguments.file, "Root file of the program")->required();
+  show(command.add_option("--main", arguments.mainSkill,
+                          "The skill that is the mission, where several could be"),
+       group::kSubject, "SKILL");
+  show(command.add_option("--platform", arguments.platform,
+                          "Who performs the actions (JSON); by default they are simulated"),
+       group::kSubject, "FILE");
+  show(command.add_option("--script", arguments.script,
+                          "What happens in a simulation (JSON): results, events, interrupts"),
+       group::kSubject, "FILE");
+  const auto isClock = [](const std::string& word) {
+    return word == "simulated" || clockFactor(word)
+               ? std::string()
+               : "`" + word + "` is none of real, simulated, or a factor like 10x";
+  };
+  show(command
+           .add_option("--clock", arguments.clock,
+                       "Real time, so many times faster (10x), or time that jumps to what comes "
+                       "next (the default of a simulation)")
+           ->check(CLI::Validator(isClock, "")),
+       group::kSubject, "real|simulated|Nx");
+  show(command.add_option("--seed", arguments.seed,
+                          "What is drawn in a simulation; the same seed, the same run (default 0)"),
+       group::kSubject, "SEED");
+  const auto setUntil = [&arguments](const std::string& word) {
+    arguments.until = lengthOfTime(word);
+    if (!arguments.until)
+      throw CLI::ValidationError("--until", "`" + word + "` is no time like 90, 5m, 2h or 1d");
+  };
+  show(command.add_option_function<std::string>(
+           "--until", setUntil,
+           "End the run after this time (a simulation: 1d): seconds, or with m, h, d"),
+       group::kLimits, "TIME");
+  addChoice<RunFormat>(command, "--format", arguments.format,
+                       {{"text", RunFormat::Text}, {"json", RunFormat::Json}},
+                       "How to print what happens");
+  show(command.add_option("--record", arguments.record,
+                          "Record the run in this file, as a trace that `proskill view` opens"),
+       group::kOutput, "FILE");
+  addColour(command, arguments.colour);
+}
+
+} // namespace proskill::cli

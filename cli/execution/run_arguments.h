@@ -1,0 +1,35 @@
+#pragma once
+
+#include "cli/terminal/paint.h"
+#include "runtime/executor/executor.h"
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace proskill::cli {
+
+enum class RunFormat : std::uint8_t { Text, Json };
+
+struct RunArguments {
+  std::string file;
+  std::string mainSkill;
+  std::string platform; ///< a file; empty: simulated
+  std::string script;   ///< a file
+  std::string record;   ///< a file
+  std::string clock;    ///< `real`, `simulated`, `10x`; empty: what suits the platform
+  std::uint64_t seed = 0;
+  std::optional<runtime::Nanoseconds> until;
+  RunFormat format = RunFormat::Text;
+  ColourChoice colour = ColourChoice::Auto;
+};
+
+void addRunOptions(CLI::App& command, RunArguments& arguments);
+
+/// How fast a real clock goes: 1, 10 for `10x`; nothing: simulated.
+[[nodiscard]] std::optional<double> clockFactor(const std::string& clock);
+
+} // namespace proskill::cli

@@ -1,0 +1,129 @@
+#include "tests/support/run.h"
+#include "tests/where.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <signal.h>
+#include <sstream>
+
+using namespace proskill;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string kRunTree = PROSKILL_SOURCE_DIR;
+const std::string kDockToRun = kRunTree + "/docs/tour/dock.proskill";
+
+test::Finished executed(std::vector<std::string> arguments, const test::RunOptions& options = {}) {
+  arguments.insert(arguments.begin(), {PROSKILL_PROGRAM, "run"});
+  return test::run(arguments, options);
+}
+
+std::string recordedIn(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+} // namespace
+
+TEST_CASE("run works on every example with nothing else") {
+  std::size_t programs = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRunTree + "/examples")) {
+    if (entry.path().extension() != ".proskill") continue;
+    const auto done = executed({entry.path().string()});
+    if (done.exitCode == 2) {
+      CHECK(done.err.find("unknown") != std::string::npos); // a part of a program
+      continue;
+    }
+    INFO(entry.path() << "\n" << done.err << done.out.substr(0, 2000));
+    CHECK((done.exitCode == 0 || done.exitCode == 1 || done.exitCode == 3));
+    CHECK(done.out.find(" steps") != std::string::npos);
+    ++programs;
+  }
+  CHECK(programs >= 6);
+}
+
+TEST_CASE("run prints a JSON object a line") {
+  const auto done = executed({"--format", "json", kDockToRun});
+  CHECK(done.exitCode == 0);
+  std::istringstream lines(done.out);
+  std::vector<Json> all;
+  for (std::string line; std::getline(lines, line);) all.push_back(Json::parse(line));
+  REQUIRE(all.size() > 5);
+  CHECK(all.front()["kind"] == "step");
+  CHECK(all.front()["actor"] == "recharge");
+  CHECK(all.front()["location"]["begin"]["line"] == 23);
+  CHECK(all.back()["kind"] == "end");
+  CHECK(all.back()["mission"] == "success");
+}
+
+TEST_CASE("run follows a script") {
+  const test::TemporaryDirectory files;
+  const auto script = files.write("script.json", R"({
+    "actions": {"drive_onto_dock": [{"result": "docked", "after": 3}]},
+    "signals": [{"at": 5, "event": "pushed_away"}]})");
+  const auto done = executed({"--script", script, kDockToRun});
+  CHECK(done.exitCode == 1);
+  CHECK(done.out.find("3 s  drive_onto_dock  succeeds with `docked`") != std::string::npos);
+  CHECK(done.out.find("5 s  charge           invariant `at_dock` fails") != std::string::npos);
+  CHECK(done.out.find("5 s  recharge         fails with `gave_up`") != std::string::npos);
+}
+
+TEST_CASE("run says what is wrong with a script or a platform") {
+  const test::TemporaryDirectory files;
+  const auto wrong = [&](const std::string& option, const std::string& text) {
+    const auto done = executed({option, files.write("file.json", text), kDockToRun});
+    CHECK(done.exitCode == 2);
+    return done.err;
+  };
+  const auto says = [](const std::string& text, const std::string& part) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  says(wrong("--script", R"({"signals":[{"at":1,"event":"pushed_awy"}]})"),
+       "there is no event `pushed_awy`; did you mean `pushed_away`?");
+  says(wrong("--script", R"({"actions":{"charge":[{"result":"empty"}]}})"),
+       "there is no result of `charge` `empty`");
+  says(wrong("--script", "[]"), "no object");
+  says(wrong("--platform", R"({"actions":{"charge":{"duration":[3,2]}}})"),
+       "`charge.duration` ends before it begins");
+  says(wrong("--platform", R"({"kind":"magic"})"), "no known kind");
+  says(wrong("--platform", R"({"action":{}})"), "did you mean `actions`?");
+}
+
+TEST_CASE("run records a trace that others open") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  CHECK(executed({"--record", path, kDockToRun}).exitCode == 0);
+  const auto recorded = Json::parse(recordedIn(path));
+  CHECK(recorded["initial"]["place"] == "Floor");
+  CHECK(recorded["steps"].size() == 14);
+  CHECK(recorded["steps"][0]["actor"] == "recharge");
+  CHECK(recorded["steps"][3]["remark"] == "started");
+  CHECK(recorded["steps"][3]["action"]["command"] == "drive");
+}
+
+TEST_CASE("a run that is killed leaves a recording that can be read") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  const auto killed = executed({"--clock", "real", "--record", path, kDockToRun},
+                               {.onOutput = [](int process) { kill(process, SIGKILL); }});
+  CHECK(killed.exitCode == 128 + SIGKILL);
+  const auto recorded = Json::parse(recordedIn(path));
+  CHECK(recorded["steps"].is_array());
+}
+
+TEST_CASE("run ends in order when it is asked to") {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto ended = executed({"--clock", "real", "--format", "json", kDockToRun},
+                                {.onOutput = [signal](int process) { kill(process, signal); }});
+    INFO(ended.out << ended.err);
+    CHECK(ended.exitCode == 3);
+    CHECK(ended.out.find("stopped: every action has ended") != std::string::npos);
+  }
+}
