@@ -259,6 +259,7 @@ module.exports = grammar({
         $.time_interval_field,
         $.action_field,
         $.interrupt_field,
+        $.interruptible_field,
         $.success_field,
         $.failure_field,
         $.resources_field,
@@ -293,6 +294,8 @@ module.exports = grammar({
 
     interrupt_field: $ => keyed($, ':interrupt', $.interrupt_clause),
     interrupt_clause: $ => clause($, $.effects_field),
+
+    interruptible_field: $ => keyed($, ':interruptible', $.list),
 
     success_field: $ => outcomes($, ':success'),
     failure_field: $ => outcomes($, ':failure'),

@@ -261,6 +261,7 @@ Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
   if (skill->monitor)
     builder.graph.note =
         skill->armed ? "starts as soon as its precondition holds" : "started with the program";
+  if (skill->unstoppable && !skill->monitor) builder.graph.note = "is never stopped once it runs";
   const auto& body = *skill->body;
   const auto out =
       BodyPicture(builder, &skill.node()).drawScope(body, drawBeginning(builder, skill));

@@ -60,6 +60,7 @@ std::size_t drawRun(Builder& builder, const SkillDefinition& skill) {
   std::vector<std::string> lines;
   if (skill->action) lines.push_back(builder.text(skill->action->range));
   if (skill->timeInterval) lines.push_back(builder.seconds(*skill->timeInterval));
+  if (skill->unstoppable) lines.emplace_back("is never stopped");
   return builder.node(NodeRole::Action, "run",
                       skill->action ? skill->action->range : skill->name.range, lines);
 }

@@ -124,7 +124,8 @@ private:
     if (skill->interrupt) return;
     auto finding =
         context.findings.report(Code::NotInterruptible, {body.file, target.range}, target.text);
-    finding.related(skill.at(skill->name.range), "has no `:interrupt`");
+    finding.related(skill.at(skill->name.range),
+                    skill->unstoppable ? "is `:interruptible nil`" : "has no `:interrupt`");
     if (!isSkill()) finding.severity(syntax::Severity::Error);
   }
 

@@ -21,8 +21,9 @@ constexpr std::string_view kResource[] = {":capacity"};
 constexpr std::string_view kEnvironment[] = {":body"};
 constexpr std::string_view kProperty[] = {":after", ":before", ":within", ":for", ":lasting"};
 constexpr std::string_view kSkill[] = {
-    ":input",     ":precondition", ":start",   ":invariant", ":time_interval", ":action",
-    ":interrupt", ":success",      ":failure", ":resources", ":monitor",       ":body"};
+    ":input",     ":precondition", ":start",         ":invariant", ":time_interval",
+    ":action",    ":interrupt",    ":interruptible", ":success",   ":failure",
+    ":resources", ":monitor",      ":body"};
 
 /// The fields of one definition: which are there, which are there twice, which are missing.
 class Fields {
@@ -146,6 +147,9 @@ private:
     } else if (action) {
       it.refuse(":monitor", "is for composite skills, and `:action` makes a basic one");
     }
+    if (skill->unstoppable)
+      it.refuse(":interrupt", "says how the skill is interrupted, and `:interruptible nil` that "
+                              "it never is");
   }
 
   Context& context;

@@ -94,6 +94,7 @@ bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
 /// What others see of a skill beside its name and those of its parts.
 bool looksSame(const syntax::Skill& a, const syntax::Skill& b) {
   return a.monitor == b.monitor && a.interrupt.has_value() == b.interrupt.has_value() &&
+         a.unstoppable == b.unstoppable &&
          std::ranges::equal(a.inputs, b.inputs, isSameInput);
 }
 

@@ -77,6 +77,7 @@ public:
       if (skill.body) noteCalls(*skill.body);
     noteBranchEnds();
     noteStops();
+    noteHoldOuts();
     noteResults();
     plan.ownOutcomes = OwnOutcomes(plan);
     return std::move(plan);
@@ -160,6 +161,37 @@ private:
       callee.callerMayStop = true;
     });
     return changed;
+  }
+
+  /// Those that must not be stopped, and whoever has called one of them.
+  void noteHoldOuts() {
+    auto& all = plan.holdOuts;
+    for (const auto& skill : plan.skills)
+      if (skill.skill().unstoppable) all.insert(skill.name());
+    for (std::size_t before = 0; before != all.size();) {
+      before = all.size();
+      for (const auto& skill : plan.skills)
+        if (skill.body)
+          forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
+            if (waitsForHoldOut(thread)) all.insert(thread.name);
+          });
+    }
+    for (auto& skill : plan.skills)
+      if (skill.body)
+        forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
+          skill.callsHoldOut |= waitsForHoldOut(thread);
+        });
+  }
+
+  [[nodiscard]] bool waitsForHoldOut(const BodyAutomaton& thread) const {
+    return std::ranges::any_of(thread.states, [&](const BodyState& state) {
+      if (!state.statement) return false;
+      const bool calls = state.statement->kind == StatementKind::Call &&
+                         plan.holdOuts.contains(state.statement->head.text);
+      return calls || std::ranges::any_of(state.branches, [&](const BodyAutomaton& branch) {
+               return plan.holdOuts.contains(branch.name);
+             });
+    });
   }
 
   void noteResults() {

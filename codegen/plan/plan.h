@@ -24,6 +24,7 @@ struct SkillPlan {
   bool branchEnds = false;            ///< a branch of it has a `(success …)` or `(failure …)`
   bool resultIsRead = false;          ///< something reads `.res`
   bool isMeasured = false;            ///< whoever executes it looks at its time interval
+  bool callsHoldOut = false;          ///< it may have to wait when it is to end early
 
   [[nodiscard]] const syntax::Skill& skill() const { return definition->node(); }
   [[nodiscard]] std::string_view name() const { return skill().name.text; }
@@ -31,6 +32,11 @@ struct SkillPlan {
   [[nodiscard]] bool calledBySkills() const { return !callers.empty(); }
   /// Something may set its `stop`.
   [[nodiscard]] bool mayBeStopped() const { return mayBeInterrupted || callerMayStop; }
+  /// … and it looks at it while it runs. Else it is only a call that can be stopped.
+  [[nodiscard]] bool obeysStops() const { return mayBeStopped() && !skill().unstoppable; }
+  /// It is to be told that it ends early, and that its guards do not matter any more: that may take
+  /// time.
+  [[nodiscard]] bool mayLinger() const { return callsHoldOut && !skill().invariants.empty(); }
   /// It runs once and never again.
   [[nodiscard]] bool runsOnce() const { return root && callers.empty(); }
   /// More than one process calls it, so a call may find it busy.
@@ -43,7 +49,7 @@ struct SkillPlan {
   [[nodiscard]] bool isWatchedAgain() const { return isWatched() && !runsOnce(); }
   /// Something may end it before its body has come to an end.
   [[nodiscard]] bool mayStrike() const {
-    return mayBeStopped() || skill().interrupt || !skill().invariants.empty();
+    return obeysStops() || skill().interrupt || !skill().invariants.empty();
   }
   /// Something may end its branches before they have come to an end.
   [[nodiscard]] bool mayStrikeBranches() const { return mayStrike() || branchEnds; }
@@ -57,6 +63,7 @@ struct GenerationPlan {
       nullptr; ///< null: the most general
   std::optional<BodyAutomaton> environmentBody;
   OwnOutcomes ownOutcomes;
+  std::set<std::string_view> holdOuts; ///< skills and branches that may go on when told to stop
 
   [[nodiscard]] const SkillPlan* find(std::string_view name) const;
   [[nodiscard]] bool hasGeneralCaller() const;

@@ -54,7 +54,7 @@ private:
     if (node.interrupt)
       all.push_back(sequence({synchronise(context.names.interruptPort(skill.name())),
                               finish(outsideInterruptionOf(skill))}));
-    if (skill.mayBeStopped())
+    if (skill.obeysStops())
       all.push_back(sequence({atOnce(), on(frame.stop()), finish(interruptionOf(skill))}));
     for (const auto& invariant : node.invariants)
       all.push_back(sequence({atOnce(), on(frame.fails(invariant)), finish(failureOf(invariant))}));

@@ -48,6 +48,8 @@ protected:
     isStruck = true;
     std::vector<Statement> all{std::move(trigger)};
     for (const auto callee : running) all.push_back(calls.stop(callee));
+    if (body.path.empty() && skill.mayLinger() && someHoldsOut(running))
+      all.push_back(assign(context.cellField(skill.name(), "ending"), boolean(true)));
     all.push_back(std::move(reason));
     all.push_back(to("stopping"));
     return sequence(std::move(all));
@@ -85,6 +87,11 @@ protected:
   const SkillPlan& skill;
 
 private:
+  [[nodiscard]] bool someHoldsOut(const std::vector<std::string_view>& running) const {
+    return std::ranges::any_of(
+        running, [&](std::string_view each) { return context.plan.holdOuts.contains(each); });
+  }
+
   bool isStruck = false;
 };
 
@@ -115,7 +122,7 @@ private:
   /// All that can end the skill from outside of its own thread.
   std::vector<Ending> findReasons() {
     std::vector<Ending> found;
-    if (skill.mayBeStopped() || skill.skill().interrupt) found.push_back(interruptionOf(skill));
+    if (skill.obeysStops() || skill.skill().interrupt) found.push_back(interruptionOf(skill));
     for (const auto& invariant : skill.skill().invariants) found.push_back(failureOf(invariant));
     forEachThread(body, [&](const BodyAutomaton& thread) {
       if (thread.path.empty()) return;
@@ -153,7 +160,7 @@ private:
       auto port = at(words, synchronise(context.names.interruptPort(skill.name())));
       all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
     }
-    if (skill.mayBeStopped())
+    if (skill.obeysStops())
       all.push_back(strike(seen(frame.stop(), interruption.range, "is asked to stop"), running,
                            note(resultOf(interruption))));
     for (auto& failure : failedGuards(running)) all.push_back(std::move(failure));

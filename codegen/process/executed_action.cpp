@@ -58,7 +58,7 @@ std::vector<Statement> ExecutedAction::breaks() {
   if (node.interrupt)
     all.push_back(breakOff(synchronise(context.names.interruptPort(skill.name())), "outside",
                            outsideInterruptionOf(skill)));
-  if (skill.mayBeStopped())
+  if (skill.obeysStops())
     all.push_back(breakOff(sequence({atOnce(), on(frame.stop())}), "asked", interruptionOf(skill)));
   for (const auto& invariant : node.invariants)
     all.push_back(breakOff(sequence({atOnce(), on(frame.fails(invariant))}),

@@ -6,13 +6,15 @@
 namespace proskill::codegen {
 namespace {
 
-/// The skill is running and one of its guards is false.
+/// The skill is running and one of its guards is false. Where it has noticed, and waits for what
+/// must not be stopped, nobody else has to wait for it.
 fiacre::Expr failsIn(Context& context, const SkillPlan& skill) {
   std::vector<fiacre::Expr> broken;
   for (const auto& invariant : skill.skill().invariants)
     broken.push_back(negation(condition(context, invariant.guard)));
-  return conjunction(
-      {context.cellField(skill.name(), "inv_active"), disjunction(std::move(broken))});
+  auto isEnding = skill.mayLinger() ? context.cellField(skill.name(), "ending") : boolean(false);
+  return conjunction({context.cellField(skill.name(), "inv_active"), negation(std::move(isEnding)),
+                      disjunction(std::move(broken))});
 }
 
 } // namespace

@@ -65,7 +65,7 @@ std::vector<Statement> RuntimeAction::alternatives() {
   if (node.interrupt)
     all.push_back(sequence({synchronise(context.names.interruptPort(skill.name())),
                             breakOff(outsideInterruptionOf(skill))}));
-  if (skill.mayBeStopped())
+  if (skill.obeysStops())
     all.push_back(sequence({atOnce(), on(frame.stop()), breakOff(interruptionOf(skill))}));
   return all;
 }
@@ -150,7 +150,7 @@ void declareActions(Context& context, fiacre::Program& program) {
                              namedType("skill_result"),
                              context.names.foreign({skill.name(), "action"})});
     const auto& node = skill.skill();
-    if (node.interrupt || skill.mayBeStopped() || !node.invariants.empty())
+    if (node.interrupt || skill.obeysStops() || !node.invariants.empty())
       program.externs.push_back({interruptionCall(context, skill.name()),
                                  {},
                                  boolType(),

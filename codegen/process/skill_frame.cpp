@@ -198,6 +198,7 @@ Statement SkillFrame::setResult(std::string_view status, std::string_view tag) {
 Statement SkillFrame::giveBack() {
   std::vector<Statement> all{assign(cell("inv_active"), boolean(false))};
   if (skill.mayBeStopped()) all.push_back(assign(stop(), boolean(false)));
+  if (skill.mayLinger()) all.push_back(assign(cell("ending"), boolean(false)));
   all.push_back(changeResources(Op::Subtract));
   all.push_back(returnControl());
   return sequence(std::move(all));

@@ -44,6 +44,9 @@ void SkillTypes::findFields() {
         return skill.mayBeStopped() || (skill.body && skill.mayStrikeBranches());
       }))
     fields.push_back({"stop", boolType(), boolean(false), "it was asked to stop"});
+  if (any([](const SkillPlan& skill) { return skill.mayLinger(); }))
+    fields.push_back({"ending", boolType(), boolean(false),
+                      "it ends early, and waits for what must not be stopped"});
   if (any([](const SkillPlan& skill) { return skill.shared(); }))
     fields.push_back(
         {"returned", boolType(), boolean(false), "it is done, its caller has not seen it"});

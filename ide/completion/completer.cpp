@@ -13,12 +13,23 @@ struct Exclusion {
   std::string_view present;
   std::string_view senseless;
 };
-/// A skill is basic or composite, a variable has values or bounds.
+/// A skill is basic or composite, and is interruptible by one of two fields; a variable has values
+/// or bounds.
 constexpr Exclusion kExclusions[] = {
-    {":action", ":body"},     {":action", ":monitor"},  {":body", ":action"},
-    {":monitor", ":action"},  {":states", ":min"},      {":states", ":max"},
-    {":min", ":states"},      {":min", ":transitions"}, {":max", ":states"},
-    {":max", ":transitions"}, {":transitions", ":min"}, {":transitions", ":max"},
+    {":action", ":body"},
+    {":action", ":monitor"},
+    {":body", ":action"},
+    {":monitor", ":action"},
+    {":states", ":min"},
+    {":states", ":max"},
+    {":min", ":states"},
+    {":min", ":transitions"},
+    {":max", ":states"},
+    {":max", ":transitions"},
+    {":transitions", ":min"},
+    {":transitions", ":max"},
+    {":interrupt", ":interruptible"},
+    {":interruptible", ":interrupt"},
 };
 
 CompletionKind kindOf(WordKind kind) {
@@ -76,6 +87,7 @@ void Completer::fill() {
   case Slot::Interval: return skeleton("[least,most]", "[1,3]", "[${1:1},${2:3}]");
   case Slot::Transitions: return skeleton(":all", ":all", "");
   case Slot::Monitor: skeleton("t", "t", ""); return skeleton("always", "always", "");
+  case Slot::Interruptible: skeleton("nil", "nil", ""); return skeleton("t", "t", "");
   case Slot::Condition:
   case Slot::WaitCondition:
   case Slot::Proposition:

@@ -55,6 +55,7 @@ constexpr std::array kFieldValues{
     FieldValue{":time_interval", Slot::Interval},
     FieldValue{":action", Slot::Command},
     FieldValue{":interrupt", Slot::InterruptClause},
+    FieldValue{":interruptible", Slot::Interruptible},
     FieldValue{":success", Slot::OutcomeTag},
     FieldValue{":failure", Slot::OutcomeTag},
     FieldValue{":resources", Slot::ResourceList},

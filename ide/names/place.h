@@ -29,6 +29,7 @@ enum class Slot : std::uint8_t {
   Resource, ///< within `:resources`
   ResourceList,
   Monitor,
+  Interruptible,
   Effects,     ///< one or a list of them
   EffectItem,  ///< one of a list
   EffectValue, ///< for the state variable `subject`

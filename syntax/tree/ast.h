@@ -234,7 +234,8 @@ struct Skill {
   List<Invariant> invariants;
   std::optional<Interval> timeInterval;
   std::optional<Action> action;
-  std::optional<Interrupt> interrupt;
+  std::optional<Interrupt> interrupt; ///< or `:interruptible t`
+  bool unstoppable = false; ///< `:interruptible nil`: once it runs, nobody interrupts or stops it
   List<Outcome> successes;
   List<Outcome> failures;
   List<Name> resources;

@@ -15,8 +15,9 @@ Keywords fieldsOf(NodeKind definition) {
   case NodeKind::Resource: return {":capacity"};
   case NodeKind::Environment: return {":body"};
   default:
-    return {":input",     ":precondition", ":start",   ":invariant", ":time_interval", ":action",
-            ":interrupt", ":success",      ":failure", ":resources", ":monitor",       ":body"};
+    return {":input",     ":precondition", ":start",         ":invariant", ":time_interval",
+            ":action",    ":interrupt",    ":interruptible", ":success",   ":failure",
+            ":resources", ":monitor",      ":body"};
   }
 }
 

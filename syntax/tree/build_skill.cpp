@@ -275,6 +275,18 @@ void readMonitor(Builder& builder, Field& field, Skill& skill) {
     reportMalformed(builder, field, *value, kNeeds);
 }
 
+/// Without `:interrupt`, to be interrupted sets nothing.
+void readInterruptible(Builder& builder, Field& field, Skill& skill) {
+  constexpr auto kNeeds = "`t` or `nil`";
+  const Node* value = valueOfKind(builder, field, NodeKind::Symbol, kNeeds);
+  if (!value) return;
+  const auto word = builder.textOf(*value);
+  skill.unstoppable = word == "nil";
+  if (word == "t" && !skill.interrupt)
+    skill.interrupt = Interrupt{.effects = {}, .range = value->range};
+  if (word != "t" && !skill.unstoppable) reportMalformed(builder, field, *value, kNeeds);
+}
+
 void readField(Builder& builder, Field& field, Skill& skill) {
   switch (field.kind) {
   case NodeKind::InputField:
@@ -309,6 +321,7 @@ void readField(Builder& builder, Field& field, Skill& skill) {
   case NodeKind::TimeIntervalField: return readTimeInterval(builder, field, skill);
   case NodeKind::ActionField: skill.action = actionOf(builder, field); return;
   case NodeKind::InterruptField: skill.interrupt = interruptOf(builder, field); return;
+  case NodeKind::InterruptibleField: return readInterruptible(builder, field, skill);
   case NodeKind::SuccessField: skill.successes = outcomesOf(builder, field); return;
   case NodeKind::FailureField: skill.failures = outcomesOf(builder, field); return;
   case NodeKind::MonitorField: return readMonitor(builder, field, skill);

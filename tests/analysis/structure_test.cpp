@@ -111,6 +111,12 @@ TEST_CASE("an environment makes events and interrupts happen, and does nothing i
   CHECK(findings(mission("(choose ((^ 1)) ((^ 2)))")) == "PS0432 choose");
 }
 
+TEST_CASE("a skill that is never stopped is not interrupted either") {
+  CHECK(findings("(defskill s :interruptible nil :interrupt () :action (s))") ==
+        "PS0403 :interrupt");
+  CHECK(findings("(defskill s :interruptible t :interrupt () :action (s))") == "");
+}
+
 TEST_CASE("a program has one environment") {
   CHECK(findings(kWorld + "(defenvironment e :body ((^ 1))) (defenvironment f :body ((^ 1)))") ==
         "PS0440 f");

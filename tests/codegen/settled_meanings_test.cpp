@@ -146,3 +146,51 @@ TEST_CASE("a body whose last test ends it either way has no end that could not b
   CHECK(found.count("mission.can_succeed") == 0);
   CHECK(found.count("mission.can_succeed.ok") == 1);
 }
+
+TEST_CASE("a skill that must not be stopped keeps a caller that ends early waiting") {
+  const std::string program = R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defevent opens :effects (door Open))
+    (defskill put_down :time_interval [2,3] :action (put_down) FIELD)
+    (defskill mission :success done :invariant (shut (:guard (door Closed)))
+      :body ((put_down) (success done)))
+    (defproperty is_put_down (absent (ended put_down interrupted) :after (running put_down)))
+    (defproperty ends_at_once (leadsto (and (running mission) (door Open))
+                                       (ended mission) :within [0,1])))";
+  const auto with = [&](const std::string& field) {
+    auto text = program;
+    return verdicts(text.replace(text.find("FIELD"), 5, field));
+  };
+  const auto plain = with("");
+  CHECK(plain.at("is_put_down") == "violated");
+  CHECK(plain.at("ends_at_once") == "holds");
+  const auto unstoppable = with(":interruptible nil");
+  CHECK(unstoppable.at("is_put_down") == "holds");
+  CHECK(unstoppable.at("ends_at_once") == "violated");
+  CHECK(unstoppable.at("mission.invariant_may_fail.shut") == "reachable");
+}
+
+TEST_CASE("who waits for what must not be stopped does not hold up others") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defevent opens :effects (door Open))
+    (defskill grip :time_interval [1,1] :action (grip))
+    (defskill put_down :interruptible nil :success down
+      :body ((^ 5) (grip) (success down)))
+    (defskill mission :invariant (shut (:guard (door Closed))) :body ((put_down))))");
+  CHECK(found.at("program.no_deadlock") == "holds");
+  CHECK(found.at("put_down.can_succeed.down") == "reachable");
+  CHECK(found.at("mission.invariant_may_fail.shut") == "reachable");
+}
+
+TEST_CASE("a call of what must not be stopped is cancelled while it waits for its start") {
+  const auto found = verdicts(R"(
+    (defresource arm)
+    (defskill holder :monitor t :resources (arm) :body ((^ 9)))
+    (defskill put_down :interruptible nil :resources (arm) :action (put_down))
+    (defskill mission :success done
+      :body ((// ((^ 1) (put_down)) ((^ 2) (success done)))))
+    (defproperty never_begun (never (running put_down))))");
+  CHECK(found.at("never_begun") == "holds");
+  CHECK(found.at("mission.can_succeed.done") == "reachable");
+}

@@ -171,6 +171,7 @@ TEST_CASE("names of the right kind") {
   CHECK(labelsIn("(defskill f :input ($x int) :action (go $^)") == Labels{"$x"});
   CHECK(labelsIn("(defsv lamp :states (A) :init A :transitions ^") == Labels{":all"});
   CHECK(labelsIn("(defskill f :monitor ^") == Labels{"t", "always"});
+  CHECK(labelsIn("(defskill f :interruptible ^") == Labels{"nil", "t"});
 }
 
 TEST_CASE("a call brings its named arguments") {

@@ -107,9 +107,21 @@ bool Look::guardsHold(int skill) const {
 }
 
 bool Look::someGuardFails() const {
-  for (std::size_t i = 0; i < script.skills.size(); ++i)
-    if (now.skills[i].phase == Phase::Running && !guardsHold(static_cast<int>(i))) return true;
+  for (int i = 0; i < static_cast<int>(script.skills.size()); ++i)
+    if (now.skills[i].phase == Phase::Running && !guardsHold(i) && !lingers(i)) return true;
   return false;
+}
+
+bool Look::lingers(int skill) const {
+  const int body = script.skills[skill].body;
+  if (body == kNobody) return false;
+  const auto& state = now.threads[body];
+  if (state.control != Control::Stopping || !state.waits) return false;
+  const auto& place = script.threads[body].places[state.place];
+  if (place.branches.empty())
+    return script.skills[script.skill(place.statement->head.text)].holdsOut;
+  return std::ranges::any_of(place.branches,
+                             [&](int branch) { return script.threads[branch].holdsOut; });
 }
 
 bool Look::preconditionHolds(int skill) const {

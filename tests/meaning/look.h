@@ -17,6 +17,9 @@ public:
 
   /// Every guard of the skill, if it has any, is true.
   [[nodiscard]] bool guardsHold(int skill) const;
+  /// It ends early, and waits for what it called, which may be one that must not be stopped. Then
+  /// nobody waits for it because of its guards.
+  [[nodiscard]] bool lingers(int skill) const;
   /// A skill runs of which a guard is false.
   [[nodiscard]] bool someGuardFails() const;
   [[nodiscard]] bool preconditionHolds(int skill) const;

@@ -112,6 +112,7 @@ public:
     if (!program.environments.all.empty())
       script.environment = addThread(program.environments.all[0]->body, kNobody);
     chooseUnit();
+    findHoldOuts();
     return std::move(script);
   }
 
@@ -159,6 +160,20 @@ private:
       for (const auto& place : thread.places)
         if (place.statement && place.statement->kind == StatementKind::WaitTime)
           note(place.statement->duration);
+  }
+
+  /// What must not be stopped once it runs, what calls such a skill, and so on.
+  void findHoldOuts() {
+    for (auto& skill : script.skills) skill.holdsOut = skill.node->unstoppable;
+    for (std::size_t rounds = script.threads.size(); rounds-- > 0;)
+      for (auto& thread : script.threads) {
+        for (const int callee : thread.calls) thread.holdsOut |= script.skills[callee].holdsOut;
+        if (!thread.holdsOut || thread.skill == kNobody) continue;
+        if (thread.isBranch())
+          script.threads[thread.parent].holdsOut = true;
+        else
+          script.skills[thread.skill].holdsOut = true;
+      }
   }
 
   const analysis::Program& program;

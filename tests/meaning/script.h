@@ -31,7 +31,8 @@ struct Thread {
   std::vector<Place> places;
   int entry = 0;
   std::map<std::string_view, int> labels;
-  std::set<int> calls; ///< the skills that it calls itself
+  std::set<int> calls;   ///< the skills that it calls itself
+  bool holdsOut = false; ///< one of these does, or a branch
 
   [[nodiscard]] bool isBranch() const { return parent != kNobody; }
 };
@@ -43,6 +44,7 @@ struct SkillEntry {
   bool root = false;           ///< it is called when the program starts
   bool calledByAnyone = false; ///< a library's: it may be called at any time
   std::set<int> callers;       ///< threads
+  bool holdsOut = false;       ///< who stops it may have to wait
 
   [[nodiscard]] bool isComposite() const { return body != kNobody; }
   [[nodiscard]] bool runsOnce() const { return root && callers.empty(); }

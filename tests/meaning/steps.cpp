@@ -72,7 +72,7 @@ void Steps::ofRunning(int skill) {
   const int clock = static_cast<int>(script.threads.size()) + skill;
   const auto when = node.timeInterval ? within(*node.timeInterval, clock) : When::anyTime();
   for (const auto& ending : outcomesOf(node)) end(skill, ending, when);
-  if (now.skills[skill].stop) end(skill, interruptionOf(node), When::now());
+  if (now.skills[skill].stop && !node.unstoppable) end(skill, interruptionOf(node), When::now());
   for (const auto& invariant : node.invariants)
     if (!look.holds(invariant.guard)) end(skill, failureOf(invariant), When::now());
 }
@@ -180,7 +180,8 @@ void Steps::ofStop(int thread) {
     if (now.threads[thread].stop) strike(thread, {});
     return;
   }
-  if (now.skills[of.skill].stop) strike(thread, interruptionOf(*script.skills[of.skill].node));
+  const auto& node = *script.skills[of.skill].node;
+  if (now.skills[of.skill].stop && !node.unstoppable) strike(thread, interruptionOf(node));
   const bool joining = now.threads[thread].control == Control::Within &&
                        !of.places[now.threads[thread].place].branches.empty();
   if (joining && now.decided[of.skill]) strike(thread, *now.decided[of.skill]);

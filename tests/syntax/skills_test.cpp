@@ -99,6 +99,10 @@ TEST_CASE("malformed fields of skills are one diagnostic each") {
   CHECK(codes(":action ()") == "PS0111");
   CHECK(codes(":monitor yes") == "PS0115");
   CHECK(codes(":monitor always") == "");
+  CHECK(codes(":interruptible nil") == "");
+  CHECK(codes(":interruptible t") == "");
+  CHECK(codes(":interruptible no") == "PS0115");
+  CHECK(codes(":interruptible") == "PS0114");
   CHECK(codes(":interrupt (a B)") == "PS0115");
   CHECK(codes(":resources arm") == "PS0115");
   CHECK(codes(":body (go)") == "PS0121");

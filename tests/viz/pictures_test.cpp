@@ -164,6 +164,11 @@ a -> success
 )");
 }
 
+TEST_CASE("what must not be stopped says so") {
+  const auto p = program("(defskill put :interruptible nil :action (put))");
+  CHECK(outline(picture(p, Kind::Skill, "put")).contains("action run {(put); is never stopped}"));
+}
+
 TEST_CASE("loops go back, and break leaves them") {
   CHECK(body("(while (s X) (a) (if (s Y) break))") == R"(
 start

@@ -28,6 +28,7 @@
   (time_interval_field)
   (action_field)
   (interrupt_field)
+  (interruptible_field)
   (success_field)
   (failure_field)
   (resources_field)

@@ -311,7 +311,7 @@ void Builder::skillThread() {
                         .effects = skill->interrupt ? &skill->interrupt->effects : nullptr});
   connect(stopped, graph().end, true);
   std::vector<NodeId> exits = failures;
-  exits.push_back(stopped);
+  if (!skill->unstoppable) exits.push_back(stopped);
   Loose started = edge(first, Guard::Holds, true);
   if (skill->body) {
     LooseEnds ends = block(*skill->body, {started});

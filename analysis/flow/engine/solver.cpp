@@ -213,7 +213,7 @@ void Solver::step(ProcessId process, NodeId id) {
   const Action& action = model[process].actions[id];
   if (node.kind == NodeKind::Interrupt && action.target != kNoProcess) interrupt(process, id);
   if (node.kind == NodeKind::Start && mayStop(process)) stopBeforeStart(process);
-  bool stops = mayStop(process);
+  bool stops = mayStop(process) && !isUnstoppable(process);
   for (const Edge& edge : node.edges) {
     if (edge.stops) {
       stops |= stop(process, id, edge);
@@ -269,31 +269,6 @@ bool Solver::stop(ProcessId process, NodeId id, const Edge& edge) {
   }
   if (calls && possible) stopCall(process, id, edge.target);
   return possible;
-}
-
-bool Solver::mayStop(ProcessId process) const { return interrupted[process] || stopped[process]; }
-
-/// Whatever may end a node from outside stops what the node has called.
-void Solver::stopCallees(ProcessId process, NodeId id, bool stops) {
-  if (!stops) return;
-  const Action& action = model[process].actions[id];
-  bool calls = (*model[process].graph)[id].kind == NodeKind::Call && action.target != kNoProcess;
-  if (calls) mark(stopped, action.target);
-  for (ProcessId branch : action.branches) mark(stopped, branch);
-}
-
-/// A skill that was called but has not started returns with `interrupted`, without effects.
-void Solver::stopBeforeStart(ProcessId process) {
-  const Process& self = model[process];
-  if (self.kind != ProcessKind::Skill) return;
-  State state = before(process, 0);
-  set(state, process, VariableKind::Status, static_cast<unsigned>(Status::Interrupted));
-  set(state, process, VariableKind::Called, 0);
-  if (interrupted[process]) {
-    arrive(process, self.graph->end, std::move(state));
-  } else if (stoppedEnds[process].add(std::move(state), mostCases)) {
-    announceEnd(process);
-  }
 }
 
 /// A variable of the skill itself.

@@ -101,6 +101,7 @@ private:
   [[nodiscard]] State refused(const State& before, ProcessId process, NodeId node) const;
   [[nodiscard]] Cases joined(const State& before, ProcessId process, NodeId node) const;
   [[nodiscard]] bool mayStop(ProcessId process) const;
+  [[nodiscard]] bool isUnstoppable(ProcessId process) const;
   [[nodiscard]] State assigned(State before, const Process& process, NodeId node,
                                bool effectsOnly) const;
   [[nodiscard]] bool isPoint(ProcessId process, NodeId node) const;

@@ -1,6 +1,6 @@
 #include "analysis/flow/engine/solver.h"
 
-/// What a process knows while it has called others, and when these have returned.
+/// What a process knows while it has called others, and when these have returned or are to stop.
 namespace proskill::analysis::flow {
 
 State Solver::project(const State& state, const Process& from, const Process& to) const {
@@ -153,6 +153,37 @@ void Solver::fork(ProcessId process, NodeId id, NodeId next) {
       enter(branch, project(before, self, model[branch]));
     const Cases after = joined(before, process, id);
     for (const State& state : after.all()) arrive(process, next, state);
+  }
+}
+
+bool Solver::mayStop(ProcessId process) const { return interrupted[process] || stopped[process]; }
+
+/// Once it runs: only its call can be stopped.
+bool Solver::isUnstoppable(ProcessId process) const {
+  const Process& self = model[process];
+  return self.kind == ProcessKind::Skill && model.skill(self).unstoppable;
+}
+
+/// Whatever may end a node from outside stops what the node has called.
+void Solver::stopCallees(ProcessId process, NodeId id, bool stops) {
+  if (!stops) return;
+  const Action& action = model[process].actions[id];
+  bool calls = (*model[process].graph)[id].kind == NodeKind::Call && action.target != kNoProcess;
+  if (calls) mark(stopped, action.target);
+  for (ProcessId branch : action.branches) mark(stopped, branch);
+}
+
+/// A skill that was called but has not started returns with `interrupted`, without effects.
+void Solver::stopBeforeStart(ProcessId process) {
+  const Process& self = model[process];
+  if (self.kind != ProcessKind::Skill) return;
+  State state = before(process, 0);
+  set(state, process, VariableKind::Status, static_cast<unsigned>(Status::Interrupted));
+  set(state, process, VariableKind::Called, 0);
+  if (interrupted[process]) {
+    arrive(process, self.graph->end, std::move(state));
+  } else if (stoppedEnds[process].add(std::move(state), mostCases)) {
+    announceEnd(process);
   }
 }
 

@@ -84,12 +84,21 @@ private:
     if (random.chance(skill.composite ? 35 : 75))
       form.addAll({":time_interval", phrase.interval()});
     if (!skill.composite) form.addAll({":action", action(skill)});
-    if (skill.interruptible) form.addAll({":interrupt", Form{":effects", phrase.effects()}});
+    addInterrupt(form, skill);
     addOutcomes(form, ":success", skill.successes);
     addOutcomes(form, ":failure", skill.failures);
     if (!words.resources.empty() && random.chance(40)) form.addAll({":resources", resources()});
     if (skill.composite) form.addAll({":body", body(index)});
     return form;
+  }
+
+  void addInterrupt(Form& form, const SkillWords& skill) {
+    if (skill.unstoppable) form.addAll({":interruptible", "nil"});
+    if (!skill.interruptible) return;
+    if (random.chance(15))
+      form.addAll({":interruptible", "t"});
+    else
+      form.addAll({":interrupt", Form{":effects", phrase.effects()}});
   }
 
   Form body(std::size_t index) {

@@ -70,6 +70,7 @@ SkillWords skill(RandomSource& random, std::string name, const Words& words) {
   SkillWords result;
   result.name = std::move(name);
   result.interruptible = random.chance(40);
+  result.unstoppable = !result.interruptible && random.chance(35);
   result.successes = tags(random, "done", 2);
   result.failures = tags(random, "broken", 2);
   if (!result.failures.empty() && !result.successes.empty() &&

@@ -20,6 +20,9 @@ struct SkillWords {
   bool composite = false;
   bool monitor = false;
   bool interruptible = false;
+  bool unstoppable = false;
+  bool refusable = false;              ///< known once it is written, as are its guards
+  std::vector<std::string> invariants; ///< tags
   std::vector<std::string> successes;
   std::vector<std::string> failures;
   std::vector<std::pair<std::string, std::string>> inputs; ///< name and type
