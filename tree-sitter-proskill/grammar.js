@@ -354,6 +354,7 @@ module.exports = grammar({
         $.interrupt,
         $.wait,
         $.if,
+        $.case,
         $.while,
         $.do,
         $.do_until,
@@ -403,6 +404,30 @@ module.exports = grammar({
       form($, field('head', 'if'), guarded($), repeat(choice($.elseif_clause, $.else_clause))),
     elseif_clause: $ => prec.right(seq(field('head', 'elseif'), guarded($))),
     else_clause: $ => prec.right(seq(field('head', 'else'), repeat($._statement))),
+    /** A call, then what is done after each of its outcomes. */
+    case: $ =>
+      form(
+        $,
+        field('head', 'case'),
+        repeat($._word),
+        optional(
+          seq(
+            field('call', choice($.call, alias($._statement_list, $.list))),
+            repeat(choice($.case_arm, $._word)),
+          ),
+        ),
+      ),
+    case_arm: $ =>
+      form(
+        $,
+        optional(
+          seq(
+            field('pattern', choice($.symbol, $.case_pattern, $._loose_but_symbol, $.keyword)),
+            repeat($._statement),
+          ),
+        ),
+      ),
+    case_pattern: $ => form($, leading($, ['status'], $.list)),
     while: $ => form($, field('head', 'while'), guarded($)),
     do: $ => form($, field('head', 'do'), repeat($._statement), optional($.until_clause)),
     until_clause: $ => prec.right(seq(field('head', 'until'), guarded($))),

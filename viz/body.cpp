@@ -1,5 +1,7 @@
 #include "viz/builder.h"
 
+#include "syntax/tree/statements.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -58,6 +60,7 @@ private:
     case StatementKind::WaitTime:
       return step(s, in, NodeRole::Wait, "wait " + builder.seconds(s.duration), {});
     case StatementKind::If: return drawIf(s, in);
+    case StatementKind::Case: return drawCase(s, in);
     case StatementKind::While: return drawWhile(s, in);
     case StatementKind::DoUntil: return drawDoUntil(s, in);
     case StatementKind::Break: return drawBreak(in);
@@ -114,6 +117,20 @@ private:
       in = {no(node)};
     }
     append(out, in);
+    return out;
+  }
+
+  /// The call, with an edge for each arm.
+  Exits drawCase(const Statement& s, const Exits& in) {
+    const auto* call = syntax::callOf(s);
+    const auto called = call ? drawCall(*call, in) : in;
+    Exits out;
+    for (const auto& arm : s.arms) {
+      Exits when;
+      for (const auto& exit : called)
+        when.push_back({exit.from, exit.role, builder.text(arm.pattern.range), {}});
+      append(out, drawBlock(arm.body, when));
+    }
     return out;
   }
 

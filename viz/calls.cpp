@@ -55,8 +55,8 @@ private:
     for (const auto& statement : block.statements) {
       if (statement.kind == StatementKind::Call || statement.kind == StatementKind::Interrupt)
         note(from, statement);
-      for (const auto& arm : statement.arms) collect(from, arm.body);
       for (const auto& branch : statement.branches) collect(from, branch);
+      for (const auto& arm : statement.arms) collect(from, arm.body);
     }
   }
 

@@ -1,5 +1,6 @@
 #include "analysis/checks/checks.h"
 
+#include "analysis/checks/cases.h"
 #include "analysis/checks/message.h"
 #include "analysis/names/arguments.h"
 #include "analysis/names/expressions.h"
@@ -53,6 +54,7 @@ private:
     case StatementKind::Interrupt:
     case StatementKind::WaitTime:
     case StatementKind::If:
+    case StatementKind::Case: // its call is refused
     case StatementKind::While:
     case StatementKind::DoUntil:
     case StatementKind::Break:
@@ -85,6 +87,7 @@ private:
       for (const syntax::Arm& arm : statement.arms)
         if (arm.condition) expressions.condition(*arm.condition);
       return;
+    case StatementKind::Case: return checkCase(context, body, statement);
     case StatementKind::Printf: return checkMessage(context, body, statement);
     case StatementKind::Success: return outcome(SymbolKind::SuccessTag, statement.name);
     case StatementKind::Failure: return outcome(SymbolKind::FailureTag, statement.name);

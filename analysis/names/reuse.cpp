@@ -1,5 +1,6 @@
 #include "analysis/names/reuse.h"
 
+#include "analysis/program/outcomes.h"
 #include "syntax/diagnostics/codes.h"
 #include "syntax/text/characters.h"
 
@@ -94,7 +95,7 @@ bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
 /// What others see of a skill beside its name and those of its parts.
 bool looksSame(const syntax::Skill& a, const syntax::Skill& b) {
   return a.monitor == b.monitor && a.interrupt.has_value() == b.interrupt.has_value() &&
-         a.unstoppable == b.unstoppable &&
+         a.unstoppable == b.unstoppable && outcomesOf(a) == outcomesOf(b) &&
          std::ranges::equal(a.inputs, b.inputs, isSameInput);
 }
 

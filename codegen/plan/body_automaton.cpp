@@ -1,5 +1,7 @@
 #include "codegen/plan/body_automaton.h"
 
+#include "syntax/tree/statements.h"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -16,7 +18,8 @@ using syntax::StatementKind;
 bool neverGoesOn(const Statement& statement) {
   switch (statement.kind) {
   case StatementKind::Success:
-  case StatementKind::Failure: return true;
+  case StatementKind::Failure:
+  case StatementKind::Case: return true;
   case StatementKind::While: return statement.condition.kind == syntax::ExprKind::True;
   case StatementKind::DoUntil: return statement.condition.kind == syntax::ExprKind::False;
   case StatementKind::If: return !statement.arms.empty() && !statement.arms.back().condition;
@@ -94,9 +97,12 @@ private:
     if (statement.kind == StatementKind::DoUntil) nameBlock(statement.branches[0], first);
     const auto index = automaton.states.size();
     stateOf.emplace(&statement, index);
-    addState(nextName(first), &statement);
+    const bool isCase = statement.kind == StatementKind::Case;
+    addState(nextName(first), isCase ? syntax::callOf(statement) : &statement);
+    if (isCase) automaton.states[index].cases = &statement;
     switch (statement.kind) {
-    case StatementKind::If: return nameArms(statement);
+    case StatementKind::If:
+    case StatementKind::Case: return nameArms(statement);
     case StatementKind::While: return nameInner(statement.branches[0], nextTest() + "T");
     case StatementKind::Choose: return nameChoices(statement);
     case StatementKind::Parallel: automaton.states[index].branches = branches(statement); return;
@@ -174,6 +180,7 @@ private:
     const bool loops =
         statement.kind == StatementKind::While || statement.kind == StatementKind::DoUntil;
     for (const auto& arm : statement.arms) linkInner(arm.body, index, next, afterLoop);
+    if (statement.kind == StatementKind::Case) return;
     for (const auto& block : statement.branches)
       linkInner(block, index, loops ? own : next, loops ? next : afterLoop);
   }

@@ -16,14 +16,18 @@ struct BodyAutomaton;
 struct BodyState {
   std::string name;                             ///< as the paper names it: `NS5`, `N3_T`
   const syntax::Statement* statement = nullptr; ///< null: the end of the body
+  const syntax::Statement* cases = nullptr;     ///< of a call: the `case` that it is the call of
   /// Where control goes when the statement is done: of a loop when it ends, of an `if` when no arm
   /// is taken, of a `break` or `goto` its target. Empty where it goes nowhere: behind an outcome,
   /// and behind a loop for ever.
   std::string next;
-  /// If: the first state of each arm, an `else` included; While, DoUntil: of the body;
+  /// If, Case: the first state of each arm, an `else` included; While, DoUntil: of the body;
   /// Choose: of each branch.
   std::vector<std::string> targets;
   std::vector<BodyAutomaton> branches; ///< Parallel
+
+  /// What the text has there. \pre it is not the end of the body
+  [[nodiscard]] const syntax::Statement& source() const { return cases ? *cases : *statement; }
 };
 
 /// A body, or a parallel branch of one, as an automaton: a state before each statement in the order

@@ -14,7 +14,9 @@ using syntax::StatementKind;
 
 namespace {
 
-std::string syncState(const BodyState& state) { return state.name + "_" + state.next + "_sync"; }
+std::string syncState(const BodyState& state) {
+  return state.name + "_" + (state.cases ? "case" : state.next) + "_sync";
+}
 std::string busyState(const BodyState& state) { return state.name + "_busy"; }
 
 Statement watched(Statement main, std::vector<Statement> abortStatements) {
@@ -76,6 +78,7 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   case StatementKind::Emit:
     return addState(process, state.name, origin(statement.range), unlessHeld(step(state)),
                     lineOf(state));
+  case StatementKind::Case:         // its state is that of its call
   case StatementKind::Unknown:      // a program with it has errors
   case StatementKind::Label: break; // has no state of its own
   }
@@ -146,6 +149,7 @@ Statement BodyProcess::step(const BodyState& state) {
   case StatementKind::Unknown:
   case StatementKind::Label:
   case StatementKind::Call:
+  case StatementKind::Case:
   case StatementKind::Parallel:
   case StatementKind::WaitCondition:
   case StatementKind::WaitTime: break;
@@ -227,19 +231,42 @@ Statement BodyProcess::keepOutcome(std::string_view callee) {
 }
 
 Statement BodyProcess::returnFrom(const BodyState& state) {
-  const auto& statement = *state.statement;
-  const auto& callee = *context.plan.find(statement.head.text);
-  auto goOn =
-      at(origin(statement.range, fmt::format("`{}` returns", callee.name())), to(state.next));
+  const auto& callee = *context.plan.find(state.statement->head.text);
   auto acknowledge = sequence({keepOutcome(callee.name()), calls.acknowledge(callee.name())});
-  if (isTrue(precondition(context, callee.skill())))
-    return sequence({std::move(acknowledge), std::move(goOn)});
-  const auto words = origin(statement.range, fmt::format("`{}` was refused", callee.name()));
-  auto refused = sequence(
-      {tag(context.names.tag({body.name, state.name, "refused"})), at(words, to(state.next))});
-  return sequence({std::move(acknowledge),
-                   ifThenElse(equal(context.cellField(callee.name(), "status"), name("no_status")),
-                              std::move(refused), std::move(goOn))});
+  auto next = state.cases ? chooseArm(state, callee)
+                          : goOnAfter(state, callee, state.statement->range, state.next);
+  return sequence({std::move(acknowledge), std::move(next)});
+}
+
+/// To the target, whatever the outcome was; a refusal is marked.
+Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee,
+                                 syntax::Range range, const std::string& target) {
+  auto goOn = at(origin(range, fmt::format("`{}` returns", callee.name())), to(target));
+  if (isTrue(precondition(context, callee.skill()))) return goOn;
+  const auto words = origin(range, fmt::format("`{}` was refused", callee.name()));
+  auto refused =
+      sequence({tag(context.names.tag({body.name, state.name, "refused"})), at(words, to(target))});
+  return ifThenElse(equal(context.cellField(callee.name(), "status"), name("no_status")),
+                    std::move(refused), std::move(goOn));
+}
+
+/// In the step that sees the return. Every outcome has an arm, as `check` has seen, so the last one
+/// needs no test.
+Statement BodyProcess::chooseArm(const BodyState& state, const SkillPlan& callee) {
+  const auto& arms = state.cases->arms;
+  Statement chosen;
+  for (std::size_t i = arms.size(); i-- > 0;) {
+    const auto& [status, tags, range] = arms[i].pattern;
+    const auto words = fmt::format("`{}` returns: {}", callee.name(), quote(range));
+    const bool mayBeRefused = status.text == "refused" || !arms[i].condition;
+    auto take = mayBeRefused ? goOnAfter(state, callee, range, state.targets[i])
+                             : at(origin(range, words), to(state.targets[i]));
+    const bool isLast = i + 1 == arms.size() || !arms[i].condition;
+    chosen = isLast ? std::move(take)
+                    : ifThenElse(condition(context, *arms[i].condition), std::move(take),
+                                 std::move(chosen));
+  }
+  return chosen;
 }
 
 void BodyProcess::addParallel(fiacre::Process& process, const BodyState& state) {

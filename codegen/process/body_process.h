@@ -53,6 +53,9 @@ private:
   [[nodiscard]] fiacre::Expr argumentsOf(const syntax::Statement& call);
   [[nodiscard]] fiacre::Statement keepOutcome(std::string_view callee);
   [[nodiscard]] fiacre::Statement returnFrom(const BodyState& state);
+  [[nodiscard]] fiacre::Statement goOnAfter(const BodyState& state, const SkillPlan& callee,
+                                            syntax::Range range, const std::string& target);
+  [[nodiscard]] fiacre::Statement chooseArm(const BodyState& state, const SkillPlan& callee);
   [[nodiscard]] fiacre::Statement join(const BodyState& state);
   [[nodiscard]] fiacre::Statement testArms(const BodyState& state);
   [[nodiscard]] fiacre::Statement testLoop(const BodyState& state);

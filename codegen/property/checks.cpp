@@ -127,10 +127,10 @@ private:
     const auto process = processOf(context, skill, thread);
     for (const auto& state : thread.states) {
       if (!state.statement) continue;
-      const auto range = state.statement->range;
-      place = context.origins.of(actorOf(skill, thread), range);
-      const auto& statement = names.of(*state.statement);
-      const auto text = syntax::backquoted(context.origins.excerpt(skill.file(), range));
+      place = context.origins.of(actorOf(skill, thread), state.statement->range);
+      const auto& statement = names.of(state.source());
+      const auto text =
+          syntax::backquoted(context.origins.excerpt(skill.file(), state.source().range));
       if (state.statement->kind == syntax::StatementKind::Call)
         addCall(thread, state, statement, text);
       question("reachable", statement, text + " can be reached", Expectation::Reachable,

@@ -1,5 +1,7 @@
 #include "codegen/property/statement_names.h"
 
+#include "syntax/tree/statements.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +21,7 @@ std::string_view wordFor(Kind kind) {
   case Kind::WaitCondition: return "wait";
   case Kind::WaitTime: return "delay";
   case Kind::If: return "if";
+  case Kind::Case: return "case";
   case Kind::While: return "while";
   case Kind::DoUntil: return "do";
   case Kind::Break: return "break";
@@ -47,6 +50,7 @@ std::string_view firstName(const syntax::Expr& condition) {
 std::string_view objectOf(const syntax::Statement& statement) {
   switch (statement.kind) {
   case Kind::Call: return statement.head.text;
+  case Kind::Case: return syntax::callOf(statement)->head.text;
   case Kind::Interrupt:
   case Kind::Label:
   case Kind::Goto:
@@ -77,7 +81,7 @@ std::vector<const syntax::Statement*> statementsOf(const BodyAutomaton& body) {
   std::vector<const syntax::Statement*> all;
   forEachThread(body, [&](const BodyAutomaton& thread) {
     for (const auto& state : thread.states)
-      if (state.statement) all.push_back(state.statement);
+      if (state.statement) all.push_back(&state.source());
   });
   std::ranges::sort(all, {}, [](const syntax::Statement* each) { return each->range.begin; });
   return all;

@@ -67,7 +67,7 @@
               "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
      (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
     ("(\\(include\\)\\_>" 1 font-lock-preprocessor-face)
-    (,(concat "(" (regexp-opt '("if" "while" "do" "do-until" "set" "label" "goto" "emit" "success"
+    (,(concat "(" (regexp-opt '("if" "case" "while" "do" "do-until" "set" "label" "goto" "emit" "success"
                                 "failure" "choose" "printf" "//")
                               t)
               "\\_>")
@@ -164,7 +164,7 @@ PARTS are those of the form around it."
                        (not (equal (proskill--word-before open) ":body"))
                        (+ 2 (proskill--column tag))))
                 (1+ base)))
-           ((member head '("if" "while" "do" "do-until"))
+           ((member head '("if" "case" "while" "do" "do-until"))
             (+ base (if (funcall begins '("elseif" "else" "until")) 1 3)))
            ((and (cdr parts) (= (line-number-at-pos open) (line-number-at-pos (cadr parts))))
             (proskill--column (cadr parts)))

@@ -17,8 +17,11 @@ std::span<const Statement> selectedIn(const syntax::Block& block, syntax::Range 
   for (const auto& statement : block.statements) {
     if (!holds(statement.range, selection)) continue;
     std::span<const Statement> inner;
+    const bool ofCall = statement.kind == StatementKind::Case &&
+                        holds(statement.branches[0].range, selection); // no statement by itself
     forEachBlock(statement, [&](const syntax::Block& part) {
-      if (inner.empty() && holds(part.range, selection)) inner = selectedIn(part, selection);
+      if (inner.empty() && !ofCall && holds(part.range, selection))
+        inner = selectedIn(part, selection);
     });
     return inner.empty() ? std::span(&statement, 1) : inner;
   }

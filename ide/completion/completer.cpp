@@ -35,6 +35,7 @@ constexpr Exclusion kExclusions[] = {
 CompletionKind kindOf(WordKind kind) {
   switch (kind) {
   case WordKind::Statement:
+  case WordKind::CaseOutcome:
   case WordKind::EnvironmentStatement: return CompletionKind::Statement;
   case WordKind::Connective:
   case WordKind::Comparison:
@@ -88,6 +89,8 @@ void Completer::fill() {
   case Slot::Transitions: return skeleton(":all", ":all", "");
   case Slot::Monitor: skeleton("t", "t", ""); return skeleton("always", "always", "");
   case Slot::Interruptible: skeleton("nil", "nil", ""); return skeleton("t", "t", "");
+  case Slot::CaseArm: return forms(WordKind::CaseOutcome);
+  case Slot::CasePattern: return forms(WordKind::CaseOutcome, false);
   case Slot::Condition:
   case Slot::WaitCondition:
   case Slot::Proposition:

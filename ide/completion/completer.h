@@ -50,6 +50,7 @@ private:
   [[nodiscard]] std::string argument(const syntax::Input& input, unsigned number) const;
   void call(SymbolId skill);
   void calls();
+  void caseTags();
   void interrupts();
   void argumentNames();
   void argumentValues();

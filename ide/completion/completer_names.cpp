@@ -51,6 +51,8 @@ void Completer::fillNames() {
   case Slot::Skill: return members(SymbolKind::Skill, kNoSymbol, CompletionKind::Skill);
   case Slot::Variable:
     return members(SymbolKind::StateVariable, kNoSymbol, CompletionKind::Variable);
+  case Slot::CaseCall: return calls();
+  case Slot::CaseTag: return caseTags();
   case Slot::ArgumentName: return argumentNames();
   case Slot::ArgumentValue: return argumentValues();
   case Slot::PrintArgument: parameters(); return operands();
@@ -192,6 +194,27 @@ void Completer::calls() {
     if (canBeCalled && find(SymbolKind::Skill, symbols[id].name) == id) call(id);
   }
   ++rank;
+}
+
+/// Those of the call that the `case` around begins with.
+void Completer::caseTags() {
+  const auto around =
+      std::ranges::find_if(path.lists.rbegin(), path.lists.rend(), [](const auto& it) {
+        return !it.items.empty() && it.items.front().text == "case";
+      });
+  if (around == path.lists.rend()) return;
+  const auto call = std::ranges::find_if(around->items, &Item::isList);
+  if (call == around->items.end()) return;
+  const auto text = std::string_view(view.text()).substr(call->range.begin, call->range.length());
+  const auto from = std::min(text.find_first_not_of("( \t\r\n"), text.size());
+  const auto callee = text.substr(from, text.find_first_of(") \t\r\n", from) - from);
+  const auto id = find(SymbolKind::Skill, callee);
+  if (id == kNoSymbol) return;
+  const auto kind = place.subject == "success"   ? SymbolKind::SuccessTag
+                    : place.subject == "failure" ? SymbolKind::FailureTag
+                                                 : SymbolKind::InvariantTag;
+  members(kind, id, CompletionKind::Tag);
+  std::erase_if(items, [&](const Completion& item) { return isInList(item.label); });
 }
 
 void Completer::interrupts() {

@@ -33,6 +33,8 @@ bool isNarrow(const Place& place) {
   case Slot::ArgumentName:
   case Slot::ArgumentValue:
   case Slot::CommandArgument:
+  case Slot::CaseCall:
+  case Slot::CaseTag:
   case Slot::Interruptible:
   case Slot::Monitor: return true;
   case Slot::Operand: return !place.subject.empty();

@@ -170,6 +170,22 @@ Place inCall(Items items) {
   return place;
 }
 
+/// The call, then the arms.
+Place inCase(Items items) {
+  return just(std::ranges::any_of(items, &Item::isList) ? Slot::CaseArm : Slot::CaseCall);
+}
+
+/// A word, or a list that has one and tags; then statements.
+Place inArm(Items items) {
+  if (items.empty()) return {.slot = Slot::CasePattern, .isHead = true};
+  return just(Slot::Statement);
+}
+
+Place inCasePattern(Items items) {
+  if (items.empty()) return {.slot = Slot::CasePattern, .isHead = true};
+  return just(Slot::CaseTag, items.front().text);
+}
+
 Place inStatement(Items items) {
   const auto head = items.front().text;
   const bool first = items.size() == 1;
@@ -177,6 +193,7 @@ Place inStatement(Items items) {
   if (items.front().isList()) return just(Slot::Statement);
   if (head == "^") return inWait(items);
   if (head == "if") return inIf(items);
+  if (head == "case") return inCase(items);
   if (head == "do") return inDo(items);
   if (isOneOf(head, {"while", "do-until"})) return just(first ? Slot::Condition : Slot::Statement);
   if (isOneOf(head, {"//", "choose"})) return just(Slot::Branch);
@@ -222,6 +239,7 @@ Place behind(Items items, Slot outer) {
   case Slot::Statement:
   case Slot::IfStatement:
   case Slot::DoStatement: return inStatement(items);
+  case Slot::CaseCall: return inCall(items);
   default: return just(Slot::Nothing);
   }
 }
@@ -248,6 +266,8 @@ std::optional<Place> withoutHead(Items items, Slot outer) {
   case Slot::InvariantClause: return amongFields(items, WordKind::InvariantField);
   case Slot::OutcomeClause: return amongFields(items, WordKind::OutcomeField);
   case Slot::OutcomeTag: return inOutcomes(items);
+  case Slot::CaseArm: return inArm(items);
+  case Slot::CasePattern: return inCasePattern(items);
   case Slot::Body:
   case Slot::Branch: return just(Slot::Statement);
   default: return std::nullopt;

@@ -43,6 +43,10 @@ enum class Slot : std::uint8_t {
   IfStatement,   ///< or `elseif`, `else`
   DoStatement,   ///< or `until`
   Branch,        ///< a list of statements
+  CaseCall,      ///< the call of a `case`
+  CaseArm,       ///< an arm of a `case`
+  CasePattern,   ///< an outcome, or a list of one with tags
+  CaseTag,       ///< of the outcome `subject`
   WaitCondition, ///< a condition or a time
   Label,
   AnyLabel,

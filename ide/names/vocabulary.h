@@ -33,6 +33,7 @@ enum class WordKind : std::uint8_t {
   Type,
   Member,
   Status,
+  CaseOutcome, ///< of an arm of a `case`
   Result,
 };
 

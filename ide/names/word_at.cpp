@@ -38,6 +38,8 @@ const Word* head(Slot slot, std::string_view text) {
   case Slot::IfStatement:
   case Slot::DoStatement:
     return firstOf({WordKind::Statement, WordKind::EnvironmentStatement}, text);
+  case Slot::CaseArm:
+  case Slot::CasePattern: return findWord(WordKind::CaseOutcome, text);
   case Slot::Temporal:
   case Slot::Proposition:
     if (const Word* found = findWord(WordKind::Observation, text)) return found;

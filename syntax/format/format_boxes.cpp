@@ -158,6 +158,8 @@ private:
     case NodeKind::Parallel:
     case NodeKind::Choose:
     case NodeKind::If:
+    case NodeKind::Case:
+    case NodeKind::CaseArm:
     case NodeKind::While:
     case NodeKind::DoUntil:
     case NodeKind::ElseifClause: return box.children > 2;

@@ -18,6 +18,7 @@ bool isClause(NodeKind kind) {
          kind == NodeKind::UntilClause;
 }
 
+/// Something stands beside its head: a condition, or the call of a `case`.
 bool hasCondition(NodeKind kind) { return kind != NodeKind::Do && kind != NodeKind::ElseClause; }
 
 /// A byte-order mark is no part of the first gap.
@@ -86,6 +87,7 @@ void Layout::broken(Index at, Separator before, std::uint32_t after, std::uint32
   case NodeKind::Argument:
   case NodeKind::Input: return tagged(at, before, after, hang);
   case NodeKind::If:
+  case NodeKind::Case:
   case NodeKind::While:
   case NodeKind::Do:
   case NodeKind::DoUntil:
@@ -96,6 +98,7 @@ void Layout::broken(Index at, Separator before, std::uint32_t after, std::uint32
   case NodeKind::InputList:
   case NodeKind::TransitionList: return list(at, before, after);
   case NodeKind::Block:
+  case NodeKind::CaseArm:
   case NodeKind::PreconditionList:
   case NodeKind::InvariantList:
   case NodeKind::OutcomeList:

@@ -176,10 +176,19 @@ struct Block {
   Range range;
 };
 
-/// A branch of an `if`: `if`/`elseif` have a condition, `else` has none.
+/// Which outcomes of a call an arm of a `case` is for.
+struct CasePattern {
+  Name status;     ///< `success`, `failure`, `failed_inv`, `interrupted`, `refused`, or `else`
+  List<Name> tags; ///< any of these; empty: whatever the tag
+  Range range;
+};
+
+/// A branch of an `if`: `if`/`elseif` have a condition, `else` has none. Of a `case`: what the
+/// pattern asks of the call's outcome, nothing where that is `else`.
 struct Arm {
   Range keyword;
   std::optional<Expr> condition;
+  CasePattern pattern; ///< Case
   Block body;
 };
 
@@ -197,6 +206,7 @@ enum class StatementKind : std::uint8_t {
   WaitCondition, // (^ condition [:effects effects])
   WaitTime,      // (^ duration)
   If,            // arms
+  Case,          // branches[0]: the call alone; arms
   While,         // condition, branches[0]
   DoUntil,       // branches[0], condition
   Break,

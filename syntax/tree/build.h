@@ -82,6 +82,10 @@ Expr takeCondition(Builder& builder, Parts& parts, const Name& head);
 Effects takeEffects(Builder& builder, Parts& parts, const Name& head);
 
 Block blockOf(Builder& builder, const Node& list);
+/// The statements that come next, up to a clause of the statement around them; `at` where none
+/// does.
+Block takeBlock(Builder& builder, Parts& parts, Offset at);
+void readCase(Builder& builder, Parts& parts, Statement& statement);
 Statement statementOf(Builder& builder, const Node& node);
 
 void readSkill(Builder& builder, std::vector<Field>& fields, Skill& skill);

@@ -22,21 +22,6 @@ bool isWordLike(const Node& node) {
   }
 }
 
-/// The statements that come next, up to a clause of the statement around them.
-Block takeBlock(Builder& builder, Parts& parts, Offset at) {
-  Block block;
-  block.range = {at, at};
-  while (const Node* next = parts.peek()) {
-    if (next->kind == NodeKind::ElseifClause || next->kind == NodeKind::ElseClause ||
-        next->kind == NodeKind::UntilClause)
-      break;
-    if (block.range.empty()) block.range.begin = next->range.begin;
-    block.range.end = next->range.end;
-    block.statements.push_back(statementOf(builder, *parts.take()));
-  }
-  return block;
-}
-
 /// Words that belong to the statement around them, without parentheses of their own.
 bool isClauseWord(std::string_view word) {
   return word == "else" || word == "elseif" || word == "until";
@@ -253,6 +238,7 @@ void readHeaded(Builder& builder, const Node& node, Statement& statement) {
   switch (node.kind) {
   case NodeKind::Wait: return readWait(builder, parts, statement);
   case NodeKind::If: return readIf(builder, parts, statement);
+  case NodeKind::Case: return readCase(builder, parts, statement);
   case NodeKind::While: return readLoop(builder, parts, statement, StatementKind::While);
   case NodeKind::DoUntil: return readLoop(builder, parts, statement, StatementKind::DoUntil);
   case NodeKind::Do: return readDo(builder, parts, statement);
@@ -275,6 +261,20 @@ void readHeaded(Builder& builder, const Node& node, Statement& statement) {
 }
 
 } // namespace
+
+Block takeBlock(Builder& builder, Parts& parts, Offset at) {
+  Block block;
+  block.range = {at, at};
+  while (const Node* next = parts.peek()) {
+    if (next->kind == NodeKind::ElseifClause || next->kind == NodeKind::ElseClause ||
+        next->kind == NodeKind::UntilClause)
+      break;
+    if (block.range.empty()) block.range.begin = next->range.begin;
+    block.range.end = next->range.end;
+    block.statements.push_back(statementOf(builder, *parts.take()));
+  }
+  return block;
+}
 
 Statement statementOf(Builder& builder, const Node& node) {
   Statement statement;

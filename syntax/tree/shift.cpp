@@ -23,7 +23,8 @@ auto members(Action& x) { return std::tie(x.command, x.arguments, x.range); }
 auto members(Interrupt& x) { return std::tie(x.effects, x.range); }
 auto members(Argument& x) { return std::tie(x.name, x.value, x.range); }
 auto members(Block& x) { return std::tie(x.statements, x.range); }
-auto members(Arm& x) { return std::tie(x.keyword, x.condition, x.body); }
+auto members(CasePattern& x) { return std::tie(x.status, x.tags, x.range); }
+auto members(Arm& x) { return std::tie(x.keyword, x.condition, x.pattern, x.body); }
 auto members(UnknownForm& x) { return std::tie(x.head, x.name); }
 auto members(Include& x) { return std::tie(x.path); }
 auto members(Event& x) { return std::tie(x.name, x.fields, x.effects); }

@@ -8,9 +8,16 @@ namespace proskill::syntax {
 template <class Visit> void forEachStatement(const Block& block, Visit&& visit) {
   for (const Statement& statement : block.statements) {
     visit(statement);
-    for (const Arm& arm : statement.arms) forEachStatement(arm.body, visit);
     for (const Block& branch : statement.branches) forEachStatement(branch, visit);
+    for (const Arm& arm : statement.arms) forEachStatement(arm.body, visit);
   }
+}
+
+/// The call of a `case`; null where it is missing.
+[[nodiscard]] inline const Statement* callOf(const Statement& statement) {
+  if (statement.kind != StatementKind::Case || statement.branches[0].statements.empty())
+    return nullptr;
+  return &statement.branches[0].statements[0];
 }
 
 } // namespace proskill::syntax

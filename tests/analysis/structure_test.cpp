@@ -117,6 +117,37 @@ TEST_CASE("a skill that is never stopped is not interrupted either") {
   CHECK(findings("(defskill s :interruptible t :interrupt () :action (s))") == "");
 }
 
+TEST_CASE("a case has an arm for each outcome, and no other") {
+  const std::string drive =
+      "(defsv door :states (Open Closed) :init Open)"
+      "(defskill drive :precondition (open (door Open)) :invariant (open (:guard (door Open)))"
+      "  :interrupt () :success (near far) :failure lost :action (drive))"
+      "(defskill m :body ((case (drive) ";
+  const auto with = [&](const std::string& arms) { return findings(drive + arms + ")))"); };
+  CHECK(with("(success) (failure) (failed_inv) (interrupted) (refused)") == "");
+  CHECK(with("((success near far)) ((failure lost)) ((failed_inv open)) (else)") == "");
+  CHECK(with("(else)") == "");
+  CHECK(with("(success) (failure) (failed_inv) (interrupted)") == "PS0434 case");
+  CHECK(with("((success near)) (failure) (failed_inv) (interrupted) (refused)") == "PS0434 case");
+  CHECK(with("(success) ((success near)) (else)") == "PS0435W (success near)");
+  CHECK(with("(success) (failure) (failed_inv) (interrupted) (refused) (else)") == "PS0435W else");
+  CHECK(with("((success nera)) (else)") == "PS0205 nera");
+  CHECK(with("(succes) (else)") == "PS0211 succes");
+  CHECK(with("((success lost)) (else)") == "PS0205 lost");
+}
+
+TEST_CASE("a body that runs to its end is a success of its own for a case") {
+  const auto with = [&](const std::string& body, const std::string& arms) {
+    return findings("(defskill go :success far :failure lost :body (" + body +
+                    ")) (defskill m :body ((case (go) " + arms + ")))");
+  };
+  CHECK(with("(^ 1)", "((success far)) (failure)") == "PS0434 case");
+  CHECK(with("(^ 1)", "((success far)) (success) (failure)") == "");
+  CHECK(with("(^ 1) (success far)", "((success far)) (failure)") == "");
+  CHECK(with("(while true (^ 1))", "((success far)) (failure)") == "");
+  CHECK(with("(while true (^ 1) break)", "((success far)) (failure)") == "PS0434 case");
+}
+
 TEST_CASE("a program has one environment") {
   CHECK(findings(kWorld + "(defenvironment e :body ((^ 1))) (defenvironment f :body ((^ 1)))") ==
         "PS0440 f");

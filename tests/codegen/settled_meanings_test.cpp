@@ -194,3 +194,39 @@ TEST_CASE("a call of what must not be stopped is cancelled while it waits for it
   CHECK(found.at("never_begun") == "holds");
   CHECK(found.at("mission.can_succeed.done") == "reachable");
 }
+
+TEST_CASE("a case goes on with the arm for the outcome, and nobody comes between") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Open)
+    (defevent moves :effects (door Closed))
+    (defskill drive :precondition (open (door Open)) :time_interval [1,2] :action (drive)
+      :success (near far) :failure blocked)
+    (defskill mission :success ok :failure (stuck refused)
+      :body ((case (drive)
+               ((success near) (success ok))
+               (success)
+               (failure (if (= drive.status failure) (failure stuck)))
+               (refused (failure refused)))
+             (^ 1)))
+    (defproperty no_other (never (and (ended mission success) (= mission.res ok)
+                                      (/= drive.res near)))))");
+  CHECK(found.at("mission.can_succeed.ok") == "reachable");
+  CHECK(found.at("mission.can_fail.stuck") == "reachable");
+  CHECK(found.at("mission.can_fail.refused") == "reachable");
+  CHECK(found.at("mission.reachable.case[drive]") == "reachable");
+  CHECK(found.at("mission.never_refused.case[drive]") == "violated");
+  CHECK(found.at("no_other") == "holds");
+}
+
+TEST_CASE("a case knows its own outcome though others call the skill") {
+  const auto found = verdicts(R"(
+    (defskill landing :time_interval [1,1] :success down :failure lost :action (land))
+    (defskill mission :success landed :failure aloft
+      :body ((case (landing) (success (success landed)) (failure (failure aloft)))))
+    (defskill watch :monitor t
+      :body ((case (landing) ((success down)) (else (^ 1)))))
+    (defproperty is_so (always (=> (= mission.status failure) (/= mission.res landed)))))");
+  CHECK(found.at("mission.can_succeed.landed") == "reachable");
+  CHECK(found.at("mission.can_fail.aloft") == "reachable");
+  CHECK(found.at("is_so") == "holds");
+}

@@ -174,6 +174,24 @@ TEST_CASE("names of the right kind") {
   CHECK(labelsIn("(defskill f :interruptible ^") == Labels{"nil", "t"});
 }
 
+TEST_CASE("the call of a case, its outcomes and their tags") {
+  const std::string body = "(defskill go :success (near far) :failure lost :invariant (dry "
+                           "(:guard (battery Good))) :action (go)) (defskill f :body (";
+  CHECK(contains(labelsIn(body + "(case ^"), "go"));
+  CHECK(labelsIn(body + "(case (^").front() == "takeoff");
+  const Labels outcomes{"success", "failure", "failed_inv", "interrupted", "refused", "else"};
+  CHECK(labelsIn(body + "(case (go) ^") == outcomes);
+  CHECK(labelsIn(body + "(case (go) (^") == outcomes);
+  CHECK(labelsIn(body + "(case (go) ((^") == outcomes);
+  CHECK(labelsIn(body + "(case (go) ((success ^") == Labels{"near", "far"});
+  CHECK(labelsIn(body + "(case (go) ((success near ^") == Labels{"far"});
+  CHECK(labelsIn(body + "(case (go) ((failure ^") == Labels{"lost"});
+  CHECK(labelsIn(body + "(case (go) ((failed_inv ^") == Labels{"dry"});
+  CHECK(contains(labelsIn(body + "(case (go) (success ^"), "while"));
+  CHECK(contains(labelsIn(body + "(case (go) ((success near) ^"), "while"));
+  CHECK(itemIn(body + "(case (go) ^", "success").snippet == "(success $0)");
+}
+
 TEST_CASE("a call brings its named arguments") {
   const std::string body = "(defskill f :input ($height float) :body (";
   auto head = itemIn(body + "(tak^", "takeoff");

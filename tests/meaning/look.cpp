@@ -118,8 +118,7 @@ bool Look::lingers(int skill) const {
   const auto& state = now.threads[body];
   if (state.control != Control::Stopping || !state.waits) return false;
   const auto& place = script.threads[body].places[state.place];
-  if (place.branches.empty())
-    return script.skills[script.skill(place.statement->head.text)].holdsOut;
+  if (place.call) return script.skills[script.skill(place.call->head.text)].holdsOut;
   return std::ranges::any_of(place.branches,
                              [&](int branch) { return script.threads[branch].holdsOut; });
 }

@@ -128,7 +128,8 @@ void Runs::letTimePass(std::size_t node, const std::vector<Step>& steps) {
 void Runs::noteState(const Situation& situation) {
   for (std::size_t i = 0; i < script.threads.size(); ++i) {
     const auto& state = situation.threads[i];
-    const auto* statement = script.threads[i].places[state.place].statement;
+    const auto& place = script.threads[i].places[state.place];
+    const auto* statement = place.call ? place.call : place.statement;
     if (state.control == Control::Before && statement)
       found.insert({What::Reached, script.threads[i].skill, statement->range.begin});
   }

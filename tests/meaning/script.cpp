@@ -36,7 +36,7 @@ public:
 private:
   int add(const Statement* statement, int next) {
     auto& places = script.threads[me].places;
-    places.push_back({statement, next, {}, {}});
+    places.push_back({.statement = statement, .next = next});
     return static_cast<int>(places.size()) - 1;
   }
 
@@ -57,6 +57,7 @@ private:
     std::vector<int> branches;
     switch (statement.kind) {
     case StatementKind::If:
+    case StatementKind::Case:
       for (const auto& arm : statement.arms) targets.push_back(block(arm.body, next, afterLoop));
       break;
     case StatementKind::While:
@@ -67,13 +68,21 @@ private:
     case StatementKind::Parallel:
       for (const auto& each : statement.branches) branches.push_back(branch(each));
       break;
-    case StatementKind::Call: noteCall(statement); break;
+    case StatementKind::Call: break;
     default: break;
     }
     auto& made = script.threads[me].places[here];
+    made.call = callOf(statement);
+    if (made.call) noteCall(*made.call);
     made.targets = targets;
     made.branches = branches;
     return statement.kind == StatementKind::DoUntil ? targets[0] : here;
+  }
+
+  static const Statement* callOf(const Statement& statement) {
+    if (statement.kind == StatementKind::Call) return &statement;
+    const bool isCase = statement.kind == StatementKind::Case;
+    return isCase ? &statement.branches[0].statements[0] : nullptr;
   }
 
   int branch(const Block& body) {

@@ -19,8 +19,9 @@ inline constexpr int kRoot = -2; ///< who calls the mission, monitors, and a lib
 /// A place in a body at which control can stand.
 struct Place {
   const syntax::Statement* statement = nullptr; ///< null: the end of the body
+  const syntax::Statement* call = nullptr;      ///< Call: itself; Case: the one that it begins with
   int next = 0;                                 ///< the place behind the statement
-  std::vector<int> targets;  ///< If: by arm; While, DoUntil: the body; Choose: by branch
+  std::vector<int> targets;  ///< If, Case: by arm; While, DoUntil: the body; Choose: by branch
   std::vector<int> branches; ///< Parallel: threads
 };
 

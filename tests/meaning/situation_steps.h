@@ -63,6 +63,7 @@ private:
   void ofBusy(int thread, const Place& place);
   void takeCall(int thread, const Place& place);
   void ofCall(int thread, const Place& place);
+  [[nodiscard]] static int armFor(const Outcome& outcome, const Place& place);
   [[nodiscard]] bool isCalledOrRuns(int skill) const;
   void ofInterrupt(int thread, const Place& place);
 

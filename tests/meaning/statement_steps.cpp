@@ -1,6 +1,7 @@
 #include "tests/meaning/situation_steps.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace proskill::meaning {
 
@@ -8,7 +9,8 @@ void Steps::ofStatement(int thread, const Place& place) {
   if (!place.statement) return ofBodyEnd(thread);
   const auto& statement = *place.statement;
   switch (statement.kind) {
-  case StatementKind::Call: return ofNewCall(thread, place);
+  case StatementKind::Call:
+  case StatementKind::Case: return ofNewCall(thread, place);
   case StatementKind::Interrupt: return ofInterrupt(thread, place);
   case StatementKind::WaitCondition:
     if (look.holds(statement.condition, thread)) go(thread, place.next, &statement.effects);
@@ -86,33 +88,48 @@ void Steps::ofJoin(int thread, const Place& place) {
 }
 
 void Steps::ofNewCall(int thread, const Place& place) {
-  if (isFree(script.skill(place.statement->head.text))) return takeCall(thread, place);
+  if (isFree(script.skill(place.call->head.text))) return takeCall(thread, place);
   auto found = change();
-  found.note(What::CallBusy, script.threads[thread].skill, place.statement->range.begin);
+  found.note(What::CallBusy, script.threads[thread].skill, place.call->range.begin);
   found.wait(thread, Control::Busy);
   add(std::move(found));
 }
 
 void Steps::ofBusy(int thread, const Place& place) {
-  if (isFree(script.skill(place.statement->head.text))) takeCall(thread, place);
+  if (isFree(script.skill(place.call->head.text))) takeCall(thread, place);
 }
 
 void Steps::takeCall(int thread, const Place& place) {
   auto called = change();
-  called.call(script.skill(place.statement->head.text), thread);
+  called.call(script.skill(place.call->head.text), thread);
   called.wait(thread, Control::Within);
   add(std::move(called));
 }
 
 void Steps::ofCall(int thread, const Place& place) {
-  const int callee = script.skill(place.statement->head.text);
+  const int callee = script.skill(place.call->head.text);
   if (isOutstanding(callee, thread)) return;
   auto returned = change();
   if (now.skills[callee].last.status == Status::None)
-    returned.note(What::CallRefused, script.threads[thread].skill, place.statement->range.begin);
+    returned.note(What::CallRefused, script.threads[thread].skill, place.call->range.begin);
   returned.seeReturn(callee, thread);
-  returned.goTo(thread, place.next);
+  const bool isCase = place.statement->kind == StatementKind::Case;
+  returned.goTo(thread, isCase ? armFor(now.skills[callee].last, place) : place.next);
   add(std::move(returned));
+}
+
+/// The first arm that names the outcome. There is one: else nothing would happen any more.
+int Steps::armFor(const Outcome& outcome, const Place& place) {
+  const auto& arms = place.statement->arms;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const auto& [status, tags, range] = arms[i].pattern;
+    if (status.text == "else") return place.targets[i];
+    const auto word = status.text == "refused" ? wordOf(Status::None) : status.text;
+    if (word != wordOf(outcome.status)) continue;
+    if (tags.empty() || std::ranges::find(tags, outcome.result, &syntax::Name::text) != tags.end())
+      return place.targets[i];
+  }
+  throw std::logic_error("no arm of a case is for the outcome");
 }
 
 bool Steps::isCalledOrRuns(int skill) const {

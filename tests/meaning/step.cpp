@@ -174,7 +174,7 @@ void Change::strike(int thread, const Ending& ending) {
     for (const int branch : place.branches)
       if (step.after.threads[branch].control != Control::Off)
         step.after.threads[branch].stop = true;
-    if (place.branches.empty()) askToStop(script.skill(place.statement->head.text), thread);
+    if (place.branches.empty()) askToStop(script.skill(place.call->head.text), thread);
   }
   const bool within = state.control == Control::Within;
   const int at = state.place;

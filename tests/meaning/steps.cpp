@@ -108,7 +108,7 @@ void Steps::ofThread(int thread) {
       ofStatement(thread, place);
     else if (state.control == Control::Busy)
       ofBusy(thread, place);
-    else if (place.statement->kind == StatementKind::Call)
+    else if (place.call)
       ofCall(thread, place);
     else
       ofJoin(thread, place);
@@ -147,7 +147,7 @@ void Steps::ofStopping(int thread) {
     for (const int branch : place.branches)
       if (now.threads[branch].control != Control::Off) return;
     if (place.branches.empty()) {
-      const int callee = script.skill(place.statement->head.text);
+      const int callee = script.skill(place.call->head.text);
       if (isOutstanding(callee, thread)) return;
       if (now.skills[callee].caller == thread) {
         made.after().skills[callee].phase = Phase::Idle;

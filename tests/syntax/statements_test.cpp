@@ -1,5 +1,7 @@
 #include "tests/syntax/programs.h"
 
+#include "syntax/tree/statements.h"
+
 #include <catch2/catch.hpp>
 
 using namespace proskill;
@@ -81,6 +83,35 @@ TEST_CASE("loops") {
   CHECK(doUntil->kind == StatementKind::DoUntil);
   CHECK(doUntil->condition.name.text == "a");
   CHECK(doUntil->branches.at(0).statements.size() == 2);
+}
+
+TEST_CASE("a case with its call and arms") {
+  Body cases("(case (drive x 1) ((success near far) (y)) (failure) (refused (z) (w)) (else))");
+  CHECK(cases.codes() == "");
+  CHECK(cases->kind == StatementKind::Case);
+  const Statement* call = syntax::callOf(*cases.operator->());
+  REQUIRE(call);
+  CHECK(call->head.text == "drive");
+  CHECK(call->arguments.size() == 1);
+  REQUIRE(cases->arms.size() == 4);
+  const auto& near = cases->arms[0].pattern;
+  CHECK(near.status.text == "success");
+  REQUIRE(near.tags.size() == 2);
+  CHECK(near.tags[1].text == "far");
+  CHECK(cases->arms[1].pattern.tags.empty());
+  CHECK(cases->arms[2].body.statements.size() == 2);
+  CHECK(cases->arms[2].condition->operands.at(1).name.text == "no_status");
+  CHECK_FALSE(cases->arms[3].condition);
+}
+
+TEST_CASE("a case is a call with arms") {
+  auto codes = [](const std::string& statement) { return Body(statement).codes(); };
+  CHECK(codes("(case)") == "PS0121");
+  CHECK(codes("(case drive (success))") == "PS0121");
+  CHECK(codes("(case (x) done)") == "PS0121");
+  CHECK(codes("(case (x) ())") == "PS0121");
+  CHECK(codes("(case (x) (3 (y)))") == "PS0121");
+  CHECK(codes("(case (x) ((interrupted gently)))") == "PS0121");
 }
 
 TEST_CASE("branches in parallel, nested") {

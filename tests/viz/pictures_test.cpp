@@ -164,6 +164,12 @@ a -> success
 )");
 }
 
+TEST_CASE("a case goes from its call to an arm for each outcome") {
+  const auto drawn = body("(case (a) (success (b)) ((failure lost)) (else (^ 1))) (printf \"x\")");
+  for (const auto* edge : {"a -> b: success", "a -> “x”: (failure lost)", "a -> wait 1 s: else"})
+    CHECK(drawn.contains(edge));
+}
+
 TEST_CASE("what must not be stopped says so") {
   const auto p = program("(defskill put :interruptible nil :action (put))");
   CHECK(outline(picture(p, Kind::Skill, "put")).contains("action run {(put); is never stopped}"));

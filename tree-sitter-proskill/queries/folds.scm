@@ -7,6 +7,7 @@
   (environment)
   (block)
   (if)
+  (case)
   (while)
   (do)
   (do_until)

@@ -95,9 +95,12 @@
 (label name: (symbol) @label)
 (goto name: (symbol) @label)
 (at label: (symbol) @label)
+(case_pattern (symbol) @label)
 
 ; Statements.
-["if" "elseif" "else"] @keyword.conditional
+["if" "elseif" "else" "case"] @keyword.conditional
+(case_arm pattern: (symbol) @constant.builtin)
+(case_pattern status: (symbol) @constant.builtin)
 ["while" "do" "do-until" "until" "break"] @keyword.repeat
 (until operator: _ @operator)
 ["success" "failure"] @keyword.return

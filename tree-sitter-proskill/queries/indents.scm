@@ -51,6 +51,7 @@
 ; Statements with statements in them.
 ([
   (if)
+  (case)
   (while)
   (do)
   (do_until)
@@ -98,6 +99,7 @@
 ; Lists.
 ([
   (block)
+  (case_arm)
   (name_list)
   (transition_list)
   (input_list)

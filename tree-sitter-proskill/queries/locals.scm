@@ -28,6 +28,7 @@
 (comparison (symbol) @local.reference)
 (success name: (symbol) @local.reference)
 (failure name: (symbol) @local.reference)
+(case_pattern (symbol) @local.reference)
 (goto name: (symbol) @local.reference)
 (emit name: (symbol) @local.reference)
 (running skill: (symbol) @local.reference)

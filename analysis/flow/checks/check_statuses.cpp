@@ -25,6 +25,7 @@ public:
           id = process;
           node = nodeId;
           if (!each.statement) return;
+          if (each.statement->kind == syntax::StatementKind::Case) return; // has to name them all
           for (const Expr* condition : each.conditions) visit(self, *condition);
           if (each.statement->kind == syntax::StatementKind::Printf)
             for (const auto& argument : each.statement->arguments) print(self, argument.value);

@@ -45,7 +45,9 @@ void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
 
 void checkTests(Report& report) {
   forEachReachedNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
-    if (each.kind == NodeKind::Test && !report.isExplained(id, node))
+    // The arms of a `case` are for outcomes that the skill declares, whether they come or not.
+    if (each.kind == NodeKind::Test && each.statement->kind != StatementKind::Case &&
+        !report.isExplained(id, node))
       checkTest(report, id, node, each);
   });
 }

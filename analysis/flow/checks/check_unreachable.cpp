@@ -58,6 +58,7 @@ private:
         !statement.branches.front().statements.empty() &&
         reached(statement.branches.front().statements.front()))
       return true;
+    if (const Statement* call = syntax::callOf(statement)) return reached(*call);
     auto found = statements.find(&statement);
     return found == statements.end() || found->second.reached;
   }
@@ -106,6 +107,7 @@ private:
     case StatementKind::While:
     case StatementKind::DoUntil: return "this loop never ends";
     case StatementKind::If:
+    case StatementKind::Case:
     case StatementKind::Choose: return "no way through this leads on";
     case StatementKind::Parallel: return "not all of these branches can end";
     case StatementKind::Call: return fmt::format("`{}` never returns", before.name.text);

@@ -1,5 +1,7 @@
 #include "analysis/flow/engine/graph.h"
 
+#include "syntax/tree/statements.h"
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -51,6 +53,7 @@ private:
   LooseEnds statement(const Statement& statement, LooseEnds ends);
   LooseEnds wait(const Statement& statement, const LooseEnds& ends);
   LooseEnds conditional(const Statement& statement, LooseEnds ends);
+  LooseEnds outcomes(const Statement& statement, LooseEnds ends);
   LooseEnds whileLoop(const Statement& statement, const LooseEnds& ends);
   LooseEnds untilLoop(const Statement& statement, LooseEnds ends);
   LooseEnds choice(const Statement& statement, const LooseEnds& ends);
@@ -112,6 +115,7 @@ LooseEnds Builder::statement(const Statement& s, LooseEnds ends) {
   case StatementKind::Printf: return simple(NodeKind::Step, s, ends);
   case StatementKind::WaitCondition: return wait(s, ends);
   case StatementKind::If: return conditional(s, std::move(ends));
+  case StatementKind::Case: return outcomes(s, std::move(ends));
   case StatementKind::While: return whileLoop(s, ends);
   case StatementKind::DoUntil: return untilLoop(s, std::move(ends));
   case StatementKind::Choose: return choice(s, ends);
@@ -170,6 +174,27 @@ LooseEnds Builder::conditional(const Statement& s, LooseEnds ends) {
   }
   after.insert(after.end(), ends.begin(), ends.end());
   return after;
+}
+
+/// All arms are tried in the step that sees the return. One of them is for the outcome, so none is
+/// behind the last one.
+LooseEnds Builder::outcomes(const Statement& s, LooseEnds ends) {
+  if (const Statement* call = callOf(s)) ends = simple(NodeKind::Call, *call, ends);
+  LooseEnds after;
+  for (const Arm& arm : s.arms) {
+    const bool isLast = &arm == &s.arms.back();
+    LooseEnds others;
+    if (arm.condition) {
+      NodeId node = test(s, *arm.condition, ends);
+      graph().nodes[node].atomic = true;
+      ends = {edge(node, Guard::Holds)};
+      if (!isLast) others = {edge(node, Guard::Fails)};
+    }
+    ends = block(arm.body, std::move(ends));
+    after.insert(after.end(), ends.begin(), ends.end());
+    ends = std::move(others);
+  }
+  return s.arms.empty() ? ends : after;
 }
 
 LooseEnds Builder::whileLoop(const Statement& s, const LooseEnds& ends) {

@@ -12,7 +12,7 @@ syntax match proskillField ":\h\w*"
 syntax match proskillDefinition "\v\(@<=(defsv|defevent|defskill|defresource|defproperty|defenvironment)>"
 syntax match proskillInclude "\v\(@<=include>"
 syntax match proskillStatement "\v\(@<=(set|label|goto|emit|success|failure|printf|choose)>"
-syntax match proskillConditional "\v(\(@<=if|<elseif|<else)>"
+syntax match proskillConditional "\v(\(@<=(if|case)|<elseif|<else)>"
 syntax match proskillRepeat "\v(\(@<=(while|do-until|do)|<until|<break)>"
 syntax match proskillOperator "\v\(@<=(and|or|not|until)>"
 syntax keyword proskillBoolean true false

@@ -129,7 +129,47 @@ Form Bodies::callOrInterrupt(Place place) {
   std::vector<std::size_t> callable;
   for (std::size_t i = place.skill + 1; i < vocabulary.skills.size(); ++i)
     if (!vocabulary.skills[i].monitor) callable.push_back(i);
-  return call(random.pick(callable), place.skill);
+  const auto callee = random.pick(callable);
+  if (place.depth > 0 && random.chance(30)) return cases(callee, place);
+  return call(callee, place.skill);
+}
+
+/// A call with an arm for each outcome, in any order; some end with an `else`.
+Form Bodies::cases(std::size_t callee, Place place) {
+  --place.depth;
+  const SkillWords skill = vocabulary.skills[callee];
+  auto patterns = outcomesOf(skill);
+  std::ranges::rotate(patterns,
+                      patterns.begin() + static_cast<long>(random.below(patterns.size())));
+  if (random.chance(30)) {
+    patterns.resize(random.below(patterns.size()));
+    patterns.emplace_back("else");
+  }
+  Form result{"case", call(callee, place.skill)};
+  for (const auto& pattern : patterns) {
+    Form arm;
+    arm.add(pattern);
+    if (random.chance(60)) arm.addAll(block(place));
+    result.add(arm);
+  }
+  return result;
+}
+
+/// Patterns of all outcomes, one for each tag or one for all tags.
+std::vector<Form> Bodies::outcomesOf(const SkillWords& skill) {
+  std::vector<Form> patterns;
+  const auto add = [&](const char* status, const std::vector<std::string>& tags, bool untagged) {
+    const bool each = random.chance(60);
+    for (const auto& tag : tags)
+      if (each) patterns.push_back({status, tag});
+    if (untagged || (!each && !tags.empty())) patterns.emplace_back(status);
+  };
+  add("success", skill.successes, skill.composite || skill.successes.empty());
+  add("failure", skill.failures, false);
+  add("failed_inv", skill.invariants, false);
+  if (skill.interruptible) patterns.emplace_back("interrupted");
+  if (skill.refusable) patterns.emplace_back("refused");
+  return patterns;
 }
 
 Form Bodies::outcome(Place place) {

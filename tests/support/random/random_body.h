@@ -38,6 +38,8 @@ private:
   [[nodiscard]] Form compound(Place place);
   [[nodiscard]] Form wait(Place place);
   [[nodiscard]] Form callOrInterrupt(Place place);
+  [[nodiscard]] Form cases(std::size_t callee, Place place);
+  [[nodiscard]] std::vector<Form> outcomesOf(const SkillWords& skill);
   [[nodiscard]] Form outcome(Place place);
   [[nodiscard]] Form print();
   [[nodiscard]] Form choice(Place place);

@@ -78,9 +78,12 @@ private:
     Form form{"defskill", skill.name};
     if (skill.monitor) form.addAll({":monitor", index % 2 == 0 ? "always" : "t"});
     if (!skill.inputs.empty()) form.addAll({":input", inputs(skill)});
-    if (random.chance(30)) form.addAll({":precondition", preconditions()});
+    if (random.chance(30)) {
+      form.addAll({":precondition", preconditions()});
+      words.skills[index].refusable = true;
+    }
     if (random.chance(30)) form.addAll({":start", phrase.effects()});
-    if (random.chance(skill.composite ? 20 : 35)) form.addAll({":invariant", invariants()});
+    if (random.chance(skill.composite ? 20 : 35)) form.addAll({":invariant", invariants(index)});
     if (random.chance(skill.composite ? 35 : 75))
       form.addAll({":time_interval", phrase.interval()});
     if (!skill.composite) form.addAll({":action", action(skill)});
@@ -122,9 +125,10 @@ private:
     return form;
   }
 
-  Form invariants() {
+  Form invariants(std::size_t skill) {
     Form form;
     for (std::size_t i = 1 + random.below(2); i > 0; --i) {
+      words.skills[skill].invariants.push_back("i" + std::to_string(i));
       Form clause{":guard", list(phrase.condition())};
       if (random.chance(50)) clause.addAll({":effects", phrase.effects()});
       form.addAll({"i" + std::to_string(i), clause});

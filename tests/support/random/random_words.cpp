@@ -11,13 +11,14 @@ class Namer {
 public:
   explicit Namer(RandomSource& source) : random(source) {}
 
-  /// Mostly a plain name; now and then a word that Fiacre or the generated code has a use for.
+  /// Mostly a plain name; now and then a word that Fiacre or the generated code has a use for, but
+  /// no word of a statement, which could not be called.
   std::string draw(const std::string& plain) {
     static const std::vector<std::string> awkward{
         "start",   "state",     "from",     "to",   "select",  "on",       "is",      "any",
         "nat",     "wait",      "record",   "port", "process", "union",    "first",   "full",
         "empty",   "tag",       "event",    "idle", "run",     "None",     "root",    "caller",
-        "Main",    "type",      "var",      "in",   "out",     "case",     "read",    "skill",
+        "Main",    "type",      "var",      "in",   "out",     "foreach",  "read",    "skill",
         "sv_v0",   "v0_error",  "loop",     "null", "init",    "end",      "queue",   "array",
         "const",   "component", "priority", "stop", "start_",  "skill_s1", "r0_used", "NS1",
         "monitor", "no_result", "skill_id"};

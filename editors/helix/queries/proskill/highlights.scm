@@ -96,9 +96,12 @@
 (label name: (symbol) @label)
 (goto name: (symbol) @label)
 (at label: (symbol) @label)
+(case_pattern (symbol) @label)
 
 ; Statements.
-["if" "elseif" "else"] @keyword.control.conditional
+["if" "elseif" "else" "case"] @keyword.control.conditional
+(case_arm pattern: (symbol) @constant.builtin)
+(case_pattern status: (symbol) @constant.builtin)
 ["while" "do" "do-until" "until" "break"] @keyword.control.repeat
 (until operator: _ @operator)
 ["success" "failure"] @keyword.control.return

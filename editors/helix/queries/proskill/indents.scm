@@ -8,6 +8,7 @@
   (property)
   (environment)
   (if)
+  (case)
   (while)
   (do)
   (do_until)
@@ -21,6 +22,7 @@
 ; Lists: one column behind the parenthesis, where their first part is.
 ([
   (block . "(" . (_) @anchor)
+  (case_arm . "(" . (_) @anchor)
   (name_list . "(" . (_) @anchor)
   (transition_list . "(" . (_) @anchor)
   (input_list . "(" . (_) @anchor)
