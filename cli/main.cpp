@@ -13,6 +13,7 @@
 #include "cli/commands/verify.h"
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
+#include "cli/execution/conform.h"
 #include "cli/execution/run.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
@@ -89,8 +90,8 @@ int main(int argc, char** argv) {
   app.failure_message(failureMessage);
   useHelpFormat(app);
   app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
-  for (auto add : {addCheck, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addLsp,
-                   addRun, addVerify, addVerifyWorker, addView})
+  for (auto add : {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData,
+                   addLsp, addRun, addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknownCommand(app, word);

@@ -7,6 +7,7 @@ _proskill_values() {
   case "$1 $2" in
     'check --format') echo 'text short json sarif' ;;
     'check --color') echo 'auto always never' ;;
+    'conform --color') echo 'auto always never' ;;
     'emit --color') echo 'auto always never' ;;
     'emit --sv-automata') echo 'exact paper' ;;
     'emit emit') echo 'fiacre tina hfiacre' ;;
@@ -73,6 +74,7 @@ _proskill_files() {
 _proskill_options() {
   case "$1" in
     check) echo '--help --fragment --style --fix --format --color' ;;
+    conform) echo '--help --tolerance --color' ;;
     dap) echo '--help --port' ;;
     emit) echo '--help --main --output --expanded --prove --color --rate --sv-automata' ;;
     explain) echo '--help --list --markdown --color' ;;
@@ -100,7 +102,7 @@ _proskill() {
   local kind
   kind=$(_proskill_kinds "$command" "$previous")
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check dap emit explain fmt graph lsp run verify view $(_proskill_options)"
+    words="check conform dap emit explain fmt graph lsp run verify view $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ -n "$kind" ]; then

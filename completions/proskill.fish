@@ -20,6 +20,12 @@ complete -c proskill -n '__fish_seen_subcommand_from check' -l format -d 'How to
 complete -c proskill -n '__fish_seen_subcommand_from check' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a conform -d 'Decide whether a recorded run is a run of the model that is verified'
+complete -c proskill -n '__fish_seen_subcommand_from conform' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from conform' -l tolerance -d 'How far the times of actions may be off their intervals (default 0)' -x
+complete -c proskill -n '__fish_seen_subcommand_from conform' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from conform' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from conform' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a dap -d 'Step through traces and simulations in a debugger (Debug Adapter Protocol)'
 complete -c proskill -n '__fish_seen_subcommand_from dap' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from dap' -l port -d 'Wait for one client on this port of the loopback interface (0: any free port) instead of standard input' -x

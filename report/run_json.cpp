@@ -23,6 +23,16 @@ void setDates(ide::TraceStep& step, Nanoseconds date, Nanoseconds before) {
   step.latest = step.earliest;
 }
 
+OrderedJson machineStepJson(RunSubject subject, const runtime::Machine& machine,
+                            verify::TransitionId step, Nanoseconds date, Nanoseconds before,
+                            Nanoseconds lag) {
+  auto json = stepJson(subject.program, runStep(subject, machine, step, date, before));
+  if (lag > 0) json["lag"] = static_cast<double>(lag) / static_cast<double>(runtime::kSecond);
+  const auto stops = runtime::stoppingSkill(subject.executable, machine);
+  if (!stops.empty()) json["stops"] = stops;
+  return json;
+}
+
 OrderedJson remarkJson(RunSubject subject, const runtime::Remark& remark, Nanoseconds before) {
   auto json = stepJson(subject.program, runStep(subject, remark, before));
   json["remark"] = toString(remark.kind);
@@ -44,8 +54,7 @@ public:
 
   void onStep(const runtime::Machine& machine, verify::TransitionId step, Nanoseconds date,
               Nanoseconds lag) override {
-    auto json = stepJson(subject.program, runStep(subject, machine, step, date, before));
-    if (lag > 0) json["lag"] = static_cast<double>(lag) / static_cast<double>(runtime::kSecond);
+    auto json = machineStepJson(subject, machine, step, date, before, lag);
     write(std::move(json), "step", date);
   }
 
@@ -90,8 +99,7 @@ public:
 
   void onStep(const runtime::Machine& machine, verify::TransitionId step, Nanoseconds date,
               Nanoseconds lag) override {
-    auto json = stepJson(subject.program, runStep(subject, machine, step, date, before));
-    if (lag > 0) json["lag"] = static_cast<double>(lag) / static_cast<double>(runtime::kSecond);
+    auto json = machineStepJson(subject, machine, step, date, before, lag);
     record(json, date);
   }
 

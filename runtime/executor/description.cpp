@@ -27,6 +27,17 @@ verify::Step lastStep(const Executable& executable, const Machine& machine,
                                     machine.state())};
 }
 
+std::string stoppingSkill(const Executable& executable, const Machine& machine) {
+  for (std::size_t i = 0; i < executable.actions.size(); ++i) {
+    const auto& action = executable.actions[i];
+    const auto to = machine.location(action.instance);
+    if (machine.locationBefore(action.instance) == action.run && to != action.run &&
+        to != action.idle)
+      return executable.model.performed[i].skill;
+  }
+  return "";
+}
+
 std::vector<verify::Change> initialValues(const Executable& executable) {
   auto all = valuesIn(executable.system, verify::initialState(executable.system));
   all.resize(executable.shownVariables);

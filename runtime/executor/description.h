@@ -9,6 +9,9 @@ namespace proskill::runtime {
 [[nodiscard]] verify::Step lastStep(const Executable& executable, const Machine& machine,
                                     verify::TransitionId step);
 
+/// The skill that asks its action to stop in the machine's last step; empty where none does.
+[[nodiscard]] std::string stoppingSkill(const Executable& executable, const Machine& machine);
+
 /// Every watched variable's value at the start, in `after`.
 [[nodiscard]] std::vector<verify::Change> initialValues(const Executable& executable);
 

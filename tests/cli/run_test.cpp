@@ -127,3 +127,26 @@ TEST_CASE("run ends in order when it is asked to") {
     CHECK(ended.out.find("stopped: every action has ended") != std::string::npos);
   }
 }
+
+TEST_CASE("conform judges recordings, whole or cut off") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  executed({"--seed", "3", "--record", path, kDockToRun});
+  const auto conform = [&](const std::string& recording, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {PROSKILL_PROGRAM, "conform", recording, kDockToRun});
+    return test::run(more);
+  };
+  const auto good = conform(path);
+  CHECK(good.out.find("the run conforms to the model: ") == 0);
+  CHECK(good.exitCode == 0);
+  const auto whole = recordedIn(path);
+  for (std::size_t length = whole.size() / 3; length < whole.size(); length += 97) {
+    const auto cut = conform(files.write("cut.json", whole.substr(0, length)));
+    INFO(length << "\n" << cut.out << cut.err);
+    CHECK(cut.exitCode == 0);
+  }
+  CHECK(conform(kRunTree + "/docs/tour/late.json").exitCode == 1);
+  CHECK(conform(kRunTree + "/docs/tour/late.json", {"--tolerance", "1.5"}).exitCode == 0);
+  CHECK(conform(files.write("no.json", "{}")).exitCode == 2);
+  CHECK(conform(files.path("missing.json")).exitCode == 2);
+}

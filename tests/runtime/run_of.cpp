@@ -19,6 +19,7 @@ public:
   void onStep(const runtime::Machine& machine, verify::TransitionId step, runtime::Nanoseconds date,
               runtime::Nanoseconds lag) override {
     if (lag != 0) FAIL("simulated time is late");
+    ran.recorded.steps.push_back(runtime::recorded(executable, machine, step, date));
     const auto last = runtime::lastStep(executable, machine, step);
     Ran::Taken taken{step, date, {}, {}};
     if (!last.origins.empty()) {
@@ -73,6 +74,7 @@ std::unique_ptr<const runtime::Executable> executableOf(const std::string& text,
 Ran runOf(const runtime::Executable& executable, runtime::Platform& platform,
           runtime::RunOptions options) {
   Ran ran;
+  ran.recorded.environment = executable.model.hasEnvironment;
   Notes notes(executable, ran);
   const auto clock = runtime::simulatedClock();
   ran.result = execute(executable, *clock, platform, notes, options);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/conform/recorded_run.h"
 #include "runtime/executor/executor.h"
 #include "runtime/platform/simulated.h"
 
@@ -26,6 +27,7 @@ struct Ran {
   runtime::RunResult result;
   std::vector<Taken> steps;
   std::vector<Told> remarks;
+  runtime::RecordedRun recorded;
 
   /// `2.5 fly succeeds with `there``, a line each.
   [[nodiscard]] std::string text() const;

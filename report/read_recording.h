@@ -1,0 +1,17 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "runtime/conform/recorded_run.h"
+
+#include <expected>
+#include <string>
+#include <string_view>
+
+namespace proskill::report {
+
+/// Reads what `runRecording` wrote. A recording that was cut off is read up to its last whole step.
+/// What is wrong with it is in words. \param main gets the mission's name
+[[nodiscard]] std::expected<runtime::RecordedRun, std::string>
+readRecording(std::string_view text, const analysis::Program& program, std::string& main);
+
+} // namespace proskill::report

@@ -1,0 +1,243 @@
+#include "runtime/conform/conform.h"
+
+#include "runtime/conform/offline_model.h"
+#include "verify/trace/step_description.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace proskill::runtime {
+
+namespace {
+
+using verify::Concrete;
+using verify::TransitionId;
+
+constexpr std::size_t kMostStates = 2'000;
+
+std::string secondsText(Nanoseconds date) {
+  auto text = fmt::format("{}.{:09}", date / kSecond, date % kSecond);
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text + " s";
+}
+
+/// Too many states to follow.
+struct TooMany {};
+
+/// All states that the model can be in after what was recorded.
+class Follower {
+public:
+  Follower(const OfflineModel& of, Nanoseconds by)
+      : model(of), tolerance(by), simulator(of.system, 1), now{simulator.start()} {}
+
+  ConformResult follow(const RecordedRun& run) {
+    ConformResult result;
+    try {
+      for (; result.step < run.steps.size(); ++result.step) {
+        const auto& step = run.steps[result.step];
+        if (noteStop(step)) continue;
+        if (stoppedLate(result, step)) return result;
+        auto before = waitUntil(step.date);
+        auto after = taken(before, step);
+        if (after.empty()) return explained(std::move(result), before, step);
+        now = std::move(after);
+        date = step.date;
+        asked.erase(step.what.actor);
+      }
+    } catch (const TooMany&) {
+      result.verdict = Conformance::Unknown;
+      result.why = "too many runs of the model have these steps";
+      return result;
+    }
+    return result;
+  }
+
+private:
+  using States = std::set<Concrete>;
+
+  /// That an action is asked to stop is not in the model, which has it stop at once.
+  bool noteStop(const RecordedStep& step) {
+    if (step.stops.empty()) return false;
+    asked[step.stops] = step.date;
+    return true;
+  }
+
+  /// An interrupt from outside might as well have come later: only the request tells when it came.
+  bool stoppedLate(ConformResult& result, const RecordedStep& step) const {
+    const auto stop = asked.find(step.what.actor);
+    if (stop == asked.end() || step.date - stop->second <= tolerance) return false;
+    result.verdict = Conformance::Deviates;
+    result.why = fmt::format("`{}` has not stopped before", step.what.actor);
+    result.assumption = fmt::format("an action stops at once; that of `{}` took {}",
+                                    step.what.actor, secondsText(step.date - stop->second));
+    return true;
+  }
+
+  /// The states with which the model may come to a date: what is not recorded may happen before.
+  States waitUntil(Nanoseconds until) {
+    States reached;
+    States seen = now;
+    std::vector<std::pair<Concrete, Nanoseconds>> todo;
+    for (const auto& state : now) todo.emplace_back(state, date);
+    while (!todo.empty()) {
+      auto [state, at] = std::move(todo.back());
+      todo.pop_back();
+      if (seen.size() > kMostStates) throw TooMany{};
+      for (const auto moment : momentsOf(state, at, until))
+        for (const auto& [id, since] : state.since) {
+          if (!model.isHidden[id] || !simulator.mayWait(state, moment) ||
+              !simulator.isRipe(state, id, moment))
+            continue;
+          auto next = simulator.take(state, id, moment, log);
+          if (next && seen.insert(*next).second) todo.emplace_back(std::move(*next), moment);
+        }
+      if (simulator.mayWait(state, until)) reached.insert(std::move(state));
+    }
+    blocked = reached.empty() ? std::move(seen) : States();
+    return reached;
+  }
+
+  /// When something that is not recorded may happen: now, when it becomes possible, when it has to,
+  /// and at the end.
+  [[nodiscard]] std::set<Nanoseconds> momentsOf(const Concrete& state, Nanoseconds at,
+                                                Nanoseconds until) const {
+    std::set<Nanoseconds> all;
+    for (const auto& [id, since] : state.since) {
+      if (!model.isHidden[id]) continue;
+      const auto& interval = model.system.transitions[id].interval;
+      const bool isLazy = !interval.upper && !model.environmentIsHidden;
+      if (isLazy) continue; // the error states of watchdogs change nothing
+      const auto add = [&](Nanoseconds moment) {
+        if (moment >= at && moment <= until) all.insert(moment);
+      };
+      add(at);
+      add(since + interval.lower + (interval.lowerOpen ? 1 : 0));
+      if (interval.upper) add(since + *interval.upper - (interval.upperOpen ? 1 : 0));
+      if (model.environmentIsHidden) add(until);
+    }
+    return all;
+  }
+
+  /// After the step, from all of these states that it is possible in.
+  States taken(const States& states, const RecordedStep& step) {
+    States after;
+    for (const auto& state : states)
+      for (const auto id : model.candidates(step)) {
+        if (!state.since.contains(id) || !simulator.isRipe(state, id, step.date)) continue;
+        auto next = simulator.take(state, id, step.date, log);
+        if (next && isThis(step, state, *next)) after.insert(std::move(*next));
+      }
+    if (after.size() > kMostStates) throw TooMany{};
+    return after;
+  }
+
+  /// Whether what `log` has, between these states, is what was recorded.
+  [[nodiscard]] bool isThis(const RecordedStep& step, const Concrete& before,
+                            const Concrete& after) const {
+    const auto& origins = model.model.provenance.origins;
+    const auto passes = [&](auto&& test) {
+      return std::ranges::any_of(log.origins, [&](auto id) { return test(origins[id]); });
+    };
+    const bool says =
+        passes([&](const fiacre::Origin& it) { return keyOf(it) == keyOf(step.what); });
+    const bool isThere = step.what.begin == step.what.end || passes([&](const fiacre::Origin& it) {
+                           return it.file == step.what.file && it.begin == step.what.begin &&
+                                  it.end == step.what.end;
+                         });
+    if (!says || !isThere) return false;
+    const auto changes = changesBetween(model.system, before.state, after.state);
+    return std::ranges::equal(changes, step.changes, [](const auto& a, const auto& b) {
+      return a.variable == b.variable && a.before == b.before && a.after == b.after;
+    });
+  }
+
+  // --- Why not
+
+  ConformResult explained(ConformResult result, const States& before, const RecordedStep& step) {
+    result.verdict = model.environmentIsHidden ? Conformance::Unknown : Conformance::Deviates;
+    if (before.empty())
+      explainLate(result, step);
+    else
+      explainStep(result, before, step);
+    if (model.environmentIsHidden)
+      result.why += "; the environment may have done more than is recorded";
+    return result;
+  }
+
+  /// Something has to happen before the date of the step.
+  void explainLate(ConformResult& result, const RecordedStep& step) {
+    result.why = "something else has to happen before";
+    for (const auto& state : blocked)
+      for (const auto& [id, since] : state.since) {
+        const auto& interval = model.system.transitions[id].interval;
+        if (!interval.upper || model.isHidden[id] || step.date - since < *interval.upper ||
+            (step.date - since == *interval.upper && !interval.upperOpen))
+          continue;
+        if (!simulator.take(state, id, since + *interval.upper, log)) continue;
+        const auto what = lastOrigin();
+        if (const auto stop = asked.find(what.actor); stop != asked.end()) {
+          result.why = fmt::format("`{}` has not stopped", what.actor);
+          result.assumption =
+              fmt::format("an action stops at once; that of `{}` has not stopped after {}",
+                          what.actor, secondsText(step.date - stop->second));
+        } else if (model.isOfAction[id]) {
+          result.why = fmt::format("`{}` is still running", what.actor);
+          result.assumption =
+              fmt::format("`{}` has run for {}; its interval promises at most {}", what.actor,
+                          secondsText(step.date - since), secondsText(*interval.upper));
+        } else {
+          result.why = fmt::format("before this `{}` {}", what.actor, what.description);
+        }
+        return;
+      }
+  }
+
+  void explainStep(ConformResult& result, const States& before, const RecordedStep& step) {
+    result.why = "no run of the model has this step here";
+    for (const auto& state : before)
+      for (const auto id : model.candidates(step)) {
+        const auto since = state.since.find(id);
+        if (since == state.since.end() || simulator.isRipe(state, id, step.date)) continue;
+        const auto next = simulator.take(state, id, step.date, log);
+        if (!next || !isThis(step, state, *next)) continue;
+        const auto age = step.date - since->second;
+        const auto& interval = model.system.transitions[id].interval;
+        result.why = "it comes too early";
+        if (model.isOfAction[id])
+          result.assumption =
+              fmt::format("`{}` took {}; its interval promises at least {}", step.what.actor,
+                          secondsText(age), secondsText(interval.lower));
+        return;
+      }
+    if (step.what.description == "its action ends without a known result")
+      result.assumption = "an action ends with one of the results of its skill";
+  }
+
+  [[nodiscard]] fiacre::Origin lastOrigin() const {
+    const auto all = mostDescriptiveLast(model.model.provenance, log);
+    return all.empty() ? fiacre::Origin{} : model.model.provenance.origins[all.back()];
+  }
+
+  const OfflineModel& model;
+  Nanoseconds tolerance;
+  verify::Simulator simulator;
+  States now;
+  States blocked; ///< those that cannot wait for the last date that was waited for
+  Nanoseconds date = 0;
+  std::map<std::string, Nanoseconds> asked; ///< to stop: by actor, when
+  verify::StepLog log;
+};
+
+} // namespace
+
+std::expected<ConformResult, NotExecutable>
+conform(const analysis::Program& program, const RecordedRun& run, const ConformOptions& options) {
+  const auto model = offlineModel(program, options.mainSkill, run.environment, options.tolerance);
+  if (!model) return std::unexpected(model.error());
+  return Follower(**model, options.tolerance).follow(run);
+}
+
+} // namespace proskill::runtime

@@ -1,0 +1,150 @@
+#include "runtime/conform/conform.h"
+#include "tests/runtime/run_of.h"
+#include "tests/support/random/random_program.h"
+#include "tests/support/texts.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+using namespace proskill;
+using runtime::Conformance;
+
+namespace {
+
+runtime::ConformResult judged(const std::string& text, const runtime::RecordedRun& run,
+                              runtime::Nanoseconds tolerance = 0) {
+  const auto result =
+      conform(test::programOfText(text), run, {.mainSkill = "", .tolerance = tolerance});
+  if (!result) FAIL(result.error().message);
+  return *result;
+}
+
+std::string textOf(const runtime::RecordedRun& run) {
+  std::string text;
+  for (const auto& [date, what, changes, stops] : run.steps) {
+    text += fmt::format("{} {} {}", date, what.actor, what.description);
+    for (const auto& change : changes)
+      text += fmt::format(" [{} {} {}]", change.variable, change.before, change.after);
+    text += "\n";
+  }
+  return text;
+}
+
+const std::string kProgram = R"(
+  (defsv sky :states (Clear Stormy) :init Clear :transitions :all)
+  (defevent storm :effects (sky Stormy))
+  (defskill fly
+    :invariant (calm (:guard (sky Clear)))
+    :time_interval [2,5] :action (fly) :interrupt () :success there :failure lost)
+  (defskill mission :success done :body ((^ 1) (fly) (^ 1) (success done))))";
+
+runtime::ConformResult judgedRun(const std::string& script, const std::string& platform = "",
+                                 runtime::Nanoseconds tolerance = 0) {
+  const auto executable = test::executableOf(kProgram, false);
+  const auto ran = test::runOf(*executable, 0, script, platform);
+  const auto result = judged(kProgram, ran.recorded, tolerance);
+  UNSCOPED_INFO(textOf(ran.recorded) << result.step << " " << result.why << "\n"
+                                     << result.assumption);
+  return result;
+}
+
+std::string flight(const std::string& after) {
+  return R"({"signals":[],"actions":{"fly":[{"result":"there","after":)" + after + "}]}}";
+}
+
+/// A platform on which everything is interrupted now and then, and events come often.
+std::string interruptions(const runtime::Executable& executable) {
+  std::string interrupts;
+  std::string events;
+  for (const auto& signal : executable.model.signals) {
+    auto& to = signal.interrupts ? interrupts : events;
+    to += fmt::format("{}\"{}\":[0.5,6]", to.empty() ? "" : ",", signal.name);
+  }
+  return "{\"interrupts\":{" + interrupts + "},\"events\":{" + events + "}}";
+}
+
+std::pair<std::uint64_t, std::uint64_t> seeds() {
+  const char* given = std::getenv("PROSKILL_RUN_SEEDS");
+  if (!given) return {0, 400};
+  const std::string text = given;
+  const auto colon = text.find(':');
+  return {std::stoull(text.substr(0, colon)), std::stoull(text.substr(colon + 1))};
+}
+
+} // namespace
+
+TEST_CASE("a run that keeps its times conforms") {
+  CHECK(judgedRun(flight("2")).verdict == Conformance::Conforms);
+  CHECK(judgedRun(flight("5")).verdict == Conformance::Conforms);
+  CHECK(judgedRun(R"({"signals":[{"at":2,"event":"storm"}]})").verdict == Conformance::Conforms);
+  CHECK(judgedRun(R"({"signals":[{"at":2,"interrupt":"fly"}]})").verdict == Conformance::Conforms);
+}
+
+TEST_CASE("conform finds the assumption that a run breaks") {
+  const auto early = judgedRun(flight("1.5"));
+  CHECK(early.verdict == Conformance::Deviates);
+  CHECK(early.assumption == "`fly` took 1.5 s; its interval promises at least 2 s");
+  const auto late = judgedRun(flight("7"));
+  CHECK(late.verdict == Conformance::Deviates);
+  CHECK(late.why == "`fly` is still running");
+  CHECK(late.assumption == "`fly` has run for 7 s; its interval promises at most 5 s");
+  const auto slow = judgedRun(R"({"signals":[{"at":2,"interrupt":"fly"}]})",
+                              R"({"actions":{"fly":{"stops":[0.5,0.5]}}})");
+  CHECK(slow.verdict == Conformance::Deviates);
+  CHECK(slow.assumption == "an action stops at once; that of `fly` took 0.5 s");
+}
+
+TEST_CASE("a tolerance forgives what is that near") {
+  CHECK(judgedRun(flight("1.995"), "", 10'000'000).verdict == Conformance::Conforms);
+  CHECK(judgedRun(flight("5.005"), "", 10'000'000).verdict == Conformance::Conforms);
+  CHECK(judgedRun(flight("5.015"), "", 10'000'000).verdict == Conformance::Deviates);
+  const auto stops = [](const std::string& time) {
+    return judgedRun(R"({"signals":[{"at":2,"event":"storm"}]})",
+                     R"({"actions":{"fly":{"stops":[)" + time + "," + time + "]}}}", 10'000'000)
+        .verdict;
+  };
+  CHECK(stops("0.005") == Conformance::Conforms);
+  CHECK(stops("0.015") == Conformance::Deviates);
+}
+
+TEST_CASE("a recording that somebody has changed does not conform, from that step on") {
+  const auto executable = test::executableOf(kProgram, false);
+  const auto run = test::runOf(*executable, 0, flight("3")).recorded;
+  REQUIRE(judged(kProgram, run).verdict == Conformance::Conforms);
+  for (std::size_t i = 0; i < run.steps.size(); ++i) {
+    INFO("step " << i << "\n" << textOf(run));
+    auto missing = run;
+    missing.steps.erase(missing.steps.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i + 1 < run.steps.size()) CHECK(judged(kProgram, missing).verdict == Conformance::Deviates);
+    auto twice = run;
+    twice.steps.insert(twice.steps.begin() + static_cast<std::ptrdiff_t>(i), run.steps[i]);
+    CHECK(judged(kProgram, twice).step == i + 1);
+    auto other = run;
+    other.steps[i].changes.push_back({"sky", "Clear", "Stormy"});
+    CHECK(judged(kProgram, other).step == i);
+    auto late = run;
+    late.steps[i].date += 4'000'000'000;
+    CHECK(judged(kProgram, late).verdict == Conformance::Deviates);
+  }
+}
+
+TEST_CASE("every simulated run of a random program conforms to the model that is verified") {
+  std::size_t judgedRuns = 0;
+  std::size_t steps = 0;
+  const auto [first, count] = seeds();
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const auto text = test::textOf(test::randomProgram(seed, {.properties = 0}));
+    const auto executable = test::executableOf(text);
+    const auto ran = test::runOf(*executable, seed, "", interruptions(*executable), 30);
+    if (ran.steps.size() > 400) continue; // in all likelihood time stands still
+    const auto result = judged(text, ran.recorded);
+    INFO("seed " << seed << "\n" << text << textOf(ran.recorded));
+    INFO("step " << result.step << ": " << result.why << "; " << result.assumption);
+    CHECK(result.verdict == Conformance::Conforms);
+    ++judgedRuns;
+    steps += ran.steps.size();
+  }
+  CHECK(judgedRuns > count * 7 / 10);
+  CHECK(steps > 5 * judgedRuns);
+}
