@@ -31,6 +31,7 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
   Model model;
   model.fiacre = buildProgram(context);
   annotate(model.fiacre, context.origins.provenance);
+  model.obliged = obligedProcesses(context);
   model.unit = times->unit();
   if (context.isPerformed()) model.actionCalls = context.arguments.actions();
   if (context.isExecuted()) tellExecutor(context, model);

@@ -7,6 +7,7 @@
 #include <expected>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ enum class StateVariableAutomata : std::uint8_t { Exact, Paper };
 struct Options {
   Edition edition = Edition::Compact;
   StateVariableAutomata automata = StateVariableAutomata::Exact;
-  std::string mainSkill;             ///< empty: the one that no other skill calls
+  std::string mainSkill; ///< empty: the one that no other skill calls
+  bool fairRuns = true;  ///< the program's own properties are about fair runs: verify::Question
   std::int64_t ticksPerSecond = 100; ///< of the runtime edition
   /// Executed: what the program says of its environment is part of the model, as is the most
   /// general caller; else events and interrupts from outside are reported by somebody.
@@ -44,6 +46,7 @@ struct Check {
   std::string description; ///< "`takeoff` can succeed with `at_altitude`"
   Expectation good = Expectation::Holds;
   Weight weight = Weight::Error;
+  bool fair = false;        ///< it is about fair runs without end
   std::size_t property = 0; ///< index into the model's properties
   fiacre::OriginId origin = 0;
 };
@@ -112,6 +115,9 @@ struct Model {
   /// Executed: processes of the environment, whose waits may last as long as they like.
   std::vector<std::string> drawnProcesses;
   bool hasEnvironment = false; ///< executed: the signals come from one of these processes
+  /// Processes of actions and delays that have no upper bound. In a fair run each of these ends:
+  /// see verify::Question::fair.
+  std::set<std::string> obliged;
   syntax::Rational unit{1, 1};
   std::string mainSkill; ///< empty where there is none: a library of skills
 };

@@ -25,6 +25,7 @@ _proskill_values() {
     'verify --color') echo 'auto always never' ;;
     'verify --backend') echo 'engine tina both' ;;
     'verify --reduce') echo 'all none dead-variables live-variables free-inputs stubborn-sets inclusion extrapolation' ;;
+    'verify --runs') echo 'fair all' ;;
     'verify --sv-automata') echo 'exact paper' ;;
   esac
 }
@@ -82,7 +83,7 @@ _proskill_options() {
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
     lsp) echo '--help --port --log --debounce --stdio' ;;
     run) echo '--help --main --platform --script --clock --seed --until --format --record --color' ;;
-    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --jobs --reduce --expanded --sv-automata' ;;
+    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --jobs --reduce --runs --expanded --sv-automata' ;;
     view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
   esac

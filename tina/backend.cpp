@@ -107,6 +107,9 @@ private:
       const auto kind = property.pattern.kind;
       if (kind == PatternKind::Progress || kind == PatternKind::NoError)
         outcome.result.answers[i].reason = "Fiacre has no words for this property";
+      else if (questions[i].fair)
+        outcome.result.answers[i].reason =
+            "Tina cannot leave out unfair runs; `--runs all` asks it about all of them";
       else
         order.push_back(i);
     }

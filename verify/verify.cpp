@@ -42,10 +42,10 @@ Answer answerWithoutEvidence(const Goal& goal, const Exploration& exploration,
 }
 
 /// Whether a reduction keeps all that a monitor sees.
-bool suits(const Monitor& monitor, Reduction reduction) {
+bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
   switch (reduction) {
   case Reduction::DeadVariables: return monitor.ofPoints;
-  case Reduction::FreeInputs:
+  case Reduction::FreeInputs: return watchesPoints(monitor) || watchesStates(monitor, system);
   case Reduction::StubbornSets: return watchesPoints(monitor);
   case Reduction::LiveVariables:
   case Reduction::Inclusion:
@@ -143,10 +143,10 @@ private:
     const Goal& goal = compiled.goals[index];
     const auto seen = goalsOf(goal.monitor);
     const Prepared prepared(
-        compiled.system, seen, [&](Reduction r) { return takes(r) && suits(goal.monitor, r); },
-        limits);
-    auto found =
-        watchFor(prepared.system, goal.monitor, prepared.reductions, errorsAreAsked(), limits);
+        compiled.system, seen,
+        [&](Reduction r) { return takes(r) && suits(goal.monitor, r, compiled.system); }, limits);
+    auto found = watchFor(prepared.system, goal.monitor, prepared.reductions, options.obliged,
+                          errorsAreAsked(), limits);
     if (!found.failure.empty()) return Unsupported{found.failure, found.failureOrigin};
     if (found.evidence) found.statistics.complete = true;
     add(result.exploration, found.statistics);

@@ -16,6 +16,10 @@ namespace proskill::verify {
 /// A question to a model: one of its properties, by index.
 struct Question {
   std::size_t property = 0;
+  /// Of a property of runs without end: only fair runs count. A run is fair if time goes on for
+  /// ever in it, and no process of Options::obliged stays for ever in a state that it can leave by
+  /// itself.
+  bool fair = false;
 };
 
 /// What is true of the property as it is written: `absent X` is violated where X can be reached.
@@ -99,6 +103,7 @@ struct Options {
                                  Reduction::Inclusion,     Reduction::Extrapolation};
   Limits limits;
   unsigned jobs = 1;
+  std::set<std::string> obliged; ///< processes; see Question::fair
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(const Progress&)> progress; ///< called a few times a second
   /// Gets the answer to each question, by its place, as soon as it is decided. Its trace is then

@@ -230,6 +230,7 @@ int runVerify(const VerifyArguments& arguments) {
   options.mainSkill = arguments.mainSkill;
   options.edition = editionFor(arguments);
   options.automata = arguments.automata;
+  options.fairRuns = arguments.fairRuns;
   auto model = codegen::generate(*program, options);
   if (!model) return failGeneration(*program, model.error());
   if (!addAll(arguments, *program, *model)) return kFailed;

@@ -35,6 +35,7 @@ struct VerifyArguments {
   std::string graph;
   verify::GraphKind graphOf = verify::GraphKind::Classes;
   BackendArguments backend;
+  bool fairRuns = true;
   bool list = false; ///< the names of the properties alone
   bool strict = false;
   bool expanded = false;

@@ -2,6 +2,7 @@
 
 #include "codegen/plan/mentions.h"
 #include "codegen/process/basic_skill.h"
+#include "codegen/process/body_process.h"
 #include "codegen/process/composite.h"
 #include "codegen/process/environment.h"
 #include "codegen/process/invariants.h"
@@ -245,6 +246,29 @@ Places placesOf(const Program& program) {
   for (const auto& instance : program.components.back().instances)
     places.emplace(instance.process, ++place);
   return places;
+}
+
+std::set<std::string> obligedProcesses(Context& context) {
+  const auto isOpen = [](const std::optional<syntax::Interval>& interval) {
+    return !interval || !interval->upper;
+  };
+  const auto waitsOpenly = [&](const BodyState& state) {
+    return state.statement && state.statement->kind == syntax::StatementKind::WaitTime &&
+           !state.statement->duration.upper;
+  };
+  std::set<std::string> all;
+  for (const auto& skill : context.plan.skills) {
+    if (!skill.body) {
+      if (isOpen(skill.skill().timeInterval))
+        all.insert(context.names.process({"skill", skill.name()}));
+      continue;
+    }
+    forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
+      if (std::ranges::any_of(thread.states, waitsOpenly))
+        all.insert(processOf(context, skill, thread));
+    });
+  }
+  return all;
 }
 
 } // namespace proskill::codegen

@@ -13,4 +13,7 @@ using Places = std::map<std::string, std::uint32_t, std::less<>>;
 /// \pre the program was built.
 [[nodiscard]] Places placesOf(const fiacre::Program& program);
 
+/// Those of Model::obliged.
+[[nodiscard]] std::set<std::string> obligedProcesses(Context& context);
+
 } // namespace proskill::codegen

@@ -178,7 +178,9 @@ private:
     check.kind = "property";
     check.description = context.origins.excerpt(property.file, property->bodyRange);
     check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
-    put(std::move(check), patternOf(context, observer, property.node()));
+    auto pattern = patternOf(context, observer, property.node());
+    check.fair = context.options.fairRuns && fiacre::isAboutEndlessRuns(pattern);
+    put(std::move(check), std::move(pattern));
   }
 
   // --- Questions

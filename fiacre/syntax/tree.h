@@ -305,6 +305,17 @@ struct Pattern {
   friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 
+/// Whether a run without end may be what violates the pattern: what it wants never comes.
+[[nodiscard]] inline bool isAboutEndlessRuns(const Pattern& pattern) {
+  const auto bounded = [](const std::optional<Interval>& interval) {
+    return interval && interval->upper;
+  };
+  if (bounded(pattern.within) || bounded(pattern.forInterval)) return false;
+  return pattern.kind == PatternKind::Present || pattern.kind == PatternKind::LeadsTo ||
+         pattern.kind == PatternKind::InfinitelyOften || pattern.kind == PatternKind::Mortal ||
+         pattern.kind == PatternKind::Ltl;
+}
+
 struct Property {
   std::string name;
   Pattern pattern;

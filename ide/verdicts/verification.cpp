@@ -67,7 +67,7 @@ bool isProgress(const codegen::Check& check) { return check.kind == "time_progre
 
 /// Whether the answer depends on how much time passes.
 bool isBounded(const codegen::Model& model, const codegen::Check& check) {
-  if (check.kind == "no_undershoot" || check.kind == "no_overshoot") return true;
+  if (check.kind == "no_undershoot" || check.kind == "no_overshoot" || check.fair) return true;
   const auto& pattern = model.fiacre.properties[check.property].pattern;
   return pattern.within || pattern.forInterval || pattern.lasting;
 }
@@ -85,6 +85,9 @@ std::optional<verify::Question> progressBeside(const codegen::Model& model, cons
 
 constexpr std::string_view kOfRunsWithTime = "of runs in which time goes on";
 
+/// A fair run never waits for ever for the end of what may take any time.
+constexpr std::string_view kOpenWaitsEnd = "if what has no time limit ends";
+
 /// A run in which time stands still breaks no bound, so it must be said that it does not count.
 /// \param progress whether time can always go on
 void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictRow& row) {
@@ -92,6 +95,7 @@ void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictR
   switch (progress) {
   case verify::Truth::True:
     if (row.reason.starts_with(kOfRunsWithTime)) row.reason.clear();
+    if (row.check->fair && !model.obliged.empty()) row.reason = kOpenWaitsEnd;
     break;
   case verify::Truth::False:
     row.reason = fmt::format("{}: `program.time_progress` is violated", kOfRunsWithTime);
@@ -168,7 +172,7 @@ Asked askedOf(const codegen::Model& model, const std::vector<std::string>& names
   for (const auto& check : model.checks)
     if (selects(names, check)) {
       asked.checks.push_back(&check);
-      asked.questions.push_back({check.property});
+      asked.questions.push_back({check.property, check.fair});
     }
   return asked;
 }
@@ -197,6 +201,7 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
     if (progressAt) sayTimePasses(model, progress, *rows[i]);
     if (onRow) onRow(i, *rows[i]);
   };
+  options.obliged = model.obliged;
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
   if (progressAt) progress = result->answers[*progressAt].truth;

@@ -20,7 +20,7 @@ std::string wordOf(verify::Truth truth) {
 
 std::vector<verify::Question> questionsOf(const codegen::Model& model) {
   std::vector<verify::Question> questions;
-  for (const auto& check : model.checks) questions.push_back({check.property});
+  for (const auto& check : model.checks) questions.push_back({check.property, check.fair});
   return questions;
 }
 
@@ -50,7 +50,9 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
   if (comparison.tooLarge) return comparison;
   const Verdicts verdicts(script, runs);
   const Replays replays(script, runs);
-  const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), options);
+  verify::Options fair = options;
+  fair.obliged = model.obliged;
+  const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), fair);
   if (!result) {
     comparison.refusal = "the engine cannot run it: " + result.error().message;
     return comparison;

@@ -1,6 +1,7 @@
 #include "tests/meaning/verdicts.h"
 
-#include "tests/meaning/ltl.h"
+#include "tests/meaning/endless/fairness.h"
+#include "tests/meaning/endless/ltl.h"
 
 #include <algorithm>
 #include <functional>
@@ -70,7 +71,7 @@ std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
   case PropertyKind::Precedes: return !canPrecede(property.operands[1], property.operands[0]);
   case PropertyKind::DeadlockFree: return !runs.canStop();
   case PropertyKind::Ltl:
-    return holdsInAllRuns(property.operands[0], runs,
+    return holdsInAllRuns(property.operands[0], script, runs,
                           [this](const auto& wish, const auto& now, const auto& facts) {
                             return isTrueAt(wish, now, facts);
                           });
@@ -129,29 +130,15 @@ bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
   });
 }
 
-/// From which situations some run never sees it: one that comes to a stop, or goes on for ever.
-/// Strikes off, until nothing changes, those whose every way on is struck off.
+/// From which situations some fair run never sees it.
 std::vector<bool> Verdicts::avoiding(const syntax::Expr& wish) const {
   const auto& nodes = runs.nodes();
-  std::vector<bool> alive(nodes.size());
-  std::vector<std::vector<std::size_t>> ways(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    alive[i] = !isTrueAt(wish, nodes[i].situation, {});
-    for (const auto& edge : nodes[i].edges)
-      if (!isTrueAt(wish, nodes[i].situation, edge.facts)) ways[i].push_back(edge.target);
-    if (nodes[i].later) ways[i].push_back(*nodes[i].later); // time alone makes no circle
-  }
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      const bool stops = nodes[i].edges.empty() && !nodes[i].later;
-      const auto goesOn = [&](std::size_t target) { return alive[target]; };
-      if (!alive[i] || stops || std::ranges::any_of(ways[i], goesOn)) continue;
-      alive[i] = false;
-      changed = true;
-    }
-  }
-  return alive;
+  std::vector<bool> without(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    without[i] = !isTrueAt(wish, nodes[i].situation, {});
+  return goOnFairly(script, runs, without, [&](std::size_t node, std::size_t edge) {
+    return !isTrueAt(wish, nodes[node].situation, nodes[node].edges[edge].facts);
+  });
 }
 
 /// Whether `cause` is seen at some point, and from there on, that point included, no `wish`.

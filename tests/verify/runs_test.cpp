@@ -40,6 +40,11 @@ TEST_CASE("`leadsto within` is about every time that the first is seen") {
   CHECK(dialogue().isTrue("(main/1/state asked) leadsto (main/1/state answered)"));
 }
 
+TEST_CASE("`until` ends what waits for an open interval only before it begins") {
+  CHECK(dialogue().isTrue(kAsks + " leadsto (not (main/1/tag asks)) after main/1/tag asks "
+                                  "until main/1/state answered within ]0,4]"));
+}
+
 TEST_CASE("`leadsto first` does not let an early one pass") {
   CHECK(dialogue().isFalse("(main/1/tag asks) leadsto first (main/1/state asked) within [1,2]"));
   CHECK(dialogue().isTrue("(main/1/tag asks) leadsto (main/1/state asked) within [1,2]"));

@@ -359,8 +359,10 @@ std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
     Elaboration model = elaborate(program, types, expressions, made.system);
     Events events(made.system);
     Observer observer(program, model, expressions, events, made.system);
-    for (auto question : questions)
-      made.goals.push_back(observer.goal(program.properties.at(question.property)));
+    for (auto question : questions) {
+      Goal& goal = made.goals.emplace_back(observer.goal(program.properties.at(question.property)));
+      goal.monitor.fair = question.fair && goal.monitor.looksForCycles();
+    }
     Probes probes;
     for (const auto* probe : model.probes) {
       probes.push_back(probe ? std::optional(observer.node(*probe)) : std::nullopt);

@@ -16,10 +16,10 @@ Arrival Arrivals::at(Walk walk) const {
   return made;
 }
 
-Dbm Arrivals::through(const Arrival& arrival, Dbm zone, bool own) const {
+Dbm Arrivals::through(const Arrival& arrival, Dbm zone, std::uint32_t own) const {
   for (std::size_t i = 0; i < arrival.alone.size(); ++i) {
     auto from = timing.kept(arrival.chain[i], arrival.alone[i], arrival.chain[i + 1]);
-    if (own) from.push_back(zone.dimension() - 1);
+    for (std::uint32_t back = own; back > 0; --back) from.push_back(zone.dimension() - back);
     zone = zone.over(from);
   }
   return zone;

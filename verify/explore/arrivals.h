@@ -23,8 +23,8 @@ public:
   /// \param walk to the state behind a step. \throw LimitMet
   [[nodiscard]] Arrival at(Walk walk) const;
   /// What the steps alone leave of a zone of the state behind the step.
-  /// \param own whether the zone's last clock is none of the system's; it goes on
-  [[nodiscard]] Dbm through(const Arrival& arrival, Dbm zone, bool own) const;
+  /// \param own how many of the zone's last clocks are none of the system's; they go on
+  [[nodiscard]] Dbm through(const Arrival& arrival, Dbm zone, std::uint32_t own) const;
 
 private:
   const Walker& walker;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/explore/open_waits.h"
 #include "verify/explore/search.h"
 #include "verify/explore/walker.h"
 #include "verify/model/monitor.h"
@@ -15,6 +16,8 @@ enum class MoveKind : std::uint8_t {
   Silent, ///< of the monitor alone
   Step,
   Stutter, ///< the run has ended; its last state is read again
+  Tick,    ///< time has gone on by 1 at least since the last one; see MonitorZones
+  Rest,    ///< from here on no step is taken
 };
 
 struct WatchMove {
@@ -30,6 +33,7 @@ struct WatchNode {
   ZoneId zone = 0;
   std::uint32_t location = 0;
   bool instant = false; ///< no time passes: the monitor has to move on
+  bool rests = false;   ///< the model takes no more step
   NodeIndex parent = kNone;
   WatchMove move;
   NodeIndex next = kNone; ///< in the list of the nodes of this state
@@ -38,6 +42,13 @@ struct WatchNode {
 struct WatchArc {
   NodeIndex target = 0;
   WatchMove move;
+};
+
+/// What the cycle of a fair run needs.
+struct FairNeeds {
+  bool ticks = false; ///< time has to go on
+  const std::vector<OpenWait>& waits;
+  std::function<bool(NodeIndex, std::size_t)> isWaiting; ///< in a node, by place in `waits`
 };
 
 /// The graph that a search with a monitor has found so far, and the runs in it.
@@ -61,8 +72,9 @@ public:
   /// The run from the beginning to a node, in a location that is an error.
   [[nodiscard]] Evidence evidenceTo(NodeIndex node) const;
   /// A run that comes to a cycle through an accepting location, and repeats it; nothing where there
-  /// is none. Every node of a component with a cycle is on one.
-  [[nodiscard]] std::optional<Evidence> evidenceOfCycle() const;
+  /// is none. Every node and every arc of a strongly connected component is on one cycle.
+  [[nodiscard]] std::optional<Evidence> evidenceOfCycle(const System& system,
+                                                        const FairNeeds& needs) const;
 
 private:
   struct Way {
@@ -70,9 +82,10 @@ private:
     std::vector<std::uint32_t> locations; ///< before each move
   };
 
+  class CycleSearch;
+
   [[nodiscard]] Way wayTo(NodeIndex node) const;
-  [[nodiscard]] std::optional<Way> cycleThrough(NodeIndex node,
-                                                const std::vector<NodeIndex>& component) const;
+  void append(Way& way, NodeIndex from, const WatchArc& arc) const;
   /// \param loop how many moves are before the part that is repeated
   [[nodiscard]] Evidence evidenceOf(const Way& way, std::optional<std::size_t> loop) const;
 

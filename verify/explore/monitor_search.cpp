@@ -3,6 +3,8 @@
 #include "verify/explore/arrivals.h"
 #include "verify/explore/conclude.h"
 #include "verify/explore/monitor_graph.h"
+#include "verify/explore/monitor_zones.h"
+#include "verify/explore/open_waits.h"
 #include "verify/reduce/live_variables.h"
 #include "verify/reduce/monitor_view.h"
 #include "verify/state/evaluate.h"
@@ -16,7 +18,8 @@ namespace {
 
 class MonitorSearch {
 public:
-  MonitorSearch(const System& of, const Monitor& with, const Reductions& used, bool errorsAreAsked,
+  MonitorSearch(const System& of, const Monitor& with, const Reductions& used,
+                const std::set<std::string>& obliged, bool withTicks, bool errorsAreAsked,
                 LimitWatch& watch)
       : system(of),
         monitor(with),
@@ -27,14 +30,13 @@ public:
         limits(watch),
         enabling(of, used.dropped),
         walker(of, enabling, used),
+        waits(with.fair ? openWaits(of, obliged, used.dropped) : std::vector<OpenWait>{}),
         graph(with, cycles, walker),
         timing(of, Extrapolation::LowerUpper),
         arrivals(walker, timing, watch),
+        ticks(withTicks),
+        own(with, withTicks),
         states(of.storedWords) {
-    for (const auto& location : monitor.locations)
-      for (const auto& edge : location.edges)
-        for (auto limit : {edge.clock.lower, edge.clock.upper})
-          if (limit != kInfinite) most = std::max(most, std::abs(constantOf(limit)));
     for (const auto& transition : of.transitions) hasErrors = hasErrors || transition.fails;
   }
 
@@ -72,7 +74,13 @@ private:
     if (!done() && next == graph.size() && cycles) lookForCycle();
   }
 
-  void lookForCycle() { result.evidence = graph.evidenceOfCycle(); }
+  void lookForCycle() {
+    const FairNeeds needs{ticks, waits, [this](NodeIndex node, std::size_t wait) {
+                            load(graph.at(node).state);
+                            return isWaiting(system, waits[wait], loaded.data());
+                          }};
+    result.evidence = graph.evidenceOfCycle(system, needs);
+  }
   [[nodiscard]] bool done() const { return result.evidence || !result.failure.empty(); }
   [[nodiscard]] std::uint64_t bytes() const {
     return zones.bytes() + states.bytes() + timing.bytes() + graph.bytes();
@@ -94,43 +102,23 @@ private:
     const Arrival at = arrivals.at(walk);
     const auto clocks = static_cast<std::uint32_t>(timing.at(at.chain.front()).clocks.size());
     for (auto location : monitor.initial) {
-      const bool timed = monitor.locations[location].timed;
-      arrive(at, location, arrivals.through(at, Dbm(clocks + (timed ? 1U : 0U)), timed), kNone, {});
+      const Dbm zone = arrivals.through(at, Dbm(clocks + own.count(location)), own.count(location));
+      arrive(at, location, zone, kNone, {});
     }
-  }
-
-  /// Lets time pass as far as the state allows it, and forgets what nothing compares any more.
-  [[nodiscard]] std::optional<Dbm> settled(Dbm zone, const Signature& signature, bool timed,
-                                           bool instant) const {
-    const auto limitTime = [&] {
-      for (std::uint32_t i = 0; i < signature.clocks.size(); ++i)
-        if (!zone.constrain(i + 1, 0, signature.invariants[i])) return false;
-      return true;
-    };
-    if (!signature.urgent && !instant) zone.up();
-    if (!limitTime()) return std::nullopt;
-    auto lower = signature.lower;
-    auto upper = signature.upper;
-    if (timed) {
-      lower.push_back(most);
-      upper.push_back(most);
-    }
-    zone.extrapolate(lower, upper);
-    if (!limitTime()) return std::nullopt;
-    return zone;
   }
 
   /// A node for the monitor in `location` as the model has come to a state; `zone` is of that
   /// moment.
+  /// \param rests no further step comes
   void arrive(const Arrival& there, std::uint32_t location, const Dbm& zone, NodeIndex parent,
-              WatchMove move) {
+              WatchMove move, bool rests = false) {
     if (done()) return;
     const auto& at = monitor.locations[location];
     const bool stays = seenIn(at.stay, there.state);
     if (!stays && std::ranges::none_of(at.edges, [](const auto& edge) { return !edge.ofStep; }))
       return;
     const SignatureId signature = there.chain.back();
-    auto made = settled(zone, timing.at(signature), at.timed, !stays);
+    auto made = own.settled(zone, timing.at(signature), location, !stays);
     if (!made) return;
     std::vector<Word> kept = there.state;
     if (reductions.liveVariables) reductions.liveVariables->clean(kept.data());
@@ -140,51 +128,49 @@ private:
       headOf.push_back(kNone);
     }
     const ZoneId zoneId = zones.add(*made);
-    const NodeIndex known = find(id, zoneId, location, !stays);
+    const WatchNode node{id, zoneId, location, !stays, rests, parent, move, headOf[id]};
+    const NodeIndex known = find(node);
     const auto index = known == kNone ? static_cast<NodeIndex>(graph.size()) : known;
     if (parent != kNone) graph.addArc(parent, index, move);
     if (known != kNone) return;
-    graph.addNode({id, zoneId, location, !stays, parent, move, headOf[id]});
+    graph.addNode(node);
     headOf[id] = index;
     if (at.error) result.evidence = graph.evidenceTo(index);
   }
 
   /// A node that does for a new one; where cycles are looked for, only the very same.
-  [[nodiscard]] NodeIndex find(StateId state, ZoneId zone, std::uint32_t location,
-                               bool instant) const {
-    for (NodeIndex i = headOf[state]; i != kNone; i = graph.at(i).next) {
+  [[nodiscard]] NodeIndex find(const WatchNode& node) const {
+    for (NodeIndex i = node.next; i != kNone; i = graph.at(i).next) {
       const WatchNode& known = graph.at(i);
-      if (known.location != location || known.instant != instant) continue;
-      if (known.zone == zone) return i;
-      if (!cycles && includes(zones.matrix(known.zone), zones.matrix(zone))) return i;
+      if (known.location != node.location || known.instant != node.instant ||
+          known.rests != node.rests)
+        continue;
+      if (known.zone == node.zone) return i;
+      if (!cycles && includes(zones.matrix(known.zone), zones.matrix(node.zone))) return i;
     }
     return kNone;
   }
 
-  void load(const WatchNode& node) {
-    if (node.state == loadedState) return;
-    const Word* stored = states.at(node.state);
+  void load(StateId state) {
+    if (state == loadedState) return;
+    const Word* stored = states.at(state);
     loaded.assign(system.words, 0);
     std::copy(stored, stored + system.storedWords, loaded.begin());
     enabling.compute(loaded.data(), enabled);
-    loadedState = node.state;
-  }
-
-  [[nodiscard]] static bool constrain(Dbm& zone, const ClockGuard& guard) {
-    const std::uint32_t clock = zone.dimension() - 1;
-    if (guard.lower != kZero && !zone.constrain(0, clock, guard.lower)) return false;
-    return guard.upper == kInfinite || zone.constrain(clock, 0, guard.upper);
+    loadedState = state;
   }
 
   void expand(NodeIndex index) {
     const WatchNode node = graph.at(index);
-    load(node);
+    load(node.state);
     const SignatureId signature = signatureOf[node.state];
     const auto& location = monitor.locations[node.location];
     for (std::uint32_t i = 0; i < location.edges.size(); ++i)
       if (!location.edges[i].ofStep && seenIn(location.edges[i].condition, loaded))
         moveAlone(index, node, signature, i, MoveKind::Silent);
     if (node.instant || done()) return;
+    if (monitor.fair) goOnInTime(index, node);
+    if (node.rests) return repeatState(index, node);
     if (fails()) return reportErrors(index, node);
     if (reductions.freeInputs) return expandOpen(index, node);
     bool stopped = true;
@@ -194,12 +180,30 @@ private:
       if (!done() && !enabling.isBlocked(transition, all))
         take(index, node, {.transition = transition}, loaded);
     });
-    if (!stopped) return;
-    // Nothing is left to do, so time goes on for ever, beyond all bounds.
-    for (std::uint32_t i = 0; i < location.edges.size(); ++i)
-      if (location.edges[i].ofStep && location.edges[i].clock.upper == kInfinite &&
-          seenIn(location.edges[i].condition, loaded))
-        moveAlone(index, node, signature, i, MoveKind::Stutter);
+    if (stopped && !monitor.fair) repeatState(index, node);
+  }
+
+  /// Nothing more happens, and time goes on for ever, beyond all bounds.
+  void repeatState(NodeIndex index, const WatchNode& node) {
+    const auto& edges = monitor.locations[node.location].edges;
+    for (std::uint32_t i = 0; i < edges.size(); ++i)
+      if (edges[i].ofStep && edges[i].clock.upper == kInfinite &&
+          seenIn(edges[i].condition, loaded))
+        moveAlone(index, node, signatureOf[node.state], i, MoveKind::Stutter);
+  }
+
+  /// A tick; and where nothing forces a step, the run may rest here.
+  void goOnInTime(NodeIndex index, const WatchNode& node) {
+    const SignatureId signature = signatureOf[node.state];
+    const Arrival here{loaded, {signature}, {}};
+    if (const auto zone = own.ticked(zones.zone(node.zone), node.location))
+      arrive(here, node.location, *zone, index, {MoveKind::Tick}, node.rests);
+    const auto& now = timing.at(signature);
+    const bool mayRest = !now.urgent && std::ranges::all_of(now.invariants, [](Bound limit) {
+      return limit == kInfinite;
+    });
+    if (mayRest && !node.rests)
+      arrive(here, node.location, zones.zone(node.zone), index, {MoveKind::Rest}, true);
   }
 
   /// The state stands for all choices of values of its open variables. The environment can always
@@ -236,21 +240,10 @@ private:
   void moveAlone(NodeIndex index, const WatchNode& node, SignatureId signature, std::uint32_t edge,
                  MoveKind kind) {
     const auto& taken = monitor.locations[node.location].edges[edge];
-    const bool timed = monitor.locations[node.location].timed;
-    const bool timedAfter = monitor.locations[taken.to].timed;
     Dbm zone = zones.zone(node.zone);
-    if (timed && !constrain(zone, taken.clock)) return;
-    arrive({loaded, {signature}, {}}, taken.to, watchKept(zone, timed, timedAfter, taken.reset),
-           index, {kind, kNone, edge});
-  }
-
-  /// The zone with the monitor's clock as the next location wants it.
-  [[nodiscard]] static Dbm watchKept(const Dbm& zone, bool timed, bool timedAfter, bool reset) {
-    const std::uint32_t others = zone.dimension() - 1 - (timed ? 1U : 0U);
-    std::vector<std::uint32_t> from(others);
-    for (std::uint32_t i = 0; i < others; ++i) from[i] = i + 1;
-    if (timedAfter) from.push_back(timed && !reset ? others + 1 : 0);
-    return zone.over(from);
+    if (!own.constrain(zone, node.location, taken)) return;
+    arrive({loaded, {signature}, {}}, taken.to, own.after(zone, node.location, taken), index,
+           {kind, kNone, edge}, node.rests);
   }
 
   /// A step of the model from the loaded state, with some values of its open variables.
@@ -288,12 +281,11 @@ private:
   /// The monitor takes part in the step, or does not see it. \param from clocks that go on
   void arriveBy(const Arrival& there, const WatchNode& node, std::uint32_t to, Dbm zone,
                 std::vector<std::uint32_t> from, NodeIndex index, WatchMove move) {
-    const auto& at = monitor.locations[node.location];
-    const bool reset = move.edge != kNone && at.edges[move.edge].reset;
-    if (at.timed && move.edge != kNone && !constrain(zone, at.edges[move.edge].clock)) return;
-    const bool timed = monitor.locations[to].timed;
-    if (timed) from.push_back(at.timed && !reset ? zone.dimension() - 1 : 0);
-    arrive(there, to, arrivals.through(there, zone.over(from), timed), index, move);
+    const auto& edges = monitor.locations[node.location].edges;
+    const MonitorEdge* edge = move.edge == kNone ? nullptr : &edges[move.edge];
+    if (edge && !own.constrain(zone, node.location, *edge)) return;
+    own.appendOwn(from, zone, node.location, edge);
+    arrive(there, to, arrivals.through(there, zone.over(from), own.count(to)), index, move);
   }
 
   /// What is enabled in the loaded state with other values of open variables, as far as it matters
@@ -321,12 +313,14 @@ private:
   bool hasErrors = false;
   Bits visible; ///< transitions
   LimitWatch& limits;
-  std::int32_t most = 0; ///< the largest constant that the monitor's clock is compared with
   Enabling enabling;
   Walker walker;
+  std::vector<OpenWait> waits;
   MonitorGraph graph;
   Timing timing;
   Arrivals arrivals;
+  bool ticks;
+  MonitorZones own;
   StateStore states;
   ZoneStore zones;
   std::vector<SignatureId> signatureOf; ///< by state
@@ -343,8 +337,19 @@ private:
 } // namespace
 
 Watched watchFor(const System& system, const Monitor& monitor, const Reductions& reductions,
-                 bool errorsAreAsked, LimitWatch& limits) {
-  return MonitorSearch(system, monitor, reductions, errorsAreAsked, limits).run();
+                 const std::set<std::string>& obliged, bool errorsAreAsked, LimitWatch& limits) {
+  const auto search = [&](bool ticks) {
+    return MonitorSearch(system, monitor, reductions, obliged, ticks, errorsAreAsked, limits).run();
+  };
+  // Without ticks there are fewer zones, and mostly no cycle: then there is none with ticks.
+  Watched found = search(false);
+  if (!monitor.fair || !found.evidence) return found;
+  Exploration before = found.statistics;
+  before.complete = true; // as far as it matters
+  before.stopped.clear();
+  found = search(true);
+  add(found.statistics, before);
+  return found;
 }
 
 } // namespace proskill::verify

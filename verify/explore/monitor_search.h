@@ -21,9 +21,11 @@ struct Watched {
 /// Extra+LU keeps the answer, see Li, "Formal verification of timed automata by means of
 /// LU-abstractions" (FORMATS 2009); Tarjan, "Depth-first search and linear graph algorithms", SIAM
 /// J. Comput. 1972. Runs are maximal sequences of steps; they need not let time diverge.
+/// Where only fair runs count, the cycle has a tick (see MonitorZones), and each open wait of an
+/// obliged process either ends on it or is left for a while.
 /// \pre stubborn sets and free inputs are taken only where watchesPoints()
 [[nodiscard]] Watched watchFor(const System& system, const Monitor& monitor,
-                               const Reductions& reductions, bool errorsAreAsked,
-                               LimitWatch& limits);
+                               const Reductions& reductions, const std::set<std::string>& obliged,
+                               bool errorsAreAsked, LimitWatch& limits);
 
 } // namespace proskill::verify

@@ -11,6 +11,7 @@ struct MonitorMove {
   std::size_t until = 0; ///< how many may have been taken, at most, when it comes between two
   bool atStep = false;
   bool atEnd = false;         ///< the run has ended; its last state is read again
+  bool ticks = false;         ///< no move: time has gone on by 1 since the last mark of this kind
   std::uint32_t location = 0; ///< of the monitor, before
   std::uint32_t edge = 0;
 };

@@ -38,6 +38,9 @@ struct Monitor {
   std::vector<std::uint32_t> initial;
   /// Whether steps may be left out that change no condition: not where positions count, as in LTL.
   bool ofPoints = true;
+  /// Whether a state that is seen several times in a row is as good as one that is seen once.
+  bool ofStates = true;
+  bool fair = false; ///< only fair runs count: Question::fair
 
   [[nodiscard]] bool looksForCycles() const {
     for (const auto& location : locations)

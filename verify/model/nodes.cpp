@@ -332,4 +332,14 @@ void addEvents(const System& system, NodeId id, Bits& events) {
   eachNode(system, id, visit);
 }
 
+bool watchesSteps(const System& system, NodeId id) {
+  bool found = false;
+  auto visit = [&](const Node& node) {
+    found = found || node.op == NodeOp::Happens || node.op == NodeOp::Entered ||
+            node.op == NodeOp::Left;
+  };
+  eachNode(system, id, visit);
+  return found;
+}
+
 } // namespace proskill::verify

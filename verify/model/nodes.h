@@ -59,5 +59,7 @@ struct ValueBounds {
 void addReads(const System& system, NodeId node, Bits& cells);
 /// Adds the events that a node watches.
 void addEvents(const System& system, NodeId node, Bits& events);
+/// Whether a node watches what happens in a step: it is more than a condition on a state.
+[[nodiscard]] bool watchesSteps(const System& system, NodeId node);
 
 } // namespace proskill::verify

@@ -210,6 +210,8 @@ Monitor negated(const Ltl& ltl, Nodes& nodes,
   };
   Monitor made;
   made.ofPoints = false;
+  for (FormulaId id = 0; id < formulas.size(); ++id)
+    made.ofStates = made.ofStates && formulas.at(id).op != Op::Next;
   for (const auto& state : tableau.states) {
     const NodeId label = formulas.label(state.old);
     for (std::uint32_t turn = 0; turn < turns; ++turn) {

@@ -90,11 +90,11 @@ void MonitorBuilder::begin(LocationId from, const Wait& wait, NodeId when, NodeI
 MonitorBuilder::Wait MonitorBuilder::waitWithin(NodeId good, const Interval& when, LocationId late,
                                                 NodeId end, LocationId lost) {
   const Wait waits = wait(good, when, late, no(end));
-  for (auto at : {waits.now, waits.first()}) {
+  for (auto at : {waits.now, waits.first()})
     if (!pattern.until || pattern.between) made.locations[at].accepting = false; // it has to come
-    go(at, lost, end);
-    if (waits.early == kNone) break;
-  }
+  go(waits.now, lost, end);
+  // Later, what is good has come: the monitor can stay here for as long as nothing happens.
+  if (waits.early != kNone) go(waits.early, lost, end, beforeInterval(when));
   return waits;
 }
 

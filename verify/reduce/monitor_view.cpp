@@ -3,9 +3,18 @@
 #include "verify/model/nodes.h"
 #include "verify/reduce/path_facts.h"
 
+#include <algorithm>
+
 namespace proskill::verify {
 
 bool watchesPoints(const Monitor& monitor) { return monitor.ofPoints && !monitor.looksForCycles(); }
+
+bool watchesStates(const Monitor& monitor, const System& system) {
+  if (!monitor.fair || !monitor.ofStates) return false;
+  return monitor.ofPoints || std::ranges::none_of(goalsOf(monitor), [&](const Goal& goal) {
+           return watchesSteps(system, goal.condition);
+         });
+}
 
 std::vector<Goal> goalsOf(const Monitor& monitor) {
   std::vector<Goal> all;

@@ -84,8 +84,8 @@ private:
     std::size_t reset = 0;
     std::size_t own = last + 2;
     std::size_t before = 0;
+    std::optional<std::size_t> tick;
     for (const auto& mark : evidence.marks) {
-      const auto& edge = evidence.monitor->locations[mark.location].edges[mark.edge];
       const std::size_t date = mark.atStep ? mark.after : own++;
       if (before != date) all.push_back({before, date, kZero}); // in this order
       if (mark.after != date) {
@@ -93,6 +93,12 @@ private:
         all.push_back({date, mark.until + 1, kZero});
       }
       before = date;
+      if (mark.ticks) {
+        if (tick) all.push_back({*tick, date, bound(-1, false)});
+        tick = date;
+        continue;
+      }
+      const auto& edge = evidence.monitor->locations[mark.location].edges[mark.edge];
       if (evidence.monitor->locations[mark.location].timed) {
         if (edge.clock.lower != kZero) all.push_back({reset, date, edge.clock.lower});
         if (edge.clock.upper != kInfinite) all.push_back({date, reset, edge.clock.upper});

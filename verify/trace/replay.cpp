@@ -37,15 +37,22 @@ public:
   [[nodiscard]] std::string follow(const ReplayedRun& run) {
     std::size_t own = 0;
     std::int64_t reset = 0;
+    std::optional<std::int64_t> tick;
     std::uint32_t location = monitor.initial.at(0);
     if (!evidence.marks.empty()) location = evidence.marks[0].location;
     visited.push_back({0, location});
     for (const MonitorMove& mark : evidence.marks) {
       const auto& at = monitor.locations[mark.location];
-      const auto& edge = at.edges[mark.edge];
       if (mark.location != location) return "the monitor is elsewhere";
       const std::int64_t date =
           mark.atStep ? dating.steps[mark.after - 1].date : dating.marks[own++];
+      if (mark.ticks) {
+        if (tick && date - *tick < dating.scale) return "time does not go on";
+        tick = date;
+        visited.push_back({mark.after, location});
+        continue;
+      }
+      const auto& edge = at.edges[mark.edge];
       if (at.timed && !fits(edge.clock, date - reset)) return "the monitor's clock says no";
       if (!isSeen(mark, edge.condition, run)) return "the monitor does not see it";
       if (edge.reset) reset = date;
@@ -81,8 +88,9 @@ private:
   [[nodiscard]] bool staysBad(std::uint32_t last) const {
     if (!evidence.rest || visited[*evidence.rest].location != last) return false;
     const auto from = static_cast<std::ptrdiff_t>(*evidence.rest);
-    const bool goesOn = std::any_of(evidence.marks.begin() + from, evidence.marks.end(),
-                                    [](const MonitorMove& mark) { return mark.atEnd; });
+    const bool goesOn =
+        std::any_of(evidence.marks.begin() + from, evidence.marks.end(),
+                    [](const MonitorMove& mark) { return mark.atEnd || mark.ticks; });
     return goesOn && std::any_of(visited.begin() + from, visited.end(), [&](const Visit& visit) {
              return monitor.locations[visit.location].accepting;
            });
@@ -131,7 +139,9 @@ std::string judge(const System& system, const Goal& goal, const Evidence& eviden
     return simulator.canGoOn(now, dating.end) ? "time can still go on at the end" : "";
   case GoalKind::Run:
     if (!evidence.monitor) return "it is not known what of the run shows the violation";
-    return Following(system, evidence, dating, now.since.empty()).follow(run);
+    return Following(system, evidence, dating,
+                     now.since.empty() || (evidence.monitor->fair && simulator.mayRest(now)))
+        .follow(run);
   case GoalKind::Error: return "nothing fails";
   case GoalKind::Events:
   case GoalKind::Condition:

@@ -31,6 +31,12 @@ bool Simulator::mayWait(const Concrete& now, std::int64_t date) const {
   });
 }
 
+bool Simulator::mayRest(const Concrete& now) const {
+  return std::ranges::none_of(now.since, [&](const auto& entry) {
+    return system.transitions[entry.first].interval.upper.has_value();
+  });
+}
+
 bool Simulator::isRipe(const Concrete& now, TransitionId id, std::int64_t date) const {
   const auto canGo = [&](TransitionId other) { return isOldEnough(now, other, date); };
   const auto& of = system.transitions[id];

@@ -33,6 +33,8 @@ public:
   [[nodiscard]] Concrete start() const;
   /// Whether nothing has to happen before `date`.
   [[nodiscard]] bool mayWait(const Concrete& now, std::int64_t date) const;
+  /// Whether nothing ever has to happen.
+  [[nodiscard]] bool mayRest(const Concrete& now) const;
   [[nodiscard]] bool isRipe(const Concrete& now, TransitionId id, std::int64_t date) const;
   /// When an enabled transition may be taken, from `date` on; nothing where others have to happen
   /// before. \pre it is enabled

@@ -1,6 +1,7 @@
-#include "tests/meaning/ltl.h"
+#include "tests/meaning/endless/ltl.h"
 
 #include "graph/components.h"
+#include "tests/meaning/endless/fairness.h"
 
 #include <algorithm>
 #include <map>
@@ -130,11 +131,11 @@ private:
 /// Looks for a run that makes the formula false: a circle in which nothing is put off for ever.
 class Search {
 public:
-  Search(const Runs& of, const Seen& in) : runs(of), seen(in) {}
+  Search(const Script& from, const Runs& of, const Seen& in) : script(from), runs(of), seen(in) {}
 
   /// Nothing where there are too many places.
   std::optional<bool> findsRun(const Wish& wish) {
-    visit(0, {wish});
+    visit(0, {wish}, false);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (places.size() > kMostPlaces) return std::nullopt;
       expand(i);
@@ -151,32 +152,36 @@ private:
   struct Place {
     std::size_t node = 0;
     Wishes wishes;
+    bool rests = false; ///< no step comes any more
     std::vector<Arc> arcs;
   };
 
-  std::size_t visit(std::size_t node, const Wishes& wishes) {
-    const auto [known, isNew] = numbers.try_emplace({node, wishes}, places.size());
-    if (isNew) places.push_back({node, wishes, {}});
+  std::size_t visit(std::size_t node, const Wishes& wishes, bool rests) {
+    const auto [known, isNew] = numbers.try_emplace({node, wishes, rests}, places.size());
+    if (isNew) places.push_back({node, wishes, rests, {}});
     return known->second;
   }
 
   void expand(std::size_t place) {
-    const auto& node = runs.nodes()[places[place].node];
-    for (const auto& edge : node.edges) step(place, edge.target, edge.facts);
+    const std::size_t at = places[place].node;
+    if (places[place].rests) return step(place, at, {}, true);
+    const auto& node = runs.nodes()[at];
+    for (const auto& edge : node.edges) step(place, edge.target, edge.facts, false);
     const Wishes wishes = places[place].wishes;
-    if (node.later) {
-      const auto target = visit(*node.later, wishes);
+    const auto goOn = [&](std::size_t next, bool rests) {
+      const auto target = visit(next, wishes, rests);
       places[place].arcs.push_back({target, false, {}});
-    }
-    if (node.edges.empty() && !node.later) step(place, places[place].node, {});
+    };
+    if (node.later) goOn(*node.later, false);
+    if (mayRest(script, runs, at)) goOn(at, true);
   }
 
-  void step(std::size_t place, std::size_t next, const std::vector<Fact>& facts) {
+  void step(std::size_t place, std::size_t next, const std::vector<Fact>& facts, bool rests) {
     const auto& now = runs.nodes()[places[place].node].situation;
     Point point([&](const Expr& condition) { return seen(condition, now, facts); });
     const Wishes wishes = places[place].wishes;
     for (const auto& way : point.ways(wishes)) {
-      const auto target = visit(next, way.next);
+      const auto target = visit(next, way.next, rests);
       places[place].arcs.push_back({target, true, way.late});
     }
   }
@@ -187,27 +192,36 @@ private:
                                         : graph::kNoNode;
     });
     std::map<std::size_t, Wishes> late; ///< by component: what each of its steps puts off
+    std::map<std::size_t, Circle> circles;
     for (std::size_t i = 0; i < places.size(); ++i)
       for (const auto& arc : places[i].arcs) {
-        if (!arc.step || component[arc.target] != component[i]) continue;
+        if (component[arc.target] != component[i]) continue;
+        auto& circle = circles[component[i]];
+        circle.nodes.insert({places[i].node, places[arc.target].node});
+        circle.timeGoesOn = circle.timeGoesOn || !arc.step;
+        if (!arc.step) continue;
         const auto [entry, first] = late.try_emplace(component[i], arc.late);
         if (!first)
           std::erase_if(entry->second, [&](const Wish& wish) { return !arc.late.contains(wish); });
       }
-    return std::ranges::any_of(late, [](const auto& entry) { return entry.second.empty(); });
+    return std::ranges::any_of(late, [&](const auto& entry) {
+      return entry.second.empty() && isFair(script, runs, circles[entry.first]);
+    });
   }
 
+  const Script& script;
   const Runs& runs;
   const Seen& seen;
   std::vector<Place> places;
-  std::map<std::pair<std::size_t, Wishes>, std::size_t> numbers;
+  std::map<std::tuple<std::size_t, Wishes, bool>, std::size_t> numbers;
 };
 
 } // namespace
 
-std::optional<bool> holdsInAllRuns(const Expr& formula, const Runs& runs, const Seen& seen) {
+std::optional<bool> holdsInAllRuns(const Expr& formula, const Script& script, const Runs& runs,
+                                   const Seen& seen) {
   if (hasNext(formula)) return std::nullopt;
-  const auto violated = Search(runs, seen).findsRun({&formula, false});
+  const auto violated = Search(script, runs, seen).findsRun({&formula, false});
   if (!violated) return std::nullopt;
   return !*violated;
 }
