@@ -44,7 +44,7 @@ Answer answerWithoutEvidence(const Goal& goal, const Exploration& exploration,
 /// Whether a reduction keeps all that a monitor sees.
 bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
   switch (reduction) {
-  case Reduction::DeadVariables: return monitor.ofPoints;
+  case Reduction::DeadVariables: return monitor.ofPoints || watchesStates(monitor, system);
   case Reduction::FreeInputs: return watchesPoints(monitor) || watchesStates(monitor, system);
   case Reduction::StubbornSets: return watchesPoints(monitor);
   case Reduction::LiveVariables:
