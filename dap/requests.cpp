@@ -60,6 +60,7 @@ Adapter::Answer Adapter::launch(const Json& arguments) {
   const auto& trace = player->trace();
   if (!trace.description.empty())
     console(fmt::format("{}: {}", ide::withoutBackticks(trace.description), trace.verdict));
+  if (!trace.summary.empty()) console(ide::withoutBackticks(trace.summary));
   return Json();
 }
 

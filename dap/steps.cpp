@@ -52,6 +52,8 @@ Step stepOf(const OrderedJson& json, const std::filesystem::path& base) {
                             change.at("before").get<std::string>(),
                             change.at("after").get<std::string>()});
   step.transitions = json.at("transitions").get<std::vector<std::string>>();
+  step.why = json.value("why", "");
+  step.relevant = json.value("relevant", true);
   return step;
 }
 
@@ -82,6 +84,7 @@ std::expected<Trace, std::string> readTrace(const OrderedJson& json,
     trace.verdict = json.value("verdict", "");
     const auto inner = json.find("trace");
     const OrderedJson& whole = inner != json.end() ? *inner : json;
+    trace.summary = whole.value("summary", "");
     trace.initial = initialOf(whole);
     for (const auto& step : whole.at("steps")) trace.steps.push_back(stepOf(step, base));
     return trace;

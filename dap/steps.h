@@ -33,12 +33,15 @@ struct Step {
   bool beforeLatest = false;         ///< not at `latest` itself
   std::vector<verify::Change> changes;
   std::vector<std::string> transitions; ///< of the Fiacre model
+  std::string why;                      ///< may be empty
+  bool relevant = true;                 ///< to what the trace shows
 };
 
 struct Trace {
   std::string name;        ///< the property's; empty: a simulation
   std::string description; ///< what the property says; may be empty
   std::string verdict;     ///< `violated`; may be empty
+  std::string summary;     ///< what the trace shows, in a sentence; may be empty
   std::vector<verify::Change> initial;
   std::vector<Step> steps;
 };

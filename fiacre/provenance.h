@@ -2,13 +2,35 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace proskill::fiacre {
 
 /// Where a part of a model comes from: an index into `Provenance::origins`. 0: from nowhere.
 using OriginId = std::uint32_t;
+
+/// What decides that a run passes an origin, so that a reader can be told why it did.
+struct Ground {
+  enum class Kind : std::uint8_t {
+    Condition, ///< `expr` came to `expected`
+    Value,     ///< `expr` is what a variable would get
+    Move,      ///< `expr` is the value that a variable must not leave in this way
+    Cause,     ///< `expr` reads what other processes told: the steps that did so are the reason
+  };
+  Kind kind = Kind::Condition;
+  std::string expr{}; ///< as the printer prints it, over the main component's variables
+  /// In the program's words. Condition: the condition, empty where the origin's words have it.
+  /// Value: the sum, `energy − 2`. Move: the value to move to.
+  std::string text{};
+  std::string variable{};  ///< Value: the one that would get it
+  bool expected = true;    ///< Condition
+  bool afterwards = false; ///< evaluated when the step has been taken
+  std::optional<std::pair<std::int64_t, std::int64_t>> bounds{}; ///< Value: those of the variable
+  friend bool operator==(const Ground&, const Ground&) = default;
+};
 
 /// A place in the program that a model was made from, and what happens there, in that program's
 /// words.
@@ -19,6 +41,7 @@ struct Origin {
   std::string actor;       ///< who: a skill, a branch, an event, the environment
   std::string description; ///< what it does: "starts", "succeeds with `at_altitude`"; empty for a
                            ///< bare place
+  std::vector<Ground> grounds{};
 };
 
 /// A variable of the model that a user knows, and how to show it.

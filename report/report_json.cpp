@@ -46,6 +46,9 @@ OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& ste
   for (const auto& change : step.changes)
     json["changes"].push_back(
         {{"variable", change.variable}, {"before", change.before}, {"after", change.after}});
+  json["why"] = step.why;
+  json["relevant"] = step.relevant;
+  json["causes"] = step.causes;
   json["transitions"] = step.transitions;
   json["origins"] = step.origins;
   return json;
@@ -56,7 +59,7 @@ OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace)
   for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
   OrderedJson steps = OrderedJson::array();
   for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  OrderedJson made{{"initial", initial}, {"steps", steps}};
+  OrderedJson made{{"summary", trace.summary}, {"initial", initial}, {"steps", steps}};
   if (trace.loop) made["loop"] = *trace.loop;
   if (trace.end) made["end"] = secondsJson(*trace.end);
   return made;

@@ -38,6 +38,28 @@ struct Date {
   bool strict = false; ///< not the date itself, but arbitrarily near to it
 };
 
+/// What something was decided by: a value, and since when it had been there.
+struct Support {
+  std::string variable; ///< empty: nothing that a user knows
+  std::string value;
+  std::size_t since = 0; ///< how many steps had been taken then; 0: from the start
+  friend bool operator==(const Support&, const Support&) = default;
+};
+
+/// What a ground of an origin came to in a step.
+struct GroundValue {
+  fiacre::OriginId origin = 0;
+  std::uint32_t ground = 0; ///< of the origin
+  std::int64_t value = 0;
+  std::vector<Support> support; ///< together they suffice
+};
+
+/// What a step had to wait for.
+struct Timer {
+  std::size_t since = 0; ///< how many steps had been taken when it began; 0: the start
+  fiacre::Interval interval;
+};
+
 /// A step of a witness.
 struct Step {
   std::vector<fiacre::OriginId>
@@ -49,6 +71,10 @@ struct Step {
   std::int64_t date = 0; ///< in the concrete run that was replayed, in units of 1/Trace::scale
   std::vector<Change> changes;
   std::string failure; ///< why the step fails: the run ends with it; empty where it does not
+  std::vector<GroundValue> grounds{};
+  std::vector<std::size_t> causes{}; ///< steps that it depends on directly, from 0, ascending
+  std::optional<Timer> timer{};      ///< of a step that cannot come at once
+  bool relevant = true;              ///< to what the trace is a witness of: see trace/causes.h
 };
 
 /// A run from the initial state. It was replayed step by step, with the dates that it gives, before
@@ -61,6 +87,7 @@ struct Trace {
   /// 1/scale; 0 where the steps do.
   std::int64_t end = 0;
   std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
+  std::vector<Support> support{};  ///< what the last state shows it by, where that is a condition
 };
 
 struct Answer {

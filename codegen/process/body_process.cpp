@@ -2,6 +2,7 @@
 
 #include "codegen/term/conditions.h"
 #include "codegen/term/effects.h"
+#include "codegen/term/grounds.h"
 
 #include <fmt/format.h>
 
@@ -107,6 +108,7 @@ Statement BodyProcess::waitFor(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto words = origin(statement.range, "has waited for " + quote(statement.condition.range));
   auto guard = on(conditionIn(body.name, context, statement.condition));
+  decidedBy(context, words, conditionIn(body.name, context, statement.condition), true);
   auto next = to(state.next);
   const bool isPlain = statement.effects.items.empty() || guard.kind != fiacre::StatementKind::On;
   (isPlain ? next : guard).origin = words;
@@ -171,7 +173,7 @@ void BodyProcess::addCall(fiacre::Process& process, const BodyState& state) {
     const auto busy = busyState(state);
     const auto isFree = calls.isFree(callee.name());
     const auto words = fmt::format("finds `{}` busy", callee.name());
-    auto findBusy = sequence({at(origin(state.statement->range, words),
+    auto findBusy = sequence({at(causedBy(context, origin(state.statement->range, words), isFree),
                                  tag(context.names.tag({body.name, state.name, "busy"}))),
                               to(busy)});
     addState(process, state.name, place,
@@ -241,9 +243,12 @@ Statement BodyProcess::returnFrom(const BodyState& state) {
 /// To the target, whatever the outcome was; a refusal is marked.
 Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee,
                                  syntax::Range range, const std::string& target) {
-  auto goOn = at(origin(range, fmt::format("`{}` returns", callee.name())), to(target));
+  const auto isDone = calls.isDone(callee.name());
+  const auto returns = origin(range, fmt::format("`{}` returns", callee.name()));
+  auto goOn = at(causedBy(context, returns, isDone), to(target));
   if (isTrue(precondition(context, callee.skill()))) return goOn;
   const auto words = origin(range, fmt::format("`{}` was refused", callee.name()));
+  causedBy(context, words, isDone);
   auto refused =
       sequence({tag(context.names.tag({body.name, state.name, "refused"})), at(words, to(target))});
   return ifThenElse(equal(context.cellField(callee.name(), "status"), name("no_status")),
@@ -259,8 +264,10 @@ Statement BodyProcess::chooseArm(const BodyState& state, const SkillPlan& callee
     const auto& [status, tags, range] = arms[i].pattern;
     const auto words = fmt::format("`{}` returns: {}", callee.name(), quote(range));
     const bool mayBeRefused = status.text == "refused" || !arms[i].condition;
-    auto take = mayBeRefused ? goOnAfter(state, callee, range, state.targets[i])
-                             : at(origin(range, words), to(state.targets[i]));
+    auto take = mayBeRefused
+                    ? goOnAfter(state, callee, range, state.targets[i])
+                    : at(causedBy(context, origin(range, words), calls.isDone(callee.name())),
+                         to(state.targets[i]));
     const bool isLast = i + 1 == arms.size() || !arms[i].condition;
     chosen = isLast ? std::move(take)
                     : ifThenElse(condition(context, *arms[i].condition), std::move(take),
@@ -288,7 +295,9 @@ Statement BodyProcess::join(const BodyState& state) {
   for (const auto& branch : state.branches) done.push_back(calls.isDone(branch.name));
   done.push_back(mayGoOn());
   const auto words = origin(state.statement->range, "all parallel branches have ended");
-  return sequence({atOnce(), on(conjunction(std::move(done))), at(words, to(state.next))});
+  auto all = conjunction(std::move(done));
+  causedBy(context, words, all);
+  return sequence({atOnce(), on(std::move(all)), at(words, to(state.next))});
 }
 
 // --- Tests
@@ -307,9 +316,14 @@ Statement BodyProcess::testArms(const BodyState& state) {
   auto chain = tests == 1
                    ? tested(arms[0].condition->range, false, otherwise)
                    : at(origin(state.statement->range, "all its tests are false"), to(otherwise));
-  for (std::size_t i = tests; i-- > 0;)
-    chain = ifThenElse(conditionIn(body.name, context, *arms[i].condition),
-                       tested(arms[i].condition->range, true, state.targets[i]), std::move(chain));
+  const auto allFalse = chain.origin;
+  for (std::size_t i = tests; i-- > 0;) {
+    const auto test = conditionIn(body.name, context, *arms[i].condition);
+    decidedBy(context, allFalse, test, false);
+    auto passed = tested(arms[i].condition->range, true, state.targets[i]);
+    decidedBy(context, passed.origin, test, true);
+    chain = ifThenElse(test, std::move(passed), std::move(chain));
+  }
   return chain;
 }
 
@@ -318,9 +332,12 @@ Statement BodyProcess::testLoop(const BodyState& state) {
   const bool isWhile = statement.kind == StatementKind::While;
   const auto& whenTrue = isWhile ? state.targets[0] : state.next;
   const auto& whenFalse = isWhile ? state.next : state.targets[0];
-  return ifThenElse(conditionIn(body.name, context, statement.condition),
-                    tested(statement.condition.range, true, whenTrue),
-                    tested(statement.condition.range, false, whenFalse));
+  const auto test = conditionIn(body.name, context, statement.condition);
+  auto passed = tested(statement.condition.range, true, whenTrue);
+  auto failed = tested(statement.condition.range, false, whenFalse);
+  decidedBy(context, passed.origin, test, true);
+  decidedBy(context, failed.origin, test, false);
+  return ifThenElse(test, std::move(passed), std::move(failed));
 }
 
 Statement BodyProcess::choose(const BodyState& state) {
@@ -343,6 +360,7 @@ Statement BodyProcess::interrupt(const BodyState& state) {
                                                               target)),
                           to(state.next));
   if (!skill || !skill->skill().interrupt) return sequence({atOnce(), nothing});
+  causedBy(context, nothing.origin, calls.isOutstanding(target));
   const auto words = origin(statement.range, fmt::format("interrupts `{}`", target));
   auto raise = sequence(
       {at(words, assign(context.cellField(target, "stop"), boolean(true))), to(state.next)});

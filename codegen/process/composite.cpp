@@ -3,6 +3,7 @@
 #include "codegen/process/body_process.h"
 #include "codegen/process/watchdog.h"
 #include "codegen/term/conditions.h"
+#include "codegen/term/grounds.h"
 
 #include <fmt/format.h>
 
@@ -161,12 +162,14 @@ private:
       all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
     }
     if (skill.obeysStops())
-      all.push_back(strike(seen(frame.stop(), interruption.range, "is asked to stop"), running,
-                           note(resultOf(interruption))));
+      all.push_back(
+          strike(seen(frame.stop(), told(frame.stop(), interruption.range, "is asked to stop")),
+                 running, note(resultOf(interruption))));
     for (auto& failure : failedGuards(running)) all.push_back(std::move(failure));
     if (joining && skill.branchEnds) {
       const auto outcome = name(context.names.outcome(skill.name()));
-      all.push_back(strike(seen(negation(mayGoOn()), node.name.range, "a branch has ended it"),
+      const auto ended = negation(mayGoOn());
+      all.push_back(strike(seen(ended, told(ended, node.name.range, "a branch has ended it")),
                            running, note(outcome)));
     }
     return all;
@@ -178,14 +181,18 @@ private:
     std::vector<Statement> all;
     for (const auto& invariant : skill.skill().invariants) {
       const auto ending = failureOf(invariant);
-      all.push_back(strike(seen(frame.fails(invariant), ending.range, ending.description), running,
-                           note(resultOf(ending))));
+      const auto words = frame.failsAt(frame.origin(ending.range, ending.description), invariant);
+      all.push_back(strike(seen(frame.fails(invariant), words), running, note(resultOf(ending))));
     }
     return all;
   }
 
-  Statement seen(Expr condition, syntax::Range range, std::string_view words) {
-    return sequence({atOnce(), at(frame.origin(range, words), on(std::move(condition)))});
+  OriginId told(const Expr& condition, syntax::Range range, std::string_view words) {
+    return causedBy(context, frame.origin(range, words), condition);
+  }
+
+  static Statement seen(Expr condition, OriginId words) {
+    return sequence({atOnce(), at(words, on(std::move(condition)))});
   }
 
   /// By the reason that was noted; the outcome that a branch left is cleared for the next run.
@@ -256,7 +263,7 @@ private:
   }
 
   Statement start(std::string_view first, std::string_view rest) {
-    auto begin = at(origin(range(), "starts"), to(first));
+    auto begin = at(causedBy(context, origin(range(), "starts"), isCalled()), to(first));
     if (!skill.mayStrikeBranches()) return begin;
     auto stopEarly = sequence({returnNow(range(), "is stopped before it starts"), to(rest)});
     return ifThenElse(context.cellField(body.name, "stop"), std::move(stopEarly), std::move(begin));
@@ -279,7 +286,8 @@ private:
                                          bool joining) override {
     static_cast<void>(joining);
     if (!skill.mayStrikeBranches()) return {};
-    auto asked = at(origin(range(), "is asked to stop"), on(context.cellField(body.name, "stop")));
+    const auto stop = context.cellField(body.name, "stop");
+    auto asked = at(causedBy(context, origin(range(), "is asked to stop"), stop), on(stop));
     return {strike(sequence({atOnce(), std::move(asked)}), running, sequence({}))};
   }
 

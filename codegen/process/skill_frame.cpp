@@ -3,6 +3,7 @@
 #include "codegen/process/invariants.h"
 #include "codegen/term/conditions.h"
 #include "codegen/term/effects.h"
+#include "codegen/term/grounds.h"
 
 #include <algorithm>
 
@@ -93,10 +94,10 @@ Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused
 
 Statement SkillFrame::start(std::string_view next) {
   const auto& node = skill.skill();
-  std::vector<Statement> all{
-      at(origin(node.name.range, "starts"), tag(context.names.tag({skill.name(), "run"}))),
-      changeResources(Op::Add), effects(context, actor, node.start),
-      assign(cell("inv_active"), boolean(true))};
+  std::vector<Statement> all{at(causedBy(context, origin(node.name.range, "starts"), isCalled()),
+                                tag(context.names.tag({skill.name(), "run"}))),
+                             changeResources(Op::Add), effects(context, actor, node.start),
+                             assign(cell("inv_active"), boolean(true))};
   if (skill.isWatchedAgain()) all.push_back(assign(cell("watched"), boolean(true)));
   all.push_back(to(next));
   return sequence(std::move(all));
@@ -108,6 +109,8 @@ Statement SkillFrame::refuse(std::string_view next) {
                                   ? skill.skill().name.range
                                   : syntax::Range{all.front().range.begin, all.back().range.end};
   const auto words = origin(range, "is refused: its precondition does not hold");
+  for (const auto& each : all)
+    decidedBy(context, words, condition(context, each.condition), false, quote(each.range));
   return sequence({at(words, refusal()), returnControl(), to(next)});
 }
 
@@ -158,11 +161,30 @@ Statement SkillFrame::outcome(const Ending& ending) {
 
 Statement SkillFrame::happens(const Ending& ending) {
   const auto& name = context.names.tag({skill.name(), ending.status, ending.tag.text});
-  const auto words = origin(ending.range, ending.description);
+  const auto words = groundsOf(ending);
   if (ending.status == "failed_inv") context.alarms.emplace(words, Alarm::FailedInvariant);
   Statement marked = at(words, tag(name));
   if (!ending.effects) return marked;
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
+}
+
+/// A basic skill sees its invariant fail, or that it is to stop, in the same transition.
+OriginId SkillFrame::groundsOf(const Ending& ending) {
+  const auto words = origin(ending.range, ending.description);
+  if (ending.status == "failed_inv")
+    for (const auto& invariant : skill.skill().invariants)
+      if (invariant.tag.text == ending.tag.text) failsAt(words, invariant);
+  if (ending.status == "interrupted" && skill.mayBeStopped()) causedBy(context, words, stop());
+  return words;
+}
+
+OriginId SkillFrame::failsAt(OriginId words, const syntax::Invariant& invariant) {
+  return decidedBy(context, words, condition(context, invariant.guard), false,
+                   quote(invariant.guard.range));
+}
+
+std::string SkillFrame::quote(syntax::Range range) const {
+  return "`" + context.origins.excerpt(actor.file, range) + "`";
 }
 
 /// The tag that says so, in the transition of the outcome itself. Expanded, what was found is kept
@@ -178,7 +200,9 @@ Statement SkillFrame::postconditionFails(const Ending& ending) {
   const auto words = ending.description + ", but its postcondition does not hold";
   const auto& mark =
       context.names.tag({skill.name(), ending.status, ending.tag.text, "postcondition"});
-  const auto place = origin(ending.postcondition->range, words);
+  const auto place = falseAfterwards(context, origin(ending.postcondition->range, words),
+                                     condition(context, *ending.postcondition),
+                                     quote(ending.postcondition->range));
   context.alarms.emplace(place, Alarm::FailedPostcondition);
   return at(place, tag(mark));
 }

@@ -51,6 +51,8 @@ public:
   [[nodiscard]] OriginId origin(syntax::Range range, std::string_view words = {}) {
     return context.origins.of(actor, range, words);
   }
+  /// The same, which says why the invariant fails.
+  OriginId failsAt(OriginId words, const syntax::Invariant& invariant);
   [[nodiscard]] OriginId place() { return origin(skill.skill().name.range); }
 
 private:
@@ -65,6 +67,8 @@ private:
   [[nodiscard]] fiacre::Statement orInterrupted(fiacre::Statement entry, std::string_view stopped);
   [[nodiscard]] fiacre::Expr isCalled();
   [[nodiscard]] fiacre::Expr isReady();
+  [[nodiscard]] OriginId groundsOf(const Ending& ending);
+  [[nodiscard]] std::string quote(syntax::Range range) const;
   [[nodiscard]] fiacre::Statement happens(const Ending& ending);
   [[nodiscard]] fiacre::Statement checkPostcondition(const Ending& ending);
   [[nodiscard]] fiacre::Statement postconditionFails(const Ending& ending);

@@ -1,6 +1,7 @@
 #include "codegen/process/watchdog.h"
 
 #include "codegen/process/skill_frame.h"
+#include "codegen/term/grounds.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,8 @@ public:
 
 private:
   void addIdle() {
-    const auto words = origin("sees it start");
+    const auto words =
+        causedBy(context, origin("sees it start"), cell(again ? "watched" : "inv_active"));
     addState(process, "idle", place(),
              sequence({atOnce(), on(cell(again ? "watched" : "inv_active")),
                        at(words, to(mayBeEarly ? "early" : "on_time"))}));
@@ -142,10 +144,11 @@ private:
   OriginId origin(std::string_view words) {
     return context.origins.of(actor, seconds.range, words);
   }
-  OriginId sawEnd() { return origin("sees it end"); }
+  OriginId sawEnd() { return causedBy(context, origin("sees it end"), ended()); }
   OriginId tooEarly() {
-    return origin(
-        fmt::format("undershoot: `{}` took less than {} s", skill.name(), toString(seconds.lower)));
+    const auto words =
+        fmt::format("undershoot: `{}` took less than {} s", skill.name(), toString(seconds.lower));
+    return causedBy(context, origin(words), ended());
   }
 
   Context& context;

@@ -2,6 +2,7 @@
 
 #include "codegen/plan/mentions.h"
 #include "codegen/term/conditions.h"
+#include "codegen/term/grounds.h"
 #include "codegen/term/linear.h"
 
 #include <fmt/format.h>
@@ -70,6 +71,8 @@ Statement alarm(Context& context, const Actor& actor, const Assignment& assignme
                                  context.origins.excerpt(actor.file, assignment.effect->range));
   const auto place = context.origins.of(actor, assignment.effect->range, words);
   context.alarms.emplace(place, Alarm::ForbiddenMove);
+  const bool isNatural = context.stateVariable(variable).isNatural();
+  (isNatural ? triesValue : triesMove)(context, place, *assignment.effect);
   const auto error = name(context.names.error(variable));
   if (context.isExpanded())
     return at(context.origins.of(actor, assignment.effect->range),

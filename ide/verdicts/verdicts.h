@@ -3,6 +3,7 @@
 #include "ide/snapshot/snapshot.h"
 #include "ide/verdicts/verification.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,6 +29,8 @@ struct PropertyVerdict {
   codegen::Weight weight = codegen::Weight::Error;
   std::optional<analysis::Location> location; ///< in the program that was verified
   std::string reason;                         ///< where inconclusive
+  std::string summary;                        ///< what its trace shows; empty where it has none
+  bool pending = false;                       ///< it is being verified, and not decided yet
   std::optional<std::size_t> steps;           ///< of its trace; nothing: it has none
   std::vector<Waypoint> way;                  ///< of its trace, where it is bad; the first of them
 
@@ -43,6 +46,10 @@ struct ProgramVerdicts {
   std::map<std::filesystem::path, std::int64_t> versions; ///< of those of its texts that were open
   std::vector<PropertyVerdict> properties;
   verify::Exploration exploration;
+
+  [[nodiscard]] bool anyPending() const {
+    return std::ranges::any_of(properties, &PropertyVerdict::pending);
+  }
 };
 
 /// By the path of the root file; both maps and entries never change.

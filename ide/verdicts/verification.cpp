@@ -1,5 +1,7 @@
 #include "ide/verdicts/verification.h"
 
+#include "ide/verdicts/why.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,6 +26,7 @@ Moment moment(const verify::Date& date, Rational unit) {
 Trace translate(verify::Trace raw, const codegen::Model& model) {
   Trace trace{std::move(raw.initial), {}};
   trace.steps.reserve(raw.steps.size());
+  auto reasons = whyOf(raw, model);
   const auto last = raw.steps.empty() ? 0 : raw.steps.back().date;
   Rational before;
   for (auto& rawStep : raw.steps) {
@@ -31,6 +34,7 @@ Trace translate(verify::Trace raw, const codegen::Model& model) {
     const auto latest = rawStep.latest;
     const auto date = seconds(rawStep.date, raw.scale, model.unit);
     auto step = inWords(std::move(rawStep), model.provenance);
+    step.why = std::move(reasons[trace.steps.size()]);
     step.earliest = earliest;
     if (latest) step.latest = moment(*latest, model.unit);
     step.date = date;
@@ -56,7 +60,11 @@ VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen
   result.check = &check;
   result.verdict = verdictOf(check, answer.truth);
   result.location = locate(model.provenance.origins[check.origin]);
-  if (answer.trace) result.trace = translate(std::move(*answer.trace), model);
+  if (answer.trace) {
+    const auto support = answer.trace->support;
+    result.trace = translate(std::move(*answer.trace), model);
+    result.trace->summary = summaryOf(check, model, *result.trace, support);
+  }
   result.reason = answer.reason;
   return result;
 }
@@ -142,6 +150,8 @@ TraceStep inWords(verify::Step raw, const fiacre::Provenance& provenance) {
   step.changes = std::move(raw.changes);
   step.transitions = std::move(raw.transitions);
   step.origins = std::move(raw.origins);
+  step.causes = std::move(raw.causes);
+  step.relevant = raw.relevant;
   return step;
 }
 

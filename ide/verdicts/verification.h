@@ -34,10 +34,16 @@ struct TraceStep {
   std::vector<verify::Change> changes;
   std::vector<std::string> transitions;  ///< of the Fiacre model
   std::vector<fiacre::OriginId> origins; ///< of what was passed, for places in the model's text
+  std::string why; ///< why it came, or came so: "`energy` is 0 since step 15"; may be empty
+  std::vector<std::size_t> causes; ///< steps that it depends on directly, from 0, ascending
+  bool relevant = true;            ///< to what the trace shows: see verify/trace/causes.h
 };
 
 /// A step in the program's words, without its dates.
 [[nodiscard]] TraceStep inWords(verify::Step step, const fiacre::Provenance& provenance);
+
+/// An interval of units of time in seconds: "2 to 8 s", "more than 3 s".
+[[nodiscard]] std::string inSeconds(const fiacre::Interval& interval, syntax::Rational unit);
 
 /// Seconds of a number of units, each 1/scale of the model's unit; a date that does not fit is as
 /// good as the largest that does.
@@ -51,6 +57,7 @@ struct Trace {
   std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
   /// Until when nothing else happens, where that is what is shown: seconds since the start.
   std::optional<syntax::Rational> end;
+  std::string summary; ///< what the trace shows, in a sentence
 };
 
 /// The verdict on one property.

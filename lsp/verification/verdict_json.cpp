@@ -41,7 +41,8 @@ Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Progra
                        : protocol::DiagnosticSeverity::Warning},
       {"code", property.kind},
       {"source", "proskill verify"},
-      {"message", fmt::format("{}: {}", property.description, ide::toString(property.verdict))},
+      {"message", fmt::format("{}: {}{}{}", property.description, ide::toString(property.verdict),
+                              property.summary.empty() ? "" : ". ", property.summary)},
       {"data", {{"kind", "verdict"}, {"name", property.name}, {"program", convert.uri(0)}}}};
   if (client.relatedInformation && !property.way.empty())
     json["relatedInformation"] = waypointsJson(property.way, convert);
@@ -51,7 +52,7 @@ Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Progra
 Json stepJson(const OrderedJson& step, const analysis::Program& program, const Converter& convert) {
   Json json;
   for (const auto* member : {"actor", "description", "date", "delay", "earliest", "latest",
-                             "changes", "transitions", "origins"})
+                             "changes", "why", "relevant", "causes", "transitions", "origins"})
     json[member] = step.at(member);
   json["location"] = orNull(locationIn(program, step.at("location")), convert);
   return json;
@@ -133,6 +134,8 @@ Json verdictJson(const ide::PropertyVerdict& property, const Converter& convert)
           {"severity", property.weight == codegen::Weight::Error ? "error" : "warning"},
           {"location", orNull(property.location, convert)},
           {"reason", property.reason},
+          {"summary", property.summary},
+          {"pending", property.pending},
           {"steps", property.steps ? Json(*property.steps) : Json()}};
 }
 
@@ -146,15 +149,18 @@ Json countsJson(const std::vector<ide::PropertyVerdict>& properties) {
   std::size_t good = 0;
   std::size_t errors = 0;
   std::size_t warnings = 0;
+  std::size_t pending = 0;
   for (const auto& property : properties) {
     if (property.good()) ++good;
+    if (property.pending) ++pending;
     if (property.bad()) ++(property.weight == codegen::Weight::Error ? errors : warnings);
   }
   return {{"total", properties.size()},
           {"good", good},
           {"errors", errors},
           {"warnings", warnings},
-          {"inconclusive", properties.size() - good - errors - warnings}};
+          {"inconclusive", properties.size() - good - errors - warnings - pending},
+          {"pending", pending}};
 }
 
 Json explorationSummary(const verify::Exploration& exploration) {
@@ -190,6 +196,7 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
           {"program", convert.uri(0)},
           {"main", verified.mainSkill.empty() ? Json() : Json(verified.mainSkill)},
           {"stale", stale},
+          {"summary", trace.at("summary")},
           {"texts", textsJson(*verified.verdicts, convert)},
           {"initial", trace.at("initial")},
           {"variables", variablesJson(program, trace.at("initial"))},

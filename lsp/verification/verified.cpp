@@ -58,6 +58,7 @@ ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJ
   property.reason = withSetting(json.value("reason", ""), limits);
   if (const auto& trace = json.at("trace"); !trace.is_null()) {
     property.steps = trace.at("steps").size();
+    property.summary = trace.at("summary").get<std::string>();
     if (property.bad()) property.way = wayOf(program, trace);
   }
   return property;
@@ -97,7 +98,35 @@ Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProg
   return verified;
 }
 
+void addRow(Verified& to, ide::ProgramVerdicts& verdicts, std::size_t row, const OrderedJson& json,
+            const LimitSettings& limits) {
+  auto property = propertyOf(verdicts.program->program, json, limits);
+  if (property.steps) to.traces[property.name] = json.at("trace").dump();
+  verdicts.properties.at(row) = std::move(property);
+}
+
 } // namespace
+
+std::optional<Verified> GrowingReport::with(const OrderedJson& report,
+                                            const std::vector<std::size_t>& rows) {
+  try {
+    const bool isFirst = !known;
+    if (isFirst) known = read(report, program, open, limits);
+    auto verdicts = std::make_shared<ide::ProgramVerdicts>(*known->verdicts);
+    if (isFirst)
+      for (auto& property : verdicts->properties)
+        property.pending = property.verdict == ide::Verdict::Inconclusive;
+    for (auto row : rows) addRow(*known, *verdicts, row, report.at("properties").at(row), limits);
+    known->verdicts = std::move(verdicts);
+    return known;
+  } catch (const OrderedJson::exception&) {
+    return std::nullopt;
+  } catch (const std::bad_optional_access&) {
+    return std::nullopt;
+  } catch (const std::out_of_range&) {
+    return std::nullopt;
+  }
+}
 
 std::optional<analysis::Location> locationIn(const analysis::Program& program,
                                              const OrderedJson& json) {
@@ -132,8 +161,8 @@ Verified merged(const Verified& older, Verified newer) {
     auto known = std::ranges::find(all->properties, property.name, &ide::PropertyVerdict::name);
     if (known == all->properties.end())
       all->properties.push_back(property);
-    else
-      *known = property;
+    else if (!property.pending || known->pending)
+      *known = property; // what is only being verified again stays known
   }
   // What the newer ones have no trace of has none any more.
   for (const auto& [name, trace] : older.traces) {

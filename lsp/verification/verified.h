@@ -26,6 +26,25 @@ struct Verified {
 readReport(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> program,
            const ide::OpenTexts& open, const LimitSettings& limits);
 
+/// A report that grows while its program is verified.
+class GrowingReport {
+public:
+  GrowingReport(std::shared_ptr<const ide::AnalysedProgram> of, const ide::OpenTexts& now,
+                LimitSettings raisedBy)
+      : program(std::move(of)), open(now), limits(raisedBy) {}
+
+  /// What is known with these rows of the report decided; the others are pending. Nothing where the
+  /// report has not the form that it should have.
+  [[nodiscard]] std::optional<Verified> with(const OrderedJson& report,
+                                             const std::vector<std::size_t>& rows);
+
+private:
+  std::shared_ptr<const ide::AnalysedProgram> program;
+  const ide::OpenTexts& open;
+  LimitSettings limits;
+  std::optional<Verified> known;
+};
+
 /// What is known after some properties have been verified again: the newer verdict of each, where
 /// both are for the same texts; else the newer ones alone.
 [[nodiscard]] Verified merged(const Verified& older, Verified newer);

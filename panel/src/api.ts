@@ -49,6 +49,12 @@ export interface Step {
   /** null: as late as one likes */
   latest: Moment | null;
   changes: Change[];
+  /** why it came, or came so, in a sentence */
+  why?: string;
+  /** absent or true: it matters to what the trace shows */
+  relevant?: boolean;
+  /** the steps that it depends on directly, from 0 */
+  causes?: number[];
   transitions: string[];
   origins?: number[];
 }
@@ -62,6 +68,8 @@ export interface Trace {
   name: string;
   description: string;
   verdict: string;
+  /** what the trace shows, in a sentence */
+  summary?: string;
   initial: { [variable: string]: string };
   steps: Step[];
   /** Where absent, the panel makes them out by the words of the steps. */
@@ -82,6 +90,10 @@ export interface Verdict {
   severity: 'error' | 'warning';
   location: Location | null;
   reason: string;
+  /** what its trace shows, in a sentence */
+  summary?: string;
+  /** it is being verified, and not decided yet */
+  pending?: boolean;
   /** of its trace; null: it has none */
   steps: number | null;
 }

@@ -67,12 +67,13 @@ std::string initialText(const std::vector<verify::Change>& initial) {
   return text;
 }
 
-/// The widths of the columns of a trace.
+/// The widths of the columns of a trace, and whether it says which of its steps matter.
 struct Layout {
   std::size_t number = 1;
   std::size_t window = 0;
   std::size_t actor = 0;
   std::size_t words = 0;
+  bool marks = false;
 };
 
 Layout layoutOf(const ide::Trace& trace) {
@@ -83,19 +84,22 @@ Layout layoutOf(const ide::Trace& trace) {
     layout.words = std::max(layout.words, countCharacters(step.description));
   }
   layout.words = std::min<std::size_t>(layout.words, 60);
+  layout.marks = !std::ranges::all_of(trace.steps, &ide::TraceStep::relevant);
   return layout;
 }
 
 void writeStep(std::ostream& out, const VerifyReport& report, const ide::TraceStep& step,
                std::size_t number, const Layout& layout, const Paint& paint) {
   auto where = step.location ? place(report.program, *step.location) : std::string();
-  out << fmt::format("    {:>{}}  {}  {}  {}  {}\n", number, layout.number,
-                     padded(windowText(step), layout.window),
-                     paint(Colour::Cyan, padded(step.actor, layout.actor)),
-                     padded(step.description, layout.words), paint(Colour::Dim, where));
-  if (!step.changes.empty())
-    out << std::string(4 + layout.number + 2 + layout.window + 2 + layout.actor + 2, ' ')
-        << paint(Colour::Dim, changesText(step.changes)) << '\n';
+  auto words = padded(step.description, layout.words);
+  out << fmt::format(
+      "  {} {:>{}}  {}  {}  {}  {}\n", layout.marks && step.relevant ? "•" : " ", number,
+      layout.number, padded(windowText(step), layout.window),
+      paint(step.relevant ? Colour::Cyan : Colour::Dim, padded(step.actor, layout.actor)),
+      step.relevant ? words : paint(Colour::Dim, words), paint(Colour::Dim, where));
+  const std::string below(4 + layout.number + 2 + layout.window + 2 + layout.actor + 2, ' ');
+  if (!step.why.empty()) out << below << paint(Colour::Dim, "why: " + step.why) << '\n';
+  if (!step.changes.empty()) out << below << paint(Colour::Dim, changesText(step.changes)) << '\n';
 }
 
 std::string rowText(const ide::VerdictRow& row, const Paint& paint) {
@@ -188,6 +192,8 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
                 bool colour) {
   Paint paint{colour};
   auto layout = layoutOf(*row.trace);
+  if (!row.trace->summary.empty()) out << "  " << row.trace->summary << '\n';
+  if (layout.marks) out << "  " << paint(Colour::Dim, "• steps that matter to this") << '\n';
   std::size_t number = 0;
   for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
   if (row.trace->loop)

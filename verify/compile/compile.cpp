@@ -371,6 +371,7 @@ std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
     Assembler(model, std::move(probes), types, expressions, events, made.system).run();
     assignClocks(made.system);
     watch(provenance, model, types, made.system);
+    addGrounds(provenance, model, expressions, made.system);
     return made;
   } catch (const CompileError& error) {
     return std::unexpected(error.why);

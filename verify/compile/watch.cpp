@@ -1,5 +1,8 @@
 #include "verify/compile/watch.h"
 
+#include "fiacre/syntax/parse.h"
+#include "verify/unsupported.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -99,6 +102,17 @@ void watchAll(const Elaboration& model, System& system) {
       system.watched.push_back({system.cells[i].name, i, valueWords(*type, {})});
 }
 
+std::optional<NodeId> groundNode(const fiacre::Ground& ground, const Elaboration& model,
+                                 Expressions& expressions) {
+  const auto expr = fiacre::parseExpr(ground.expr);
+  if (!expr) return std::nullopt;
+  try {
+    return expressions.scalar(*expr, model.componentScope);
+  } catch (const CompileError&) {
+    return std::nullopt;
+  }
+}
+
 } // namespace
 
 void watch(const fiacre::Provenance& provenance, const Elaboration& model, const Types& types,
@@ -114,6 +128,16 @@ std::string shown(const WatchedCell& watched, std::int64_t value) {
   if (value >= 0 && static_cast<std::size_t>(value) < watched.words.size())
     return watched.words[static_cast<std::size_t>(value)];
   return std::to_string(value);
+}
+
+void addGrounds(const fiacre::Provenance& provenance, const Elaboration& model,
+                Expressions& expressions, System& system) {
+  for (fiacre::OriginId origin = 0; origin < provenance.origins.size(); ++origin) {
+    const auto& grounds = provenance.origins[origin].grounds;
+    for (std::uint32_t i = 0; i < grounds.size(); ++i)
+      if (const auto node = groundNode(grounds[i], model, expressions))
+        system.grounds.push_back({origin, i, *node});
+  }
 }
 
 } // namespace proskill::verify

@@ -207,6 +207,13 @@ struct WatchedCell {
   std::vector<std::string> words; ///< of the values from the cell's low on; empty: the number
 };
 
+/// A ground of an origin, as an expression over cells.
+struct GroundNode {
+  fiacre::OriginId origin = 0;
+  std::uint32_t index = 0; ///< in the origin's grounds
+  NodeId node = 0;
+};
+
 struct System {
   std::vector<Cell> cells;
   std::vector<Node> nodes;
@@ -219,6 +226,7 @@ struct System {
   std::vector<Transition> transitions;
   std::vector<Clock> clocks;
   std::vector<WatchedCell> watched;
+  std::vector<GroundNode> grounds; ///< by origin, ascending
   std::uint32_t eventCount = 0;
   std::uint32_t words = 0;       ///< of a packed state
   std::uint32_t storedWords = 0; ///< of these, those that the exploration tells apart

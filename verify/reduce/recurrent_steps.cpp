@@ -2,6 +2,7 @@
 
 #include "graph/components.h"
 #include "verify/reduce/path_facts.h"
+#include "verify/state/evaluate.h"
 #include "verify/state/partial_evaluation.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace proskill::verify {
 
 namespace {
 
-using Value = std::optional<std::int64_t>;
+using KnownValue = std::optional<std::int64_t>;
 
 /// One evaluation: the values of nodes that do not depend on unknown bits.
 class Reading {
@@ -17,7 +17,7 @@ public:
   Reading(const System& of, const PartialState& where, BitField& open)
       : system(of), at(where), undecided(open) {}
 
-  Value value(NodeId id) {
+  KnownValue value(NodeId id) {
     const Node& node = system.nodes[id];
     switch (node.op) {
     case NodeOp::Number: return node.number;
@@ -46,7 +46,7 @@ public:
     return std::nullopt;
   }
 
-  Value test(std::uint32_t word, Word mask, Word wanted) {
+  KnownValue test(std::uint32_t word, Word mask, Word wanted) {
     const Word known = mask & ~at.unknown[word];
     if ((at.state[word] & known) != (wanted & known)) return 0;
     if (known == mask) return 1;
@@ -56,7 +56,7 @@ public:
 
   /// The value of a node all of whose parts have one; evaluated together, since a part may come to
   /// a fault.
-  Value whole(NodeId id, std::initializer_list<NodeId> parts) {
+  KnownValue whole(NodeId id, std::initializer_list<NodeId> parts) {
     for (auto part : parts)
       if (!isKnown(part)) return std::nullopt;
     FaultId fault = kNoFault;
@@ -65,8 +65,8 @@ public:
   }
 
   /// The truth of a guard that may come to a fault, which counts as false.
-  Value asGuard(NodeId id) {
-    return isKnown(id) ? Value(holds(system, id, at.state)) : std::nullopt;
+  KnownValue asGuard(NodeId id) {
+    return isKnown(id) ? KnownValue(holds(system, id, at.state)) : std::nullopt;
   }
 
   /// Whether no cell that the node reads is unknown.
@@ -100,8 +100,8 @@ public:
   }
 
 private:
-  template <class Function> static Value map(Value value, Function function) {
-    return value ? Value(function(*value)) : std::nullopt;
+  template <class Function> static KnownValue map(KnownValue value, Function function) {
+    return value ? KnownValue(function(*value)) : std::nullopt;
   }
 
   bool isKnown(std::uint32_t word, Word mask) {
@@ -110,22 +110,22 @@ private:
     return false;
   }
 
-  Value cell(const Cell& place, CellId id) {
+  KnownValue cell(const Cell& place, CellId id) {
     if (!isKnown(place.word, place.mask)) return std::nullopt;
     return readCell(system, id, at.state);
   }
 
   /// `deciding` is the truth of one part that settles the whole.
-  Value connective(const Node& node, bool deciding) {
-    const Value a = value(node.a);
+  KnownValue connective(const Node& node, bool deciding) {
+    const KnownValue a = value(node.a);
     if (a && (*a != 0) == deciding) return deciding;
-    const Value b = value(node.b);
+    const KnownValue b = value(node.b);
     if (b && (*b != 0) == deciding) return deciding;
-    return a && b ? Value(!deciding) : std::nullopt;
+    return a && b ? KnownValue(!deciding) : std::nullopt;
   }
 
-  Value conditional(const Node& node) {
-    if (const Value a = value(node.a)) return value(*a != 0 ? node.b : node.c);
+  KnownValue conditional(const Node& node) {
+    if (const KnownValue a = value(node.a)) return value(*a != 0 ? node.b : node.c);
     return std::nullopt;
   }
 

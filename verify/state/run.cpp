@@ -23,15 +23,32 @@ Outcome failed(const System& system, FaultId fault, StepLog& log) {
   return Outcome::Failed;
 }
 
+/// Hears of a step; a search has none.
+struct NoListener {
+  static void beginApart() {}
+  static void evaluates(NodeId, const Word*, CellId = kNone) {}
+  static void writes(CellId) {}
+};
+struct TellListener {
+  StepListener& told;
+  void beginApart() const { told.beginApart(); }
+  void evaluates(NodeId node, const Word* state, CellId target = kNone) const {
+    told.evaluates(node, state, target);
+  }
+  void writes(CellId cell) const { told.writes(cell); }
+};
+
 /// Several assignments at once: all values first.
+template <class Listener>
 Outcome assignAll(const System& system, std::span<const Assignment> assignments, Word* state,
-                  StepLog& log) {
+                  StepLog& log, const Listener& listener) {
   constexpr std::size_t kFew = 64;
   std::array<std::int64_t, kFew> few{};
   std::vector<std::int64_t> many(assignments.size() > kFew ? assignments.size() : 0);
   std::int64_t* values = many.empty() ? few.data() : many.data();
   for (std::size_t i = 0; i < assignments.size(); ++i) {
     FaultId fault = kNoFault;
+    listener.evaluates(assignments[i].value, state, assignments[i].target);
     values[i] = evaluate(system, assignments[i].value, state, fault);
     if (fault != kNoFault) return failed(system, fault, log);
     if (assignments[i].checked && !fits(system.cells[assignments[i].target], values[i])) {
@@ -39,12 +56,16 @@ Outcome assignAll(const System& system, std::span<const Assignment> assignments,
       return Outcome::Failed;
     }
   }
-  for (std::size_t i = 0; i < assignments.size(); ++i)
+  for (std::size_t i = 0; i < assignments.size(); ++i) {
     writeCell(system, assignments[i].target, values[i], state);
+    listener.writes(assignments[i].target);
+  }
   return Outcome::Done;
 }
 
-Outcome firePath(const System& system, const Path& path, Word* state, StepLog& log) {
+template <class Listener>
+Outcome firePath(const System& system, const Path& path, Word* state, StepLog& log,
+                 const Listener& listener) {
   std::size_t at = 0;
   FaultId fault = kNoFault;
   int turns = 0;
@@ -54,8 +75,9 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
     switch (instruction.kind) {
     case InstructionKind::Assign: {
       std::span all(path.assignments);
-      auto outcome = assignAll(
-          system, all.subspan(instruction.first, instruction.last - instruction.first), state, log);
+      auto outcome =
+          assignAll(system, all.subspan(instruction.first, instruction.last - instruction.first),
+                    state, log, listener);
       if (outcome != Outcome::Done) return outcome;
       break;
     }
@@ -64,13 +86,17 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
         const BitStore& store = path.stores[i];
         state[store.word] = (state[store.word] & store.keep) | store.bits;
       }
+      for (auto i = instruction.first; i < instruction.last; ++i)
+        listener.writes(path.assignments[i].target);
       break;
     case InstructionKind::On:
+      listener.evaluates(instruction.node, state);
       if (evaluate(system, instruction.node, state, fault) == 0 && fault == kNoFault)
         return Outcome::GaveUp;
       if (fault != kNoFault) return failed(system, fault, log);
       break;
     case InstructionKind::JumpUnless:
+      listener.evaluates(instruction.node, state);
       if (evaluate(system, instruction.node, state, fault) == 0) at = instruction.last;
       if (fault != kNoFault) return failed(system, fault, log);
       break;
@@ -82,6 +108,7 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
       at = instruction.last;
       break;
     case InstructionKind::Fail:
+      listener.evaluates(instruction.node, state);
       std::ignore = evaluate(system, instruction.node, state, fault);
       return failed(system, fault, log);
     case InstructionKind::Tag:
@@ -90,6 +117,7 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
     case InstructionKind::Origin: log.origins.push_back(instruction.first); break;
     case InstructionKind::To:
       writeCell(system, system.instances[path.instance].location, instruction.last, state);
+      listener.writes(system.instances[path.instance].location);
       if (instruction.event != kNone) log.events.push_back(instruction.event);
       log.leaves.push_back(instruction.leaf);
       return Outcome::Done;
@@ -99,12 +127,15 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
 }
 
 /// Each part reads the state before the step; their writes are disjoint and are joined.
-Outcome fireApart(const System& system, const Transition& transition, Word* state, StepLog& log) {
+template <class Listener>
+Outcome fireApart(const System& system, const Transition& transition, Word* state, StepLog& log,
+                  const Listener& listener) {
   const std::vector<Word> before(state, state + system.words);
   for (auto id : transition.parts) {
     const Path& path = system.paths[id];
     std::vector<Word> own = before;
-    auto outcome = firePath(system, path, own.data(), log);
+    listener.beginApart();
+    auto outcome = firePath(system, path, own.data(), log, listener);
     if (outcome != Outcome::Done) return outcome;
     path.writes.each(
         [&](CellId cell) { writeCell(system, cell, readCell(system, cell, own.data()), state); });
@@ -112,10 +143,12 @@ Outcome fireApart(const System& system, const Transition& transition, Word* stat
   return Outcome::Done;
 }
 
-Outcome firePaths(const System& system, const Transition& transition, Word* state, StepLog& log) {
-  if (transition.apart) return fireApart(system, transition, state, log);
+template <class Listener>
+Outcome firePaths(const System& system, const Transition& transition, Word* state, StepLog& log,
+                  const Listener& listener) {
+  if (transition.apart) return fireApart(system, transition, state, log, listener);
   for (auto part : transition.parts) {
-    auto outcome = firePath(system, system.paths[part], state, log);
+    auto outcome = firePath(system, system.paths[part], state, log, listener);
     if (outcome != Outcome::Done) return outcome;
   }
   return Outcome::Done;
@@ -131,18 +164,29 @@ bool isSeen(const System& system, const Transition& transition, const Word* befo
   });
 }
 
-} // namespace
-
-Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
+template <class Listener>
+Outcome fireTold(const System& system, TransitionId id, Word* state, StepLog& log,
+                 const Listener& listener) {
   const Transition& transition = system.transitions[id];
   const auto first = log.events.size();
   log.events.insert(log.events.end(), transition.events.begin(), transition.events.end());
-  if (transition.seen.empty()) return firePaths(system, transition, state, log);
+  if (transition.seen.empty()) return firePaths(system, transition, state, log, listener);
   const std::vector<Word> before(state, state + system.words);
-  const auto outcome = firePaths(system, transition, state, log);
+  const auto outcome = firePaths(system, transition, state, log, listener);
   if (outcome != Outcome::Done) return outcome;
   const std::span happened = std::span(log.events).subspan(first);
   return isSeen(system, transition, before.data(), state, happened) ? outcome : Outcome::GaveUp;
+}
+
+} // namespace
+
+Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
+  return fireTold(system, id, state, log, NoListener{});
+}
+
+Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log,
+             StepListener& listener) {
+  return fireTold(system, id, state, log, TellListener{listener});
 }
 
 bool isEnabled(const System& system, TransitionId id, const Word* state) {

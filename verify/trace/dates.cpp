@@ -1,6 +1,7 @@
 #include "verify/trace/dates.h"
 
 #include "verify/state/state_layout.h"
+#include "verify/trace/clock_starts.h"
 
 #include <algorithm>
 
@@ -32,7 +33,6 @@ public:
   std::optional<std::vector<Constraint>> write() {
     std::vector<Word> state = initialState(system);
     enabling.compute(state.data(), enabled);
-    since.assign(system.clocks.size(), 0);
     for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
       limits.check();
       const TransitionId step = evidence.steps[i];
@@ -40,11 +40,11 @@ public:
       letTimePass(i, i + 1);
       const auto& fired = system.transitions[step];
       if (fired.clock != kNone)
-        all.push_back({since[fired.clock], i + 1, lowerBound(fired.interval)});
+        all.push_back({since.of(fired.clock), i + 1, lowerBound(fired.interval)});
       for (auto blocker : fired.laterBlockers) {
         const auto& first = system.transitions[blocker];
         if (contains(enabled, blocker))
-          all.push_back({i + 1, since[first.clock], notYet(first.interval)});
+          all.push_back({i + 1, since.of(first.clock), notYet(first.interval)});
       }
       const TransitionSet before = enabled;
       const Outcome outcome = fire(system, step, state.data(), log);
@@ -55,14 +55,14 @@ public:
       }
       if (outcome != Outcome::Done) return std::nullopt;
       enabling.update(step, state.data(), enabled);
-      restart(step, before, i + 1);
+      since.restart(step, before, i + 1);
     }
     const std::size_t last = evidence.steps.size();
     letTimePass(last, last + 1);
     watch(last);
     for (const auto& range : evidence.clocks) {
-      all.push_back({since[range.clock], last + 1, range.lower});
-      if (range.upper != kInfinite) all.push_back({last + 1, since[range.clock], range.upper});
+      all.push_back({since.of(range.clock), last + 1, range.lower});
+      if (range.upper != kInfinite) all.push_back({last + 1, since.of(range.clock), range.upper});
     }
     return std::move(all);
   }
@@ -74,7 +74,7 @@ private:
     eachIn(enabled, [&](TransitionId id) {
       const auto& transition = system.transitions[id];
       if (transition.clock != kNone && transition.interval.upper)
-        all.push_back({to, since[transition.clock], upperBound(transition.interval)});
+        all.push_back({to, since.of(transition.clock), upperBound(transition.interval)});
     });
   }
 
@@ -107,22 +107,12 @@ private:
     }
   }
 
-  /// Clocks that do not go on start at the step.
-  void restart(TransitionId step, const TransitionSet& before, std::size_t at) {
-    std::vector<bool> ran(system.clocks.size());
-    eachIn(before, [&](TransitionId id) {
-      if (system.transitions[id].clock != kNone) ran[system.transitions[id].clock] = true;
-    });
-    for (ClockId clock = 0; clock < system.clocks.size(); ++clock)
-      if (!ran[clock] || resets(system, step, clock)) since[clock] = at;
-  }
-
   const System& system;
   const Enabling& enabling;
   const Evidence& evidence;
   LimitWatch& limits;
   TransitionSet enabled;
-  std::vector<std::size_t> since; ///< by clock: the step that started it
+  ClockStarts since{system};
   std::vector<Constraint> all;
   StepLog log;
 };

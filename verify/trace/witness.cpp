@@ -2,6 +2,7 @@
 
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
+#include "verify/trace/causes.h"
 #include "verify/trace/dates.h"
 #include "verify/trace/replay.h"
 #include "verify/trace/step_description.h"
@@ -96,7 +97,26 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
          .changes = changesBetween(system, watchedBy(evidence.steps[i]), before, state),
          .failure = fails ? log.failure : ""});
   }
+  addCauses(goal, evidence, made);
   return made;
+}
+
+/// What a slice claims is tried; where it does not stand, every step counts as relevant. Where a
+/// limit is met, the trace stays as it is.
+void Witness::addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const {
+  try {
+    auto causes = causesOf(system, all, provenance, goal, evidence, limits);
+    const bool stands = reproduces(system, goal, evidence, causes.relevant);
+    for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+      auto& step = trace.steps[i];
+      step.causes = std::move(causes.of[i]);
+      step.grounds = std::move(causes.grounds[i]);
+      step.timer = causes.timers[i];
+      step.relevant = !stands || causes.relevant[i];
+    }
+    trace.support = std::move(causes.support);
+  } catch (const LimitMet&) {
+  }
 }
 
 /// Watched variables that a step may change, by their places.

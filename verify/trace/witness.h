@@ -25,6 +25,7 @@ public:
 private:
   [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
                                   std::optional<Dating>& dating) const;
+  void addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const;
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;

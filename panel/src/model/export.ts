@@ -1,4 +1,5 @@
 import type { Trace } from '../api.ts';
+import { matters, tellsWhatMatters } from './filter.ts';
 import { windowOf } from './time.ts';
 
 /** What `open` reads again. */
@@ -6,16 +7,18 @@ export function traceJson(trace: Trace): string {
   return JSON.stringify({ version: 1, ...trace }, null, 2) + '\n';
 }
 
-/** For mails and terminals: a line a step, its changes below. */
+/** For mails and terminals: a line a step, its changes below; with a star, where only some matter. */
 export function traceText(trace: Trace): string {
   const width = Math.max(0, ...trace.steps.map((step) => windowOf(step).length));
-  const lines = [`${trace.description}: ${trace.verdict}`, ''];
+  const lines = [`${trace.description}: ${trace.verdict}`, ...(trace.summary ? [trace.summary] : []), ''];
+  const marks = tellsWhatMatters(trace);
   for (const [name, value] of Object.entries(trace.initial)) lines.push(`    ${name} ${value}`);
   lines.push('');
   trace.steps.forEach((step, index) => {
     if (trace.loop === index) lines.push('    -- from here on for ever --');
     const place = step.location ? `  (${step.location.uri}:${step.location.range.start.line + 1})` : '';
-    lines.push(`${String(index + 1).padStart(5)}  ${windowOf(step).padStart(width)} s  ${step.actor}: ${step.description}${place}`);
+    lines.push(`${marks && matters(step) ? '*' : ' '}${String(index + 1).padStart(4)}  ${windowOf(step).padStart(width)} s  ${step.actor}: ${step.description}${place}`);
+    if (step.why) lines.push(`${' '.repeat(width + 11)}why: ${step.why}`);
     for (const change of step.changes)
       lines.push(`${' '.repeat(width + 11)}${change.variable}: ${change.before} -> ${change.after}`);
   });

@@ -7,14 +7,21 @@ export interface Filter {
   variables: ReadonlySet<string>;
   /** Only steps that change something. */
   changing: boolean;
+  /** Only steps that matter to what the trace shows. */
+  relevant: boolean;
 }
-export const everything: Filter = { actors: new Set(), variables: new Set(), changing: false };
+export const everything: Filter = { actors: new Set(), variables: new Set(), changing: false, relevant: false };
 
 export const isFiltering = (filter: Filter): boolean =>
-  filter.actors.size > 0 || filter.variables.size > 0 || filter.changing;
+  filter.actors.size > 0 || filter.variables.size > 0 || filter.changing || filter.relevant;
+
+export const matters = (step: Step): boolean => step.relevant !== false;
+/** Whether some steps of a trace matter and others do not. */
+export const tellsWhatMatters = (trace: Trace): boolean => trace.steps.some((step) => !matters(step));
 
 export function passes(step: Step, filter: Filter): boolean {
   if (filter.actors.size > 0 && !filter.actors.has(step.actor)) return false;
+  if (filter.relevant && !matters(step)) return false;
   if (filter.changing && step.changes.length === 0) return false;
   return filter.variables.size === 0 || step.changes.some((change) => filter.variables.has(change.variable));
 }
@@ -33,6 +40,7 @@ export function matches(step: Step, needle: string): boolean {
   const text = [
     step.actor,
     step.description,
+    step.why ?? '',
     ...step.changes.map((change) => `${change.variable} ${change.before} ${change.after}`),
   ].join('\n');
   return plain(text).includes(plain(needle));

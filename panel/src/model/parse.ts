@@ -37,6 +37,7 @@ export function traceOf(value: Json, about: Json = value): Trace {
     steps: value['steps'].map(stepOf),
   };
   if (Array.isArray(value['actors'])) trace.actors = value['actors'] as NonNullable<Trace['actors']>;
+  if (typeof value['summary'] === 'string') trace.summary = value['summary'];
   if (typeof value['loop'] === 'number') trace.loop = value['loop'];
   return trace;
 }

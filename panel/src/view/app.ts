@@ -37,6 +37,8 @@ class App {
   private readonly opened = new Map<string, Trace>();
   private program: Program | null = null;
   private toastTimer = 0;
+  /** what was seen last and could not be shown yet: its program is verified again first */
+  private wanted: { trace: string; step?: number } | null = null;
   /** counts the traces that were asked for, so that a late answer does not replace a newer one */
   private asked = 0;
 
@@ -125,8 +127,11 @@ class App {
   private async begin(): Promise<void> {
     const { picture, trace, step } = this.remembered; // what follows has something to remember, too
     if (this.hello.program) this.take(this.hello.program);
-    const show = this.hello.show ?? { ...(picture && { picture }), ...(trace && { trace }), ...(step !== undefined && { step }) };
-    await this.show(show);
+    if (this.hello.show) await this.show(this.hello.show);
+    else {
+      if (picture) await this.show({ picture });
+      if (trace && !(await this.reopen(trace, step))) this.wanted = { trace, ...(step !== undefined && { step }) };
+    }
     if (this.hello.layout === 'trace' && document.hasFocus() && document.activeElement === document.body) this.trace.focus();
     await this.showFirst();
   }
@@ -151,23 +156,29 @@ class App {
     else if (show.step !== undefined && this.trace.trace) this.trace.goTo(show.step);
   }
 
+  /** What was seen last is there again, and nothing moves for it. */
+  private reopen(trace: string, step?: number): Promise<boolean> {
+    return this.fetchTrace(trace, step, false);
+  }
+
   /** Whether it is shown now: something else may have been asked for since. */
-  private async fetchTrace(name: string, step?: number): Promise<boolean> {
+  private async fetchTrace(name: string, step?: number, byUser = true): Promise<boolean> {
     const request = ++this.asked;
     try {
       const trace = this.opened.get(name) ?? (await this.host.request('trace', { name }));
       if (request !== this.asked) return false;
-      this.openTrace(trace, step);
+      this.openTrace(trace, step, byUser);
       return true;
     } catch (error) {
-      if (request === this.asked) this.say((error as Error).message);
+      if (request === this.asked && byUser) this.say((error as Error).message);
       return false;
     }
   }
 
-  private openTrace(trace: Trace, step?: number): void {
+  private openTrace(trace: Trace, step?: number, byUser = true): void {
+    this.wanted = null;
     this.select('trace');
-    this.trace.show(trace, step);
+    this.trace.show(trace, step, byUser);
     this.trace.markStale(trace.stale ?? (this.program !== null && this.isStale(this.program)));
     this.verdicts.select(trace.name);
   }
@@ -215,7 +226,10 @@ class App {
     this.trace.markStale(this.isStale(program));
     if (program.pictures.length > 0) this.automaton.setProgram(program);
     void this.source?.setProgram(program);
-    if (former && program.state === 'done' && !program.stale) void this.renewTrace(former);
+    if (program.state === 'done' && !program.stale) {
+      if (this.wanted) void this.reopen(this.wanted.trace, this.wanted.step);
+      else if (former) void this.renewTrace(former);
+    }
     if (former && this.trace.name === null) void this.showFirst();
   }
 

@@ -2,18 +2,19 @@ import type { Change, Location, Trace } from '../api.ts';
 import { actorHues, actorsOf, hue, hues } from '../model/actors.ts';
 import { isDifferent, type Pair } from '../model/compare.ts';
 import { difference, type Part } from '../model/diff.ts';
-import { groups } from '../model/filter.ts';
+import { groups, matters } from '../model/filter.ts';
 import { sameMoment, windowOf, windowWords } from '../model/time.ts';
 import { Rows } from '../model/virtual.ts';
 import { h, onceAFrame, prose } from './dom.ts';
 import { icon } from './icons.ts';
 
-const heights = { head: 30, step: 26, change: 22, other: 26 };
+const heights = { head: 30, step: 26, why: 20, change: 22, other: 26 };
 const margin = 300; // pixels that are drawn above and below what is in view
 
 type Row =
   | { type: 'head'; actor: string; group: number; count: number }
   | { type: 'step'; index: number }
+  | { type: 'why'; index: number; why: string }
   | { type: 'change'; index: number; change: Change }
   | { type: 'other'; index: number }; // of the trace to compare with
 
@@ -110,6 +111,8 @@ export class StepList {
     this.rows = [];
     const add = (index: number): void => {
       this.rows.push({ type: 'step', index });
+      const why = trace.steps[index]!.why;
+      if (why) this.rows.push({ type: 'why', index, why });
       for (const change of trace.steps[index]!.changes) this.rows.push({ type: 'change', index, change });
     };
     if (compared) this.arrangePairs(compared.pairs, new Set(steps), add);
@@ -161,6 +164,7 @@ export class StepList {
 
   private rowElement(row: Row, at: number): HTMLElement {
     if (row.type === 'head') return this.headElement(row);
+    if (row.type === 'why') return this.whyElement(row.index, row.why);
     if (row.type === 'change') return this.changeElement(row.index, row.change);
     if (row.type === 'other') return this.otherElement(row.index);
     return this.stepElement(row.index, at);
@@ -187,12 +191,12 @@ export class StepList {
     const before = trace.steps[index - 1];
     const sameDate = before && at > 0 && sameMoment(before.earliest, step.earliest) && sameMoment(before.latest, step.latest);
     const only = this.onlyLeft.has(index);
-    const classes = ['row', 'step', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
+    const classes = ['row', 'step', !matters(step) && 'aside', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
       this.inLoop(index) && 'in-loop', trace.loop === index && 'loop-start', `hue-${this.hueOf(step.actor)}`];
     return h('div', {
       class: classes.filter(Boolean).join(' '), id: `step-${index}`, role: 'option', 'aria-selected': String(index === this.current),
       'aria-posinset': this.positions.get(index) ?? 1, 'aria-setsize': steps.length,
-      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.description}`,
+      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.description}${step.why ? `, why: ${step.why}` : ''}${matters(step) ? '' : '; it does not matter here'}`,
       onclick: () => this.choose(index), ondblclick: () => this.events.enter(index),
     }, h('span', { class: 'number' }, String(index + 1)),
     h('span', { class: `date${sameDate ? ' same' : ''}`, title: windowWords(step) }, `${windowOf(step)} s`),
@@ -203,10 +207,20 @@ export class StepList {
     step.location && h('span', { class: 'place' }, placeOf(step.location)));
   }
 
+  private whyElement(index: number, why: string): HTMLElement {
+    return h('div', {
+      class: `row why${this.sideClasses(index)}`, role: 'presentation', title: why.replaceAll('`', ''), onclick: () => this.choose(index),
+    }, h('span', { class: 'because' }, 'why'), h('span', { class: 'words' }, prose(why)));
+  }
+
+  private sideClasses(index: number): string {
+    return `${index === this.current ? ' of-current' : ''}${this.inLoop(index) ? ' in-loop' : ''}${matters(this.shown!.trace.steps[index]!) ? '' : ' aside'}`;
+  }
+
   private changeElement(index: number, change: Change): HTMLElement {
     const found = difference(change.before, change.after);
     return h('div', {
-      class: `row change${index === this.current ? ' of-current' : ''}${this.inLoop(index) ? ' in-loop' : ''} ${found.kind}`,
+      class: `row change${this.sideClasses(index)} ${found.kind}`,
       role: 'presentation', onclick: () => this.choose(index),
     }, h('span', { class: 'variable' }, change.variable), parts('before', found.before), h('span', { class: 'arrow' }, '→'),
     parts('after', found.after), found.delta && h('span', { class: 'faint' }, found.delta));

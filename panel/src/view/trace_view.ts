@@ -1,9 +1,8 @@
 import type { Host, Trace, Verdict } from '../api.ts';
 import { actorHues, actorsOf } from '../model/actors.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
-import { search, select } from '../model/filter.ts';
+import { search, select, tellsWhatMatters } from '../model/filter.ts';
 import { continuation, tellsTheSame } from '../model/renew.ts';
-import { decimal } from '../model/time.ts';
 import { Values } from '../model/values.ts';
 import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
 import { h, isTyping, plural, prose } from './dom.ts';
@@ -14,6 +13,7 @@ import type { Saver } from './save.ts';
 import { splitter } from './splitter.ts';
 import { StepList } from './step_list.ts';
 import { exportSections } from './trace_export.ts';
+import { TraceHead } from './trace_head.ts';
 import { ValuesView } from './values_view.ts';
 
 export interface TraceEvents {
@@ -30,7 +30,7 @@ export class TraceView {
   private readonly list: StepList;
   private readonly values: ValuesView;
   private readonly lanes: LanesView;
-  private readonly head = h('div', { class: 'trace-head' });
+  private readonly head = new TraceHead();
   private readonly body: HTMLElement;
   private readonly empty: HTMLElement;
   private readonly count = h('span', { class: 'count', 'aria-live': 'polite' });
@@ -39,8 +39,9 @@ export class TraceView {
   private readonly comparing = h('div', { class: 'comparing', hidden: true });
   private readonly follow;
   private readonly grouped;
+  private readonly relevant;
   private readonly buttons: { previous: HTMLButtonElement; next: HTMLButtonElement };
-  private filter = { actors: new Set<string>(), variables: new Set<string>(), changing: false };
+  private filter = { actors: new Set<string>(), variables: new Set<string>(), changing: false, relevant: false };
   private shown: number[] = [];
   private found: number[] = [];
   private compared: { other: Trace; pairs: Pair[] } | null = null;
@@ -54,7 +55,6 @@ export class TraceView {
   /** what was shown of the property before it had no trace any more */
   private former: { trace: Trace; index: number } | null = null;
   private gone = false;
-  private readonly renewed = h('span', { class: 'renewed', role: 'status' });
   private readonly nothingOpen: Node[];
   /** the property that the view is about, with a trace or without; null: none was chosen yet */
   name: string | null = null;
@@ -73,13 +73,14 @@ export class TraceView {
     });
     this.follow = toggle({ icon: 'follow', title: 'Follow: the source goes with the steps', on: true, changed: (on) => on && this.reveal(this.current, false) });
     this.grouped = toggle({ text: 'By actor', title: 'Steps in a row by the same actor under its name', on: true, changed: () => this.refresh() });
+    this.relevant = toggle({ text: 'What matters', title: 'Only the steps that matter to what the trace shows (m)', on: false, changed: (on) => { this.filter.relevant = on; this.refresh(); } });
     this.buttons = {
       previous: button({ icon: 'previous', title: 'Previous step (↑)', onclick: () => this.list.move(-1) }),
       next: button({ icon: 'next', title: 'Next step (↓)', onclick: () => this.list.move(1) }),
     };
     const upper = h('div', { class: 'trace-upper' }, h('div', { class: 'steps-frame' }, this.nothing, this.list.element), this.values.element);
     upper.insertBefore(splitter('vertical', this.values.element, 'values'), this.values.element);
-    this.body = h('div', { class: 'trace-body', hidden: true }, this.head, this.toolbar(), this.comparing, upper,
+    this.body = h('div', { class: 'trace-body', hidden: true }, ...this.head.elements, this.toolbar(), this.comparing, upper,
       splitter('horizontal', this.lanes.element, 'lanes'), this.lanes.element);
     this.nothingOpen = [h('p', {}, 'No trace is open.'),
       h('p', { class: 'faint' }, 'Choose a property that has one, or open a file with a trace.'),
@@ -139,13 +140,14 @@ export class TraceView {
   }
 
   /** Opens a trace at a step; without one at its last, which shows what the property is about. */
-  show(trace: Trace, step = trace.steps.length - 1): void {
+  show(trace: Trace, step = trace.steps.length - 1, byUser = true): void {
     this.name = trace.name;
     this.given = trace;
     this.former = null;
     this.gone = false;
     this.ask();
-    this.filter = { actors: new Set(), variables: new Set(), changing: false };
+    this.filter = { actors: new Set(), variables: new Set(), changing: false, relevant: false };
+    this.relevant.set(false);
     this.compared = null;
     this.field.value = '';
     this.found = [];
@@ -155,7 +157,9 @@ export class TraceView {
     this.drawHead();
     this.lanes.show(this.trace!);
     this.refresh();
-    this.goTo(this.current);
+    this.list.select(this.current);
+    this.head.say('');
+    this.moveTo(this.current, byUser);
   }
 
   /**
@@ -182,8 +186,8 @@ export class TraceView {
     this.lanes.renew(this.trace!);
     this.refresh(found.index);
     this.moveTo(found.index, false);
-    if (isNew) this.renewed.textContent = found.same
-      ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`;
+    if (isNew) this.head.say(found.same
+      ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`);
   }
 
   /** The property has a verdict without a trace now: what was shown is of the past. */
@@ -214,19 +218,16 @@ export class TraceView {
 
   private drawHead(): void {
     const trace = this.trace!;
-    const end = trace.steps.at(-1)?.date;
-    this.head.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
-      h('h2', { title: trace.name }, prose(trace.description)),
-      h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), `, ${end ? decimal(end) : '0'} s`),
-      h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'), this.renewed);
-    this.renewed.textContent = '';
+    this.head.draw(trace);
+    const count = trace.steps.filter((step) => step.relevant !== false).length;
+    enable(this.relevant.element, tellsWhatMatters(trace) ? null : 'Every step matters', `Only the ${plural(count, 'step')} that matter to what the trace shows (m)`);
   }
 
   private toolbar(): HTMLElement {
     return h('div', { class: 'bar toolbar', role: 'toolbar', 'aria-label': 'Trace' },
       this.buttons.previous, this.buttons.next, this.count, this.follow.element, h('span', { class: 'divider' }),
       h('label', { class: 'search-frame' }, icon('search'), this.field),
-      menu({ icon: 'filter', title: 'Filter', content: () => this.filterSections() }), this.grouped.element,
+      menu({ icon: 'filter', title: 'Filter', content: () => this.filterSections() }), this.relevant.element, this.grouped.element,
       h('span', { class: 'push' }),
       menu({ icon: 'compare', title: 'Compare with another trace', content: () => this.compareSections() }),
       menu({ icon: 'download', title: 'Export', content: () => exportSections(this.given!, this.lanes, this.element, this.saver) }),
@@ -252,7 +253,8 @@ export class TraceView {
   }
 
   private showAll(): void {
-    this.filter = { actors: new Set(), variables: new Set(), changing: false };
+    this.filter = { actors: new Set(), variables: new Set(), changing: false, relevant: false };
+    this.relevant.set(false);
     this.refresh();
   }
 
@@ -322,7 +324,7 @@ export class TraceView {
   /** The user goes to a step: the source follows. */
   goTo(index: number): void {
     this.list.select(index);
-    this.renewed.textContent = '';
+    this.head.say('');
     this.moveTo(index, true);
   }
 
@@ -387,6 +389,7 @@ export class TraceView {
     else if (event.key === 'n') this.compared ? this.toDifference(1) : this.toFound(1);
     else if (event.key === 'N') this.compared ? this.toDifference(-1) : this.toFound(-1);
     else if (event.key === 'f') this.follow.element.click();
+    else if (event.key === 'm') this.relevant.element.click();
     else return;
     event.preventDefault();
   }

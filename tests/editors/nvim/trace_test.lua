@@ -71,7 +71,7 @@ return {
     expect.contains(list.items[7].text, 'start_drone.status: no_status → failure')
     expect.contains(list.items[10].text, '>120 s …')
 
-    expect.equal(child:lua('return told'), { 'proskill: 9 steps; :cnext and :cprevious step, in the list ] and [; q there ends' })
+    expect.equal(child:lua('return told'), { 'proskill: 9 steps; :cnext and :cprevious step, in the list ] and [; m: only what matters, q ends' })
     child:lua("require('proskill.trace').next()")
     child:wait(step_at(1))
     local note = child:lua(notes)
@@ -83,6 +83,12 @@ return {
     expect.contains(shown, '~ mission_status')
     expect.contains(shown, 'Unknown → Ongoing')
     expect.contains(shown, '  battery')
+
+    -- Only what matters: the steps between do nothing to the time that the mission takes.
+    child:lua("require('proskill.trace').toggle_relevant()")
+    child:lua("require('proskill.trace').next()")
+    child:wait(step_at(4))
+    expect.contains(child:lua(notes)[2], 'why: step 1: uav_mission starts')
   end },
 
   { 'the quickfix list\'s own commands go through the trace', function(child)

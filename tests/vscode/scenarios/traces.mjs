@@ -48,7 +48,7 @@ export const scenarios = {
   },
 
   /** The steps of one actor, the ones that change something, a variable at the top, a search, another trace beside. */
-  async filters({ editor, page }) {
+  async filters({ editor, page, proskill, root }) {
     await editor.openFile(kDrone);
     await editor.statusSays(/\d+ bad, \d+ to look at/);
     await editor.command('ProSkill: Open Trace');
@@ -58,6 +58,18 @@ export const scenarios = {
     await expect('the keyboard in the list of steps', () => frame.evaluate(() => document.hasFocus() && document.activeElement.matches('.steps')));
     await editor.press('ArrowDown');
     await frame.locator('#step-1.current').waitFor();
+    // What went wrong in a sentence, why each step came, and by one key only the steps that matter.
+    equal('the sentence above the steps', await frame.locator('.trace-summary').textContent(), verified({ proskill, root }, kDrone, failing).trace.summary.replaceAll('`', ''));
+    await frame.locator('.row.why').first().waitFor();
+    await editor.picture('filters-why');
+    const aside = await frame.locator('.row.step.aside').count();
+    if (aside) {
+      await editor.press('m');
+      await expect('only the steps that matter', async () => /shown/.test(await count(frame)) && !(await frame.locator('.row.step.aside').count()));
+      await editor.picture('filters-matters');
+      await editor.press('m');
+    }
+    equal('steps that do not matter', aside > 0, verified({ proskill, root }, kDrone, failing).trace.steps.some(({ relevant }) => !relevant));
     await choose(frame, 'Filter', 'start_drone', 'Only steps by');
     await expect('the steps of start_drone alone', async () => /\(2 shown\)/.test(await count(frame)));
     await choose(frame, 'Filter', 'All steps');

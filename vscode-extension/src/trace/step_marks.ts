@@ -48,7 +48,8 @@ export class StepMarks implements vscode.Disposable {
 
 function words({ step, index, count }: panel.CurrentStep): string {
   const changes = step.changes.map(({ variable, before, after }) => `${variable}: ${before} → ${after}`);
-  return [`step ${index + 1} of ${count}, ${decimal(step.date)} s`, ...changes].join('   ');
+  const why = step.why ? [`why: ${step.why.replaceAll('`', '')}`] : [];
+  return [`step ${index + 1} of ${count}, ${decimal(step.date)} s`, ...changes, ...why].join('   ');
 }
 
 function named(line: string, { values, step }: panel.CurrentStep): string[] {

@@ -10,10 +10,13 @@ end
 -- From what `proskill/trace` answers (then with the encoding of its positions), or from a verdict of
 -- `proskill verify --format json`.
 function M.trace(from, encoding)
-  local trace = { initial = from.initial, stale = from.stale == true, steps = {} }
+  local trace = {
+    initial = from.initial, stale = from.stale == true, summary = from.summary or '', steps = {},
+  }
   for _, step in ipairs(from.steps) do
     table.insert(trace.steps, {
       actor = step.actor, description = step.description, changes = step.changes,
+      why = (step.why or ''):gsub('`', ''), relevant = step.relevant ~= false,
       earliest = present(step.earliest), latest = present(step.latest),
       place = encoding and place.of_protocol(step.location, encoding)
               or not encoding and place.of_program(step.location) or nil,

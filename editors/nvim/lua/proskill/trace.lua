@@ -17,14 +17,15 @@ local space = vim.api.nvim_create_namespace('proskill.trace')
 M.shown = nil
 
 for group, link in pairs({
-  ProskillStep = 'Visual', ProskillStepChange = 'DiffText', ProskillStepNote = 'Comment',
+  ProskillStepAside = 'Comment', ProskillStep = 'Visual', ProskillStepChange = 'DiffText', ProskillStepNote = 'Comment',
   ProskillStepSign = 'Search',
 }) do
   vim.cmd(('highlight default link %s %s'):format(group, link))
 end
 
 local function items(shown)
-  local start = ('start  %s: %s'):format(shown.description, shown.verdict)
+  local summary = shown.verdict .. (shown.trace.summary ~= '' and '. ' .. shown.trace.summary:gsub('`', '') or '')
+  local start = ('start  %s: %s'):format(shown.description, summary)
   local result = { place.item(shown.place, { text = start, nr = 0 }) }
   for number, step in ipairs(shown.trace.steps) do
     local changes = steps.changes(step)
@@ -57,7 +58,8 @@ local function note(shown, step)
     table.insert(notes, { ' ' .. steps.change(change) .. ' ', 'ProskillStepChange' })
   end
   if step then
-    table.insert(notes, { (' %s · %s'):format(steps.date(step), step.description), 'ProskillStepNote' })
+    local why = step.why ~= '' and ' · why: ' .. step.why or ''
+    table.insert(notes, { (' %s · %s%s'):format(steps.date(step), step.description, why), 'ProskillStepNote' })
   end
   return notes
 end
@@ -116,12 +118,26 @@ local function scroll(shown, step)
   end)
 end
 
+-- Dims the lines of the list whose steps do not matter to what the trace shows.
+local function dim(shown, buffer)
+  for number, step in ipairs(shown.trace.steps) do
+    if not step.relevant then
+      vim.api.nvim_buf_set_extmark(buffer, space, number, 0, {
+        end_row = number + 1, hl_group = 'ProskillStepAside', hl_eol = false, priority = 200,
+      })
+    end
+  end
+end
+
 local function render(number)
   local shown = M.shown
   shown.at = number
   local step = shown.trace.steps[number]
   clear()
   mark(shown, step)
+  if shown.buffer and vim.api.nvim_buf_is_valid(shown.buffer) then
+    dim(shown, shown.buffer)
+  end
   values.show(shown)
   return step
 end
@@ -136,9 +152,40 @@ function M.go(number)
   scroll(shown, render(number))
 end
 
-function M.next(count) M.go(M.shown and M.shown.at + (count or 1) or 0) end
+-- Goes on by so many steps; only those that matter count, once `toggle_relevant` was called.
+local function move(by)
+  local shown = M.shown
+  if not shown then
+    return
+  end
+  local number, left, direction = shown.at, math.abs(by), by < 0 and -1 or 1
+  local last = #shown.trace.steps
+  while left > 0 and number + direction >= 0 and number + direction <= last do
+    number = number + direction
+    local step = shown.trace.steps[number]
+    if not shown.only_relevant or not step or step.relevant then
+      left = left - 1
+    end
+  end
+  local step = shown.trace.steps[number]
+  if left == 0 or (shown.only_relevant and step and step.relevant) then
+    M.go(number)
+  end
+end
 
-function M.previous(count) M.go(M.shown and M.shown.at - (count or 1) or 0) end
+function M.next(count) move(count or 1) end
+
+function M.previous(count) move(-(count or 1)) end
+
+-- Whether `next` and `previous` pass by what does not matter.
+function M.toggle_relevant()
+  local shown = M.shown
+  if not shown then
+    return
+  end
+  shown.only_relevant = not shown.only_relevant
+  message.info(shown.only_relevant and 'only the steps that matter' or 'all steps')
+end
 
 -- :cnext and its like move through the list and tell nobody: so look after each move of the cursor.
 local function follow()
@@ -182,11 +229,11 @@ end
 
 -- In the quickfix window, for as long as the trace is shown.
 local function map_keys(buffer)
-  for key, action in pairs({ [']'] = M.next, ['['] = M.previous, q = M.close }) do
+  for key, action in pairs({ [']'] = M.next, ['['] = M.previous, m = M.toggle_relevant, q = M.close }) do
     vim.keymap.set('n', key, function() action(vim.v.count1) end, { buffer = buffer, nowait = true })
   end
   return function()
-    for _, key in ipairs({ ']', '[', 'q' }) do
+    for _, key in ipairs({ ']', '[', 'm', 'q' }) do
       pcall(vim.keymap.del, 'n', key, { buffer = buffer })
     end
   end
@@ -208,11 +255,12 @@ local function open(verdict, trace)
   M.shown = shown
   vim.cmd('botright copen')
   shown.unmap = map_keys(vim.api.nvim_get_current_buf())
+  shown.buffer = vim.api.nvim_get_current_buf()
   vim.api.nvim_set_current_win(shown.window)
   values.open(shown)
   watch()
   M.go(0)
-  message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; q there ends'):format(#trace.steps))
+  message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; m: only what matters, q ends'):format(#trace.steps))
   if trace.stale then
     message.warn('the program has changed since: places may have moved')
   end

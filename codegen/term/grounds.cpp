@@ -1,0 +1,76 @@
+#include "codegen/term/grounds.h"
+
+#include "codegen/term/build.h"
+#include "codegen/term/linear.h"
+#include "fiacre/print/print.h"
+
+#include <algorithm>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Ground;
+
+OriginId explained(Context& context, OriginId origin, Ground ground) {
+  if (origin == 0) return origin;
+  auto& all = context.origins.provenance.origins[origin].grounds;
+  if (std::ranges::find(all, ground) == all.end()) all.push_back(std::move(ground));
+  return origin;
+}
+
+/// `energy − 2`, as people write sums.
+std::string infix(const syntax::Expr& expr, bool inner = false) {
+  using syntax::ExprKind;
+  if (expr.kind == ExprKind::Number) return syntax::toString(expr.number);
+  if (expr.kind == ExprKind::Symbol) return std::string(expr.name.text);
+  const bool adds = expr.kind == ExprKind::Add;
+  if (!adds && expr.operands.size() == 1) return "−" + infix(expr.operands[0], true);
+  std::string text;
+  for (const auto& operand : expr.operands)
+    text += (text.empty() ? "" : adds ? " + " : " − ") + infix(operand, true);
+  return inner ? "(" + text + ")" : text;
+}
+
+} // namespace
+
+OriginId decidedBy(Context& context, OriginId origin, const fiacre::Expr& condition, bool expected,
+                   std::string text) {
+  if (isTrue(condition) || isFalse(condition)) return origin;
+  return explained(
+      context, origin,
+      {.expr = fiacre::printExpr(condition), .text = std::move(text), .expected = expected});
+}
+
+OriginId falseAfterwards(Context& context, OriginId origin, const fiacre::Expr& condition,
+                         std::string text) {
+  return explained(context, origin,
+                   {.expr = fiacre::printExpr(condition),
+                    .text = std::move(text),
+                    .expected = false,
+                    .afterwards = true});
+}
+
+OriginId causedBy(Context& context, OriginId origin, const fiacre::Expr& told) {
+  if (isTrue(told) || isFalse(told)) return origin;
+  return explained(context, origin, {.kind = Ground::Kind::Cause, .expr = fiacre::printExpr(told)});
+}
+
+OriginId triesValue(Context& context, OriginId origin, const syntax::Effect& effect) {
+  const auto& variable = context.stateVariable(effect.variable.text);
+  return explained(context, origin,
+                   {.kind = Ground::Kind::Value,
+                    .expr = fiacre::printExpr(Linear(context, effect.value).expr()),
+                    .text = infix(effect.value),
+                    .variable = std::string(effect.variable.text),
+                    .bounds = domainOf(variable)});
+}
+
+OriginId triesMove(Context& context, OriginId origin, const syntax::Effect& effect) {
+  return explained(context, origin,
+                   {.kind = Ground::Kind::Move,
+                    .expr = context.names.variable(effect.variable.text),
+                    .text = std::string(effect.value.name.text),
+                    .variable = std::string(effect.variable.text)});
+}
+
+} // namespace proskill::codegen

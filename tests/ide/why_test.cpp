@@ -1,0 +1,91 @@
+#include "ide/verdicts/verification.h"
+#include "tests/support/texts.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+
+namespace {
+
+/// The trace of a property of a program.
+ide::Trace traceOf(const std::string& text, const std::string& property) {
+  const auto program = test::programOfText(text);
+  const auto model = codegen::generate(program);
+  REQUIRE(model.has_value());
+  auto report = ide::verifyModel(*model, {property}, {});
+  REQUIRE(report.has_value());
+  REQUIRE(report->rows.size() == 1);
+  return report->rows[0].trace.value();
+}
+
+const ide::TraceStep& stepThat(const ide::Trace& trace, const std::string& description) {
+  for (const auto& step : trace.steps)
+    if (step.description.find(description) != std::string::npos) return step;
+  FAIL("no step that " << description);
+  return trace.steps.front();
+}
+
+const std::string kRobot = R"((defsv energy :init 3 :min 0 :max 4)
+(defsv place :states (Dock Field) :init Dock :transitions :all)
+(defsv lid :states (Open Shut) :init Shut :transitions ((Shut Open)))
+(defskill charge :precondition (at_dock (place Dock) low (< energy 3)) :time_interval [1,2] :success ok)
+(defskill drill :time_interval [2,3] :success done (:effects ((energy (- energy 2)) (place Field))))
+(defskill close :time_interval [1,1] :success shut (:effects (lid Shut)))
+(defskill open :time_interval [1,1] :success open (:effects (lid Open)))
+)";
+
+} // namespace
+
+TEST_CASE("a number out of its bounds is told with the sum that it is") {
+  const auto trace = traceOf(
+      kRobot + "(defskill mission :success done :body ((drill) (drill) (success done)))", "energy");
+  CHECK(trace.steps.back().why == "`energy` 1 − 2 = −1 is below `:min` 0");
+  CHECK(trace.summary.ends_with("`energy` 1 − 2 = −1 is below `:min` 0."));
+  CHECK(trace.summary.starts_with("In step "));
+  CHECK(stepThat(trace, "succeeds").why.starts_with("2 to 3 s after step "));
+}
+
+TEST_CASE("a refusal is told with the condition that is false, and since when") {
+  const auto trace =
+      traceOf(kRobot + "(defskill mission :success done :body ((drill) (charge) (success done)))",
+              "mission.never_refused");
+  const auto& refused = stepThat(trace, "is refused");
+  // That `low` is true is no reason.
+  CHECK(refused.why.starts_with("`at_dock (place Dock)` is false: `place` is Field since step "));
+  CHECK(refused.why.find("energy") == std::string::npos);
+  CHECK(trace.summary.find("`at_dock (place Dock)` is false: `place` is Field") !=
+        std::string::npos);
+}
+
+TEST_CASE("a move that is not allowed is told with the value that it starts from") {
+  const auto trace = traceOf(
+      kRobot + "(defskill mission :success done :body ((open) (close) (success done)))", "lid");
+  CHECK(trace.steps.back().why.starts_with("`lid` is Open since step "));
+  CHECK(trace.steps.back().why.ends_with("no transition leads from there to Shut"));
+}
+
+TEST_CASE("who is stopped is told by whom") {
+  const auto trace = traceOf(kRobot + R"((defsv alarm :states (Off On) :init Off :transitions :all)
+(defevent rings :effects (alarm On))
+(defskill walk :time_interval [5,9] :interrupt () :success there)
+(defskill mission :invariant (calm (:guard (alarm Off))) :success done :body ((walk) (success done)))
+(defenvironment world :body ((^ 1) (emit rings) (^ 9)))
+(defproperty stopped (reachable (ended walk interrupted)))
+)",
+                             "stopped");
+  const auto& stopped = stepThat(trace, "is interrupted");
+  CHECK(stopped.actor == "walk");
+  CHECK(stopped.why.find("mission invariant `calm` fails: `(alarm Off)` is false: "
+                         "`alarm` is On since step ") != std::string::npos);
+}
+
+TEST_CASE("what the mission does not need is said not to matter") {
+  const auto trace = traceOf(kRobot + R"((defevent noise :effects (place Dock))
+(defskill idle :monitor t :success ok :body ((^ 1) (set (lid Open)) (success ok)))
+(defskill mission :success done :body ((drill) (drill) (success done)))
+)",
+                             "energy");
+  CHECK(trace.steps.back().relevant);
+  for (const auto& step : trace.steps)
+    if (step.actor == "idle") CHECK_FALSE(step.relevant);
+}
