@@ -15,6 +15,8 @@ using Clock = std::chrono::steady_clock;
 
 /// How often a cancellation is looked for while nothing comes.
 constexpr std::chrono::milliseconds kPatience{10};
+/// How often the report is handed over while it grows.
+constexpr std::chrono::seconds kBetweenReports{1};
 /// Beyond the budget, for all that is no exploration: reading, compiling, making traces.
 constexpr double kGraceSeconds = 10;
 
@@ -35,8 +37,9 @@ class Conversation {
 public:
   using Result = std::expected<OrderedJson, WorkerFailure>;
 
-  Conversation(process::Child& with, const std::function<void(const WorkerProgress&)>& tell)
-      : child(with), progress(tell) {}
+  Conversation(process::Child& with, const std::function<void(const WorkerProgress&)>& tell,
+               const OnSoFar& tellSoFar)
+      : child(with), progress(tell), onSoFar(tellSoFar) {}
 
   Result hold(std::string_view toSend, const rpc::Cancellation& cancellation, double seconds) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
@@ -47,6 +50,7 @@ public:
       auto done = child.exchange(toSend, kPatience);
       toSend.remove_prefix(done.sent);
       hear(done.received);
+      if (!result) handOver();
       if (done.ended && !result)
         return soFarOr("the process that verifies gave no answer: " + child.ending());
     }
@@ -54,6 +58,12 @@ public:
   }
 
 private:
+  void handOver() {
+    if (!onSoFar || fresh.empty() || Clock::now() < nextReport) return;
+    nextReport = Clock::now() + kBetweenReports;
+    onSoFar(soFar, std::exchange(fresh, {}));
+  }
+
   void hear(std::string_view bytes) {
     while (!bytes.empty() && !result) {
       const auto end = bytes.find('\n');
@@ -75,6 +85,7 @@ private:
       auto& rows = soFar["properties"];
       if (index < rows.size()) rows[index] = std::move(message["decided"]["property"]);
       anyDecided = true;
+      fresh.push_back(index);
     } else if (message.contains("report")) {
       result = completed(std::move(message["report"]));
     } else if (message.contains("stopped")) {
@@ -108,9 +119,12 @@ private:
 
   process::Child& child;
   const std::function<void(const WorkerProgress&)>& progress;
+  const OnSoFar& onSoFar;
+  Clock::time_point nextReport = Clock::now() + kBetweenReports;
   std::string line;  ///< as far as it has come
   OrderedJson soFar; ///< the report, as far as it is known
   bool anyDecided = false;
+  std::vector<std::size_t> fresh; ///< decided since the report was handed over
   std::optional<Result> result;
 };
 
@@ -119,13 +133,13 @@ private:
 std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
           const rpc::Cancellation& cancellation,
-          const std::function<void(const WorkerProgress&)>& progress) {
+          const std::function<void(const WorkerProgress&)>& progress, const OnSoFar& onSoFar) {
   if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
   auto child = process::Child::start(command);
   if (!child)
     return std::unexpected(
         WorkerFailure{false, "the process that verifies could not be started: " + child.error()});
-  return Conversation(*child, progress)
+  return Conversation(*child, progress, onSoFar)
       .hold(encode(job, getpid()), cancellation, job.budget.seconds + kGraceSeconds);
 }
 

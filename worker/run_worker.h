@@ -30,13 +30,19 @@ struct WorkerFailure {
   std::string message;
 };
 
+/// Gets the report as far as it is known, and which of its properties were decided since the last
+/// time; what is not decided yet is inconclusive in it.
+using OnSoFar =
+    std::function<void(const OrderedJson& report, const std::vector<std::size_t>& rows)>;
+
 /// Runs a job in a process of its own and waits for its report (docs/verify.schema.json). The
 /// process has ended when this returns. Where it ends too early, what it has decided is in the
 /// report, and the rest of it inconclusive.
 /// \param command the program that runs `runVerifyWorker`, and its arguments
+/// \param onSoFar called at most once a second, where something was decided since; may be empty
 [[nodiscard]] std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
           const rpc::Cancellation& cancellation,
-          const std::function<void(const WorkerProgress&)>& progress);
+          const std::function<void(const WorkerProgress&)>& progress, const OnSoFar& onSoFar = {});
 
 } // namespace proskill::worker

@@ -33,6 +33,7 @@ struct Summary {
   std::size_t bad = 0;
   std::size_t toLookAt = 0; ///< violated too, and no mistake by itself
   std::size_t open = 0;
+  std::size_t pending = 0;
   /// One with a trace where there is one: the first bad one, else the first to look at.
   const PropertyVerdict* worst = nullptr;
 
@@ -41,7 +42,7 @@ struct Summary {
       if (verdict->good())
         ++good;
       else if (!verdict->bad())
-        ++open;
+        ++(verdict->pending ? pending : open);
       else
         ++(isError(*verdict) ? bad : toLookAt);
       if (verdict->bad() && (!worst || isWorse(*verdict, *worst))) worst = verdict;
@@ -66,7 +67,8 @@ struct Summary {
     add(toLookAt, "to look at");
     add(open, "inconclusive");
     add(good, "good");
-    return (bad > 0 ? "✗ " : open > 0 ? "? " : "✓ ") + text;
+    add(pending, "to be decided");
+    return (bad > 0 ? "✗ " : open > 0 ? "? " : pending > 0 ? "… " : "✓ ") + text;
   }
 };
 

@@ -1,7 +1,9 @@
 #include "codegen/model.h"
 #include "fiacre/print/print.h"
+#include "ide/snapshot/fiacre_file.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/verification/verdict_json.h"
+#include "report/uri.h"
 
 #include <algorithm>
 #include <set>
@@ -127,10 +129,13 @@ Json subjectsJson(const codegen::Model& model, const analysis::Program& program,
 
 Json programJson(const ide::View& view, const Request& request) {
   const Converter convert(view, request);
-  Json json{
-      {"uri", convert.uri(0)},     {"label", view.program().files.front().path.filename().string()},
-      {"main", nullptr},           {"error", nullptr},
-      {"subjects", Json::array()}, {"texts", textsJson(view.program(), request.snapshot.open())}};
+  Json json{{"uri", convert.uri(0)},
+            {"label", view.program().files.front().path.filename().string()},
+            {"main", nullptr},
+            {"error", nullptr},
+            {"listed", true},
+            {"subjects", Json::array()},
+            {"texts", textsJson(view.program(), request.snapshot.open())}};
   const auto made = modelOf(view, codegen::Edition::Compact);
   if (!made) {
     json["error"] = made.error();
@@ -139,6 +144,18 @@ Json programJson(const ide::View& view, const Request& request) {
   if (!made->mainSkill.empty()) json["main"] = made->mainSkill;
   json["subjects"] = subjectsJson(*made, view.program(), convert);
   return json;
+}
+
+/// A program of the folders that has no open file: what there is to verify of it is listed when it
+/// is asked for by name, since making all models of a large workspace takes long.
+Json closedJson(const std::filesystem::path& root) {
+  return {{"uri", report::toUri(root)},
+          {"label", root.filename().string()},
+          {"main", nullptr},
+          {"error", nullptr},
+          {"listed", false},
+          {"subjects", Json::array()},
+          {"texts", Json::array()}};
 }
 
 Answer tests(const Request& request) {
@@ -158,6 +175,9 @@ Answer tests(const Request& request) {
       if (known.insert(view.program().files.front().path).second)
         programs.push_back(programJson(view, request));
     }
+  if (rpc::memberAt(request.params, {"workspace"}) == true)
+    for (const auto& root : request.snapshot.includes()->roots())
+      if (!ide::isFiacre(root) && known.insert(root).second) programs.push_back(closedJson(root));
   return Json{{"programs", programs}};
 }
 

@@ -216,6 +216,18 @@ bool Server::handleNotification(rpc::Received& received) {
   return true;
 }
 
+namespace {
+
+/// Of a `range`, the lines.
+std::optional<Verification::Lines> linesIn(const Json& params) {
+  const auto& first = rpc::memberAt(params, {"range", "start", "line"});
+  const auto& last = rpc::memberAt(params, {"range", "end", "line"});
+  if (!first.is_number_unsigned() || !last.is_number_unsigned()) return std::nullopt;
+  return Verification::Lines{first.get<std::uint32_t>(), last.get<std::uint32_t>()};
+}
+
+} // namespace
+
 void Server::notified(rpc::Received& received) {
   const auto& [method, params] = std::tie(received.message.method, received.message.params);
   if (method == "initialized") return initialized();
@@ -227,7 +239,7 @@ void Server::notified(rpc::Received& received) {
     return client.configuration ? askForSettings()
                                 : setSettings(rpc::memberAt(params, {"settings"}));
   if (method == "proskill/view") {
-    if (auto path = documentPath(params)) verification.setView(*path);
+    if (auto path = documentPath(params)) verification.setView(*path, linesIn(params));
     return;
   }
   if (method == "$/setTrace") return log.setTrace(rpc::memberAt(params, {"value"}));

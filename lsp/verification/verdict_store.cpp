@@ -58,7 +58,8 @@ void VerdictStore::set(const std::shared_ptr<const ide::AnalysedProgram>& progra
   const bool isNew = !entries.contains(rootOf(*program));
   const bool wasStale = !isNew && entries[rootOf(*program)].stale;
   auto& state = entry(program);
-  if (now == VerificationState::Waiting && state.verified && !state.stale)
+  const bool isWhole = state.verified && !state.verified->verdicts->anyPending();
+  if (now == VerificationState::Waiting && isWhole && !state.stale)
     now = VerificationState::Done; // nothing is waited for
   if (!isNew && now == state.state && message == state.message && wasStale == state.stale) return;
   state.state = now;
@@ -73,6 +74,18 @@ void VerdictStore::setProgress(const std::shared_ptr<const ide::AnalysedProgram>
   auto& state = entry(program);
   state.state = VerificationState::Checking;
   state.progress = progress;
+  tell(state);
+}
+
+void VerdictStore::setDecided(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                              Verified soFar, const ide::OpenTexts& open) {
+  const std::lock_guard lock(mutex);
+  auto& state = entry(program);
+  if (state.verified) soFar = merged(*state.verified, std::move(soFar));
+  state.verified = std::make_shared<const Verified>(std::move(soFar));
+  state.stale = hasChanged(program->program, state.verified->verdicts->versions, open);
+  state.state = VerificationState::Checking;
+  publish();
   tell(state);
 }
 

@@ -41,6 +41,9 @@ public:
            std::string message = {});
   void setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
                    const worker::WorkerProgress& progress);
+  /// What is decided so far, while the rest is still being verified.
+  void setDecided(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified soFar,
+                  const ide::OpenTexts& open);
   /// \param open the texts as they are now: they may have changed while it was verified
   void setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified verified,
                    const ide::OpenTexts& open);

@@ -97,10 +97,12 @@ void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
   wake.notify_all();
 }
 
-void Verification::setView(const std::filesystem::path& path) {
+void Verification::setView(const std::filesystem::path& path, std::optional<Lines> lines) {
   {
     const std::lock_guard lock(mutex);
     if (!snapshot || !snapshot->open().contains(path)) return;
+    if (lines) visible[path] = *lines;
+    if (!viewed.empty() && viewed.front() == path) return; // it was scrolled: nothing to do anew
     view(path);
     due = std::chrono::steady_clock::now() + settings.delay;
   }
@@ -184,7 +186,8 @@ void Verification::checkProgram(const Programs& program, const ide::Snapshot& no
   if (hasErrors(*program))
     return board.set(program, VerificationState::Errors, "the program has errors");
   const auto known = board.of(program->program.files.front().path);
-  if (known && known->verified && ide::areCurrent(*known->verified->verdicts, program->program)) {
+  const bool isWhole = known && known->verified && !known->verified->verdicts->anyPending();
+  if (isWhole && ide::areCurrent(*known->verified->verdicts, program->program)) {
     const bool told = known->state == VerificationState::Done && !known->stale;
     if (!told) board.set(program, VerificationState::Done);
     if (known->stale) outside.changed();
@@ -195,9 +198,10 @@ void Verification::checkProgram(const Programs& program, const ide::Snapshot& no
     runningOn = program;
     runningVersions = versionsOf(program->program, now.open());
   }
+  board.set(program, VerificationState::Checking);
+  checkInView(program, now, chosen, cancellation);
   auto job = worker::jobFor(program->program);
   job.budget = chosen.liveBudget;
-  board.set(program, VerificationState::Checking);
   auto verified =
       run(program, now.open(), job, kLiveLimits, cancellation,
           [&](const worker::WorkerProgress& progress) { board.setProgress(program, progress); });
@@ -212,6 +216,67 @@ void Verification::checkProgram(const Programs& program, const ide::Snapshot& no
   } else {
     board.set(program, VerificationState::Failed, verified.error().message);
   }
+}
+
+namespace {
+
+/// From there on the whole of a program may take longer than its budget.
+constexpr std::size_t kLarge = 64 * 1024;
+
+std::size_t bytesOf(const analysis::Program& program) {
+  std::size_t bytes = 0;
+  for (const auto& file : program.files) bytes += file.document.text().size();
+  return bytes;
+}
+
+/// What is defined within some lines of a file: names that select properties.
+std::vector<std::string> definedIn(const analysis::Program& program,
+                                   const std::filesystem::path& path, std::uint32_t first,
+                                   std::uint32_t last) {
+  std::vector<std::string> names;
+  const auto file = std::ranges::find(program.files, path, &analysis::File::path);
+  if (file == program.files.end()) return names;
+  const auto& index = file->document.lines();
+  const syntax::Range range{index.offset({first, 0}), index.offset({last + 1, 0})};
+  const auto add = [&](const auto& table) {
+    for (const auto& each : table.all) {
+      const auto at = each.form->range;
+      if (program.files[each.file].path == path && at.begin < range.end && range.begin < at.end)
+        names.emplace_back(each.name());
+    }
+  };
+  add(program.stateVariables);
+  add(program.skills);
+  add(program.properties);
+  return names;
+}
+
+} // namespace
+
+/// Of a large program first what can be seen, in half the time: few properties need a small part of
+/// the model. Whatever goes wrong here, all of it is verified next.
+void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
+                               const VerificationSettings& chosen,
+                               const rpc::Cancellation& cancellation) {
+  if (bytesOf(program->program) < kLarge) return;
+  auto job = worker::jobFor(program->program);
+  {
+    const std::lock_guard lock(mutex);
+    if (viewed.empty() || !visible.contains(viewed.front())) return;
+    const auto [first, last] = visible.at(viewed.front());
+    job.names = definedIn(program->program, viewed.front(), first, last);
+  }
+  if (job.names.empty()) return;
+  job.budget = chosen.liveBudget;
+  job.budget.seconds /= 2;
+  auto found = run(program, now.open(), job, kLiveLimits, cancellation, {});
+  if (!found) return;
+  auto decided = std::make_shared<ide::ProgramVerdicts>(*found->verdicts);
+  for (auto& property : decided->properties)
+    property.pending = property.verdict == ide::Verdict::Inconclusive;
+  found->verdicts = std::move(decided);
+  board.setDecided(program, std::move(*found), now.open());
+  outside.changed();
 }
 
 void Verification::record(const Programs& program, Verified verified) {
@@ -230,7 +295,15 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
                   const std::function<void(const worker::WorkerProgress&)>& progress) {
   const auto& root = program->program.files.front().path;
   log(fmt::format("verifying {}", root.string()));
-  auto report = worker::runWorker(outside.worker, job, cancellation, progress);
+  GrowingReport growing(program, open, limits);
+  auto report =
+      worker::runWorker(outside.worker, job, cancellation, progress,
+                        [&](const OrderedJson& soFar, const std::vector<std::size_t>& rows) {
+                          auto decided = growing.with(soFar, rows);
+                          if (!decided) return;
+                          board.setDecided(program, std::move(*decided), open);
+                          outside.changed();
+                        });
   if (!report) {
     log(fmt::format("verifying {}: {}", root.string(), report.error().message));
     return std::unexpected(report.error());

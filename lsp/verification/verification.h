@@ -35,7 +35,13 @@ public:
   void textsChanged(std::shared_ptr<const ide::Snapshot> snapshot,
                     const std::optional<std::filesystem::path>& inView);
   /// The client says which text a user looks at.
-  void setView(const std::filesystem::path& path);
+  /// Lines from 0, the last one within.
+  struct Lines {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+  };
+  /// \param lines of it that can be seen, where that is known
+  void setView(const std::filesystem::path& path, std::optional<Lines> lines);
 
   [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const { return board.verdicts(); }
 
@@ -55,6 +61,8 @@ private:
   run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
       const LimitSettings& limits, const rpc::Cancellation& cancellation,
       const std::function<void(const worker::WorkerProgress&)>& progress);
+  void checkInView(const Programs& program, const ide::Snapshot& snapshot,
+                   const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   void record(const Programs& program, Verified verified);
   void noticeEdit(const ide::Snapshot& now);
   void announce(const ProgramState& state);
@@ -76,6 +84,7 @@ private:
   syntax::Encoding encoding = syntax::Encoding::Utf16;
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
+  std::map<std::filesystem::path, Lines> visible; ///< of texts in view, what can be seen
   std::list<std::filesystem::path> viewed; ///< open texts that a user looked at, the last one first
   bool edited = false;                     ///< since `noticeEdit`
   std::optional<Time> due;                 ///< of live verification

@@ -167,3 +167,18 @@ TEST_CASE("a verification that is killed keeps its verdicts, and leaves the rest
   CHECK(reachable > 0); // each skill can end
   CHECK(open > 0);      // whether there is a deadlock is seen at the end
 }
+
+TEST_CASE("verdicts come as they are decided, while the rest is being verified") {
+  ServerProcess server;
+  verifyingProcess(server);
+  const auto news = server.notified("proskill/verdicts", [](const Json& it) {
+    return it["state"] != "checking" || it["counts"]["good"] > 0;
+  });
+  REQUIRE(news.is_object());
+  CHECK(news["state"] == "checking");
+  CHECK(news["counts"]["pending"] > 0);
+  CHECK(news["counts"]["inconclusive"] == 0);
+  CHECK(news["stale"] == false);
+  for (const auto& verdict : news["verdicts"])
+    if (verdict["pending"] == true) CHECK(verdict["verdict"] == "inconclusive");
+}
