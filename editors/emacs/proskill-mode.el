@@ -214,9 +214,11 @@ PARTS are those of the form around it."
       (unless (zerop (call-process proskill-program nil t nil
                                    "graph" "--format" "svg" "--name" name "-o" picture file))
         (user-error "%s" (string-trim (buffer-string)))))
-    (if (image-type-available-p 'svg)
-        (find-file-other-window picture)
-      (browse-url-of-file picture))))
+    (cond ((and (display-images-p) (image-type-available-p 'svg))
+           (find-file-other-window picture))
+          ;; In a terminal an SVG would be shown as its text.
+          ((or (getenv "DISPLAY") (getenv "WAYLAND_DISPLAY")) (browse-url-of-file picture))
+          (t (message "A terminal shows no pictures: it is in %s" picture)))))
 
 ;;; The mode
 

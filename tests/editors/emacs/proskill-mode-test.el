@@ -121,6 +121,16 @@
         (let ((place (compilation--message->loc (get-text-property (point) 'compilation-message))))
           (should (equal (compilation--loc->line place) 84)))))))
 
+;; As in a terminal: nothing can show images, and there is no other display.
+(ert-deftest a-terminal-never-shows-the-text-of-a-picture ()
+  (with-current-buffer (find-file-noselect (example "drone/drone"))
+    (let ((process-environment (append '("DISPLAY" "WAYLAND_DISPLAY") process-environment)) said)
+      (cl-letf (((symbol-function 'message) (lambda (&rest args) (setq said (apply #'format args)))))
+        (proskill-automaton "takeoff"))
+      (should (string-match "it is in \\(.*takeoff\\.svg\\)$" said))
+      (should (file-exists-p (match-string 1 said)))
+      (should-not (get-file-buffer (match-string 1 said))))))
+
 (defun messages-of-findings ()
   (mapcar #'flymake-diagnostic-text (flymake-diagnostics)))
 
