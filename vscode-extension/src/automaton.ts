@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
 import { Edits } from './edits';
-import { PanelHost } from './panel_host';
+import { PanelHost, savedPanel } from './panel_host';
 import { currentText } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
@@ -24,7 +24,7 @@ export class AutomatonPreview implements vscode.Disposable {
     private readonly client: Client,
     private readonly programs: Programs,
     private readonly typing: Typing,
-    private readonly extension: vscode.Uri,
+    private readonly context: vscode.ExtensionContext,
   ) {
     this.subscriptions = [
       vscode.workspace.onDidChangeTextDocument((change) => {
@@ -57,7 +57,18 @@ export class AutomatonPreview implements vscode.Disposable {
       return;
     }
     this.host?.dispose();
-    const host = new PanelHost(this.client, this.programs, this.typing, this.extension, 'automaton', document.uri, show);
+    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'automaton', document.uri, show));
+  }
+
+  /** After the window was loaded again: the picture that was there. */
+  async deserializeWebviewPanel(view: vscode.WebviewPanel): Promise<void> {
+    const saved = savedPanel(this.context.workspaceState, 'automaton');
+    if (!saved) return view.dispose();
+    await this.client.whenRunning();
+    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'automaton', vscode.Uri.parse(saved.uri), undefined, view, saved.remembered));
+  }
+
+  private take(host: PanelHost): void {
     host.onPicture((picture) => {
       if (picture.errors) return;
       this.edits.forget(picture.texts);

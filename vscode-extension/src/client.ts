@@ -25,6 +25,8 @@ export class Client implements vscode.Disposable {
   private readonly news = new vscode.EventEmitter<protocol.Verdicts>();
   readonly onVerdicts = this.news.event;
   life: Life = 'starting';
+  /** shows what a code of a diagnostic means */
+  explaining: (code: string) => Promise<void> = async () => undefined;
   server: Server | undefined;
   private current: LanguageClient | undefined;
   private begun: Promise<void> | undefined;
@@ -117,6 +119,10 @@ export class Client implements vscode.Disposable {
       synchronize: { configurationSection: 'proskill' },
       initializationOptions,
       outputChannel: this.output,
+      // The server would say the whole explanation in a message.
+      middleware: {
+        executeCommand: (command, args, next) => (command === 'proskill.explain' ? this.explaining(String(args[0])) : next(command, args)),
+      },
       errorHandler: {
         error: () => ({ action: ErrorAction.Continue, handled: true }),
         closed: () => {

@@ -3,6 +3,7 @@ import { subjectOf } from './arguments';
 import { AutomatonPreview } from './automaton';
 import { Client } from './client';
 import { Debugging } from './trace/debug';
+import { Explanations } from './explain';
 import { FiacreView } from './model';
 import { currentText, isVerified } from './places';
 import { Programs } from './programs';
@@ -22,11 +23,13 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const programs = new Programs(server);
   const fiacre = new FiacreView(server);
   const typing = new Typing();
-  const automaton = new AutomatonPreview(server, programs, typing, context.extensionUri);
-  const trace = new TraceView(server, programs, typing, context.extensionUri, fiacre);
+  const explanations = new Explanations(server);
+  server.explaining = (code) => explanations.open(code);
+  const automaton = new AutomatonPreview(server, programs, typing, context);
+  const trace = new TraceView(server, programs, typing, context, fiacre);
   const debugging = new Debugging(server, programs);
   context.subscriptions.push(
-    server, programs, typing, new Status(server, programs), new Testing(server, programs), fiacre, automaton, trace, debugging);
+    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, debugging);
 
   /** An error of a command is a message to the user, and never a stack of calls. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {
@@ -64,6 +67,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
 
   context.subscriptions.push(
     vscode.window.onDidChangeActiveTextEditor((editor) => tellInView(server, editor)),
+    vscode.window.onDidChangeTextEditorVisibleRanges(({ textEditor }) => soonInView(server, textEditor)),
     server.onLife((life) => {
       if (life === 'running') tellInView(server, vscode.window.activeTextEditor);
     }),
@@ -71,6 +75,9 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration('proskill.server')) void server.restart();
     }));
+  context.subscriptions.push(
+    vscode.window.registerWebviewPanelSerializer('proskill.trace', trace),
+    vscode.window.registerWebviewPanelSerializer('proskill.automaton', automaton));
   await server.start();
 }
 
@@ -80,7 +87,18 @@ export async function deactivate(): Promise<void> {
 
 function tellInView(server: Client, editor: vscode.TextEditor | undefined): void {
   if (!editor || !isVerified(editor.document) || !server.ready) return;
-  void server.running.sendNotification(protocol.inView, { textDocument: { uri: editor.document.uri.toString() } });
+  const [first, last] = [editor.visibleRanges[0], editor.visibleRanges.at(-1)];
+  const range = first && last && { start: { line: first.start.line, character: 0 }, end: { line: last.end.line, character: 0 } };
+  void server.running.sendNotification(protocol.inView, { textDocument: { uri: editor.document.uri.toString() }, ...(range && { range }) });
+}
+
+let scrolled: NodeJS.Timeout | undefined;
+
+/** What can be seen is verified first: the server is told once scrolling has come to rest. */
+function soonInView(server: Client, editor: vscode.TextEditor): void {
+  if (editor !== vscode.window.activeTextEditor) return;
+  clearTimeout(scrolled);
+  scrolled = setTimeout(() => tellInView(server, editor), 200);
 }
 
 async function newProgram(): Promise<void> {

@@ -13,7 +13,7 @@ export function inWords({ errors, warnings, inconclusive }: Findings): string {
 }
 
 export function count(verdicts: panel.Verdict[]): Findings {
-  const open = verdicts.filter(({ verdict }) => verdict === 'inconclusive').length;
+  const open = verdicts.filter(({ verdict, pending }) => verdict === 'inconclusive' && !pending).length;
   const bad = verdicts.filter(({ good, verdict }) => !good && verdict !== 'inconclusive');
   const errors = bad.filter(({ severity }) => severity === 'error').length;
   return { errors, warnings: bad.length - errors, inconclusive: open };

@@ -8,7 +8,14 @@ import { save } from './save';
 import type { panel } from './protocol';
 import type { Typing } from './typing';
 
-type Layout = 'trace' | 'automaton';
+export type Layout = 'trace' | 'automaton';
+
+/** What a panel comes back with when the window is loaded again. */
+export interface SavedPanel {
+  uri: string;
+  remembered?: panel.Remembered;
+}
+export const savedPanel = (memory: vscode.Memento, layout: Layout): SavedPanel | undefined => memory.get(`panel.${layout}`);
 
 const kTitles: Record<Layout, string> = { trace: 'ProSkill trace', automaton: 'ProSkill automaton' };
 
@@ -23,7 +30,6 @@ export class PanelHost implements vscode.Disposable {
   private readonly drawn = new vscode.EventEmitter<protocol.Automaton>();
   readonly onPicture = this.drawn.event;
   private listening = false;
-  private remembered: panel.Remembered | undefined;
   private pictures: panel.PictureName[] = [];
 
   /** `uri`: any file of the program. */
@@ -31,15 +37,18 @@ export class PanelHost implements vscode.Disposable {
     private readonly client: Client,
     private readonly programs: Programs,
     private readonly typing: Typing,
-    extension: vscode.Uri,
+    private readonly context: vscode.ExtensionContext,
     readonly layout: Layout,
     readonly uri: vscode.Uri,
-    private show: panel.Show,
+    private show: panel.Show | undefined,
+    restored?: vscode.WebviewPanel,
+    private remembered?: panel.Remembered,
   ) {
-    this.view = vscode.window.createWebviewPanel(
+    const extension = context.extensionUri;
+    this.view = restored ?? vscode.window.createWebviewPanel(
       `proskill.${layout}`, kTitles[layout],
-      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: layout === 'automaton' },
-      { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [vscode.Uri.joinPath(extension, 'panel')] });
+      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: layout === 'automaton' }, { retainContextWhenHidden: true });
+    this.view.webview.options = { enableScripts: true, localResourceRoots: [vscode.Uri.joinPath(extension, 'panel')] };
     this.view.iconPath = vscode.Uri.joinPath(extension, 'media', 'icon.svg');
     this.view.webview.onDidReceiveMessage((message: panel.Message) => void this.receive(message), null, this.subscriptions);
     this.view.onDidDispose(() => this.end(), null, this.subscriptions);
@@ -92,7 +101,10 @@ export class PanelHost implements vscode.Disposable {
   private told(method: keyof panel.Told, params: unknown): void {
     if (method === 'reveal') void this.follow(params as panel.Told['reveal']);
     if (method === 'step') this.steps.fire(params as panel.Told['step']);
-    if (method === 'remember') this.remembered = params as panel.Remembered;
+    if (method === 'remember') {
+      this.remembered = params as panel.Remembered;
+      void this.context.workspaceState.update(`panel.${this.layout}`, { uri: this.uri.toString(), remembered: this.remembered } satisfies SavedPanel);
+    }
   }
 
   /** The text goes with a trace's steps by scrolling alone, and not at all while somebody types in it. */
@@ -120,7 +132,7 @@ export class PanelHost implements vscode.Disposable {
       layout: this.layout,
       can: { source: false, save: true, open: true, verify: vscode.workspace.isTrusted, follow: this.layout === 'automaton' },
       program: await this.program(),
-      show: this.show,
+      ...(this.show && { show: this.show }),
       ...(this.remembered && { remembered: this.remembered }),
     };
   }

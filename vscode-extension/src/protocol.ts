@@ -12,7 +12,7 @@ export interface TextVersion {
 
 export interface Verdicts extends Omit<panel.Program, 'pictures' | 'files' | 'progress'> {
   progress: Progress | null;
-  counts: { total: number; good: number; errors: number; warnings: number; inconclusive: number };
+  counts: { total: number; good: number; errors: number; warnings: number; inconclusive: number; pending: number };
   texts: TextVersion[];
 }
 export interface Progress {
@@ -75,6 +75,7 @@ export interface TestedProgram {
   label: string;
   main: string | null;
   error: string | null;
+  listed: boolean;
   subjects: TestedSubject[];
   texts: TextVersion[];
 }
@@ -102,9 +103,11 @@ export const automaton = new RequestType<AutomatonParams, Automaton, void>('pros
 export const model = new RequestType<
   { textDocument: TextDocumentIdentifier; edition?: string }, Model, void>('proskill/model');
 export const tests = new RequestType<
-  { textDocument?: TextDocumentIdentifier }, { programs: TestedProgram[] }, void>('proskill/tests');
+  { textDocument?: TextDocumentIdentifier; workspace?: boolean }, { programs: TestedProgram[] }, void>('proskill/tests');
 export const verify = new RequestType<VerifyParams, VerifyResult, void>('proskill/verify');
 export const trace = new RequestType<
   { textDocument: TextDocumentIdentifier; name: string }, Trace, void>('proskill/trace');
+export const explain = new RequestType<
+  { code: string }, { code: string; title: string; markdown: string; plain: string }, void>('proskill/explain');
 export const verdicts = new NotificationType<Verdicts>('proskill/verdicts');
-export const inView = new NotificationType<{ textDocument: TextDocumentIdentifier }>('proskill/view');
+export const inView = new NotificationType<{ textDocument: TextDocumentIdentifier; range?: panel.Range }>('proskill/view');

@@ -29,6 +29,12 @@ function outcome({ counts, stale }: Verdicts): Look {
   return { text, tooltip, ...(counts.errors && !stale && { background: 'error' as const }) };
 }
 
+/** What was found before all is decided. */
+function soFar({ counts, stale }: Verdicts): string {
+  const found = stale ? '' : inWords({ ...counts, inconclusive: 0 });
+  return found && `, ${found}`;
+}
+
 /** What the status bar says of a program. */
 export function lookOf(program: Verdicts): Look {
   const { progress } = program;
@@ -36,7 +42,7 @@ export function lookOf(program: Verdicts): Look {
     case 'waiting': return program.verdicts.length ? outcome(program) : { text: '$(check) ProSkill', tooltip: '' };
     case 'checking':
       return {
-        text: progress ? `$(sync~spin) ProSkill: verifying, ${progress.decided} of ${progress.total} decided` : '$(sync~spin) ProSkill: verifying',
+        text: progress ? `$(sync~spin) ProSkill: verifying, ${progress.decided} of ${progress.total} decided${soFar(program)}` : '$(sync~spin) ProSkill: verifying',
         tooltip: progress
           ? `${progress.classes.toLocaleString()} states, ${Math.round(progress.rate).toLocaleString()} a second, ` +
             `${Math.round(progress.bytes / 1e6)} MB, ${progress.seconds.toFixed(1)} s`

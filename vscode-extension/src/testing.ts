@@ -4,6 +4,7 @@ import { locationOf } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import type { panel } from './protocol';
+import { Results } from './results';
 
 type Node =
   | { kind: 'program'; program: string }
@@ -21,13 +22,18 @@ export class Testing implements vscode.Disposable {
   private readonly subscriptions: vscode.Disposable[];
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
+  private readonly results: Results;
+  /** whose results of the last time the window was open are told */
+  private readonly restored = new Set<string>();
 
-  constructor(private readonly client: Client, private readonly programs: Programs) {
+  constructor(private readonly client: Client, private readonly programs: Programs, memory: vscode.Memento) {
+    this.results = new Results(memory);
     this.controller.createRunProfile(
       'Verify', vscode.TestRunProfileKind.Run, (request, token) => this.run(request, token), true);
     this.controller.refreshHandler = () => this.refresh();
     this.controller.resolveHandler = async (item) => {
-      if (!item) await this.refresh();
+      if (item) await this.list(item);
+      else await this.refresh();
     };
     this.subscriptions = [
       this.controller,
@@ -36,7 +42,8 @@ export class Testing implements vscode.Disposable {
       }),
       programs.onChange((program) => this.news(program)),
       vscode.workspace.onDidOpenTextDocument((document) => {
-        if (document.languageId === 'proskill') void this.refresh();
+        // The server hears of it at the same time: what it says a moment later is of the open text.
+        if (document.languageId === 'proskill') this.soon();
       }),
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
         if (document.languageId === 'proskill' && contentChanges.length) this.edited(document.uri);
@@ -72,10 +79,11 @@ export class Testing implements vscode.Disposable {
     if (!this.client.ready) return;
     const asked = ++this.asked;
     try {
-      const { programs } = await this.client.running.sendRequest(protocol.tests, {});
+      const { programs } = await this.client.running.sendRequest(protocol.tests, { workspace: true });
       if (asked !== this.asked) return;
       this.controller.items.replace(programs.map((program) => this.programItem(program, labelOf(program, programs))));
       for (const program of this.programs.all()) this.news(program);
+      await this.restore();
     } catch (error) {
       this.client.output.warn(`no list of properties: ${String(error)}`);
     }
@@ -95,9 +103,37 @@ export class Testing implements vscode.Disposable {
   private programItem(program: protocol.TestedProgram, label: string): vscode.TestItem {
     const item = this.item(this.controller.items, program.uri, label, null, vscode.Uri.parse(program.uri));
     item.error = program.error ?? undefined;
+    item.canResolveChildren = !program.listed;
     this.nodes.set(item, { kind: 'program', program: program.uri });
-    item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
+    if (program.listed) item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
     return item;
+  }
+
+  /** What there is to verify of a program that has no open file: it is asked for when somebody looks. */
+  private async list(item: vscode.TestItem): Promise<void> {
+    const node = this.nodes.get(item);
+    if (node?.kind !== 'program' || item.children.size) return;
+    item.busy = true;
+    try {
+      const { programs } = await this.client.ask(protocol.tests, { textDocument: { uri: node.program } });
+      const program = programs.find(({ uri }) => uri === node.program);
+      if (program) this.programItem(program, item.label);
+    } finally {
+      item.busy = false;
+    }
+  }
+
+  /** Results from before the window was loaded again, where the texts are the same still. */
+  private async restore(): Promise<void> {
+    for (const program of this.results.programs()) {
+      const item = this.controller.items.get(program);
+      if (!item || this.restored.has(program)) continue;
+      this.restored.add(program);
+      const saved = await this.results.of(program);
+      if (!saved || this.live.has(program)) continue;
+      await this.list(item);
+      this.tellAll(item, saved.verdicts as panel.Verdict[], saved.seconds);
+    }
   }
 
   private subjectItem(parent: vscode.TestItem, program: string, subject: protocol.TestedSubject, index: number): vscode.TestItem {
@@ -138,6 +174,7 @@ export class Testing implements vscode.Disposable {
     }
     const run = this.controller.createTestRun(request, 'Verification');
     try {
+      for (const item of request.include ?? [...this.controller.items].map(([, it]) => it)) await this.list(item);
       for (const [program, items] of this.selected(request)) await this.verify(run, program, items, token);
     } finally {
       run.end();
@@ -157,6 +194,7 @@ export class Testing implements vscode.Disposable {
       const result = await this.client.ask(
         protocol.verify, { textDocument: { uri: program }, names }, cancelled.token);
       this.tell(run, items, result.verdicts, result.exploration.seconds);
+      void this.results.save(result.program, result.verdicts, result.texts, result.exploration.seconds);
       run.appendOutput(summary(program, result).replace(/\n/g, '\r\n'));
     } catch (error) {
       for (const item of items) {
@@ -203,15 +241,23 @@ export class Testing implements vscode.Disposable {
   private news(program: protocol.Verdicts): void {
     const item = this.controller.items.get(program.program);
     if (!item) this.soon();
-    if (!item || program.state !== 'done' || program.stale) return;
-    const known = JSON.stringify([program.texts, program.verdicts.map(({ name, verdict }) => [name, verdict])]);
+    const isKnown = program.state === 'done' || program.state === 'checking';
+    if (!item || !isKnown || program.stale || !program.verdicts.length) return;
+    const decided = program.verdicts.filter(({ pending }) => !pending);
+    const known = JSON.stringify([program.texts, decided.map(({ name, verdict }) => [name, verdict])]);
     if (this.live.get(program.program) === known) return;
     this.live.set(program.program, known);
+    const seconds = program.exploration?.seconds ?? 0;
+    this.tellAll(item, decided, seconds);
+    if (program.state === 'done') void this.results.save(program.program, decided, program.texts, seconds);
+  }
+
+  private tellAll(item: vscode.TestItem, verdicts: panel.Verdict[], seconds: number): void {
     const request = new vscode.TestRunRequest([item], undefined, undefined, true, true);
     const run = this.controller.createTestRun(request, 'Live verification', false);
-    const decided = new Set(program.verdicts.map(({ name }) => name));
+    const decided = new Set(verdicts.map(({ name }) => name));
     const items = [...this.selected(request).values()].flat().filter((it) => decided.has(this.nameOf(it)));
-    this.tell(run, items, program.verdicts, program.exploration?.seconds ?? 0, false);
+    this.tell(run, items, verdicts, seconds, false);
     run.end();
   }
 }
@@ -235,6 +281,7 @@ function messageOf(item: vscode.TestItem, verdict: panel.Verdict): vscode.TestMe
   const text = new vscode.MarkdownString();
   text.appendText(`${plain(verdict.description)}: ${verdict.verdict}`);
   if (verdict.reason) text.appendText(`\n${verdict.reason}`);
+  if (verdict.summary) text.appendText(`\n\n${plain(verdict.summary)}`);
   if (verdict.steps !== null) {
     const node = encodeURIComponent(JSON.stringify([{ program: item.id.split('##')[0], name: verdict.name }]));
     text.isTrusted = { enabledCommands: ['proskill.openTrace', 'proskill.debugTrace'] };

@@ -65,6 +65,32 @@ export const scenarios = {
     });
   },
 
+  /** A tag that is edited in all its places is no error, and looks like none. What a code means stands beside the text. */
+  async explained({ editor, page }) {
+    await editor.openFile('drone/drone.proskill');
+    await editor.goTo(84, 16);
+    const linked = page.locator('.linked-editing-decoration').first();
+    await linked.waitFor();
+    const [red, green, blue] = (await linked.evaluate((it) => getComputedStyle(it).backgroundColor)).match(/[\d.]+/g).map(Number);
+    equal('a place of linked editing as red', red > green && red > blue, false);
+    await editor.goTo(114, 28);
+    await editor.type('x');
+    await editor.squigglesHere().first().waitFor();
+    await editor.press('Control+.');
+    await page.locator('.action-widget .monaco-list-row.focused').first().waitFor();
+    await editor.press('ArrowDown', 'Enter'); // behind what mends it
+    await expect('the page on the code beside the text', async () => {
+      for (const frame of page.frames())
+        if (await frame.locator('.markdown-body, body.vscode-body h1', { hasText: /PS\d+/ }).count().catch(() => 0)) return true;
+      return false;
+    });
+    await editor.picture('explained-beside');
+    equal('messages', await page.locator('.notification-toast').count(), 0);
+    await editor.press('Control+1', 'Control+z');
+    await editor.squiggles().first().waitFor({ state: 'detached' });
+    await editor.command('View: Close All Editors');
+  },
+
   /** `energy` is defined in one file of the rover and used in others. */
   async rename({ editor, page, root }) {
     const world = join(root, 'rover/world.proskill');

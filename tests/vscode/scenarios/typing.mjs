@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
+import { expand, failing, row } from './verification.mjs';
 
 const kFile = 'lift/bug.proskill';
 const kProperty = 'doors_closed_when_moving';
@@ -57,6 +58,40 @@ export const scenarios = {
       return !(await page.locator('.tab.active.dirty').count());
     });
     await frame.locator('#step-1.current').waitFor();
+    await editor.command('View: Close All Editors');
+  },
+
+  /**
+   * Programs that are not open are listed, and the window is loaded again: results of what has not changed are there, and so are
+   * the trace with its step, the picture, and the caret.
+   */
+  async reloaded({ editor, page }) {
+    await editor.openFile('drone/drone.proskill');
+    await editor.statusSays(/\d+ bad, \d+ to look at$/, 60_000);
+    await editor.goTo(161, 3);
+    await editor.command('ProSkill: Open Trace');
+    await editor.answer(failing);
+    const before = await editor.panel('.trace-view');
+    await before.locator('.steps').press('ArrowDown');
+    await before.locator('#step-1.current').waitFor();
+    await editor.command('Testing: Focus on Test Explorer View');
+    // It is not open: what there is to verify of it comes when somebody looks, and it can be run.
+    await expand(page, 'dock.proskill (');
+    await row(page, 'recharge (').first().waitFor();
+    await row(page, 'dock.proskill (').first().hover();
+    await row(page, 'dock.proskill (').first().locator('.codicon-testing-run-icon').first().click();
+    await row(page, 'dock.proskill (').first().locator('.computed-state.codicon-testing-failed-icon').waitFor();
+    await editor.picture('reloaded-before');
+    await editor.command('Developer: Reload Window');
+    await page.locator('.monaco-workbench .statusbar-item').first().waitFor({ timeout: 60_000 });
+    await page.locator('.monaco-editor[data-uri$="drone/drone.proskill"] .view-line').first().waitFor();
+    const after = await editor.panel('.trace-view');
+    await after.locator('#step-1.current').waitFor();
+    await editor.command('Testing: Focus on Test Explorer View');
+    await row(page, 'dock.proskill (').first().locator('.computed-state.codicon-testing-failed-icon').waitFor();
+    await editor.picture('reloaded-after');
+    await editor.press('Control+1');
+    equal('the caret', await editor.caret(), 'Ln 161, Col 3');
     await editor.command('View: Close All Editors');
   },
 };

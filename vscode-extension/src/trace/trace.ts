@@ -2,7 +2,7 @@ import * as vscode from 'vscode';
 import { chooseTrace } from './choose_trace';
 import type { Client } from '../client';
 import type { FiacreView } from '../model';
-import { PanelHost } from '../panel_host';
+import { PanelHost, savedPanel } from '../panel_host';
 import { currentText } from '../places';
 import type { Programs } from '../programs';
 import type { panel } from '../protocol';
@@ -21,7 +21,7 @@ export class TraceView implements vscode.Disposable {
     private readonly client: Client,
     private readonly programs: Programs,
     private readonly typing: Typing,
-    private readonly extension: vscode.Uri,
+    private readonly context: vscode.ExtensionContext,
     private readonly fiacre: FiacreView,
   ) {}
 
@@ -55,7 +55,17 @@ export class TraceView implements vscode.Disposable {
     this.host?.dispose();
     // The view stands beside the program: were no text in view, the first one would come to lie over it.
     if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await vscode.window.showTextDocument(uri);
-    const host = new PanelHost(this.client, this.programs, this.typing, this.extension, 'trace', uri, show);
+    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', uri, show));
+  }
+
+  /** After the window was loaded again: the trace and the step that were there, as soon as the program is verified. */
+  async deserializeWebviewPanel(view: vscode.WebviewPanel): Promise<void> {
+    const saved = savedPanel(this.context.workspaceState, 'trace');
+    if (!saved) return view.dispose();
+    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', vscode.Uri.parse(saved.uri), undefined, view, saved.remembered));
+  }
+
+  private take(host: PanelHost): void {
     host.onStep((step) => this.step(step));
     host.onEnd(() => {
       if (this.host !== host) return;
