@@ -114,7 +114,14 @@ module.exports = grammar({
 
   word: $ => $.symbol,
 
-  inline: $ => [$._close, $._definition, $._statement, $._condition, $._proposition],
+  inline: $ => [
+    $._close,
+    $._definition,
+    $._statement,
+    $._statement_form,
+    $._condition,
+    $._proposition,
+  ],
 
   rules: {
     source_file: $ => repeat(choice($._definition, $._word, $.surplus_close)),
@@ -348,7 +355,8 @@ module.exports = grammar({
     // Statements.
 
     block: $ => form($, repeat($._statement)),
-    _statement: $ =>
+    _statement: $ => choice($._statement_form, $._word),
+    _statement_form: $ =>
       choice(
         $.call,
         $.interrupt,
@@ -369,7 +377,6 @@ module.exports = grammar({
         $.failure,
         $.emit,
         alias($._statement_list, $.list),
-        $._word,
       ),
     _statement_list: $ =>
       form(
@@ -397,8 +404,10 @@ module.exports = grammar({
         $,
         field('head', '^'),
         repeat(field('condition', $._condition)),
-        keyedFields($, $.effects_field),
+        keyedFields($, $.effects_field, $.timeout_field),
       ),
+    /** How long, then what is done when that time is over. */
+    timeout_field: $ => keyed($, ':timeout', $._statement_form),
 
     if: $ =>
       form($, field('head', 'if'), guarded($), repeat(choice($.elseif_clause, $.else_clause))),

@@ -54,9 +54,7 @@ private:
     case StatementKind::Call: return drawCall(s, in);
     case StatementKind::Interrupt:
       return step(s, in, NodeRole::Interrupt, "interrupt " + name(s.name), {});
-    case StatementKind::WaitCondition:
-      return step(s, in, NodeRole::Wait, "until " + builder.text(s.condition.range),
-                  builder.effects(s.effects));
+    case StatementKind::WaitCondition: return drawWait(s, in);
     case StatementKind::WaitTime:
       return step(s, in, NodeRole::Wait, "wait " + builder.seconds(s.duration), {});
     case StatementKind::If: return drawIf(s, in);
@@ -85,6 +83,15 @@ private:
   Exits step(const Statement& s, const Exits& in, NodeRole role, std::string label,
              std::vector<std::string> details) {
     return builder.then(in, builder.node(role, std::move(label), s.range, std::move(details)));
+  }
+
+  Exits drawWait(const Statement& s, const Exits& in) {
+    auto out = step(s, in, NodeRole::Wait, "until " + builder.text(s.condition.range),
+                    builder.effects(s.effects));
+    if (!syntax::hasTimeout(s)) return out;
+    const auto label = "after " + builder.seconds(s.duration);
+    append(out, drawBlock(s.branches[0], {{out[0].from, EdgeRole::Next, label, {}}}));
+    return out;
   }
 
   Exits drawCall(const Statement& s, const Exits& in) {

@@ -2,6 +2,7 @@
 
 #include "analysis/names/walk.h"
 #include "syntax/diagnostics/codes.h"
+#include "syntax/tree/statements.h"
 
 namespace proskill::analysis {
 
@@ -39,8 +40,7 @@ void checkIntervals(Context& context) {
   });
   context.eachBody([&](const Body& body) {
     forEachStatement(body.block, [&](const syntax::Statement& statement) {
-      if (statement.kind == syntax::StatementKind::WaitTime)
-        checkInterval(context, body.file, statement.duration);
+      if (syntax::hasDuration(statement)) checkInterval(context, body.file, statement.duration);
     });
   });
   context.each(context.program.properties, [&](const auto& property) {

@@ -106,10 +106,12 @@ private:
     case StatementKind::While: return nameInner(statement.branches[0], nextTest() + "T");
     case StatementKind::Choose: return nameChoices(statement);
     case StatementKind::Parallel: automaton.states[index].branches = branches(statement); return;
+    case StatementKind::WaitCondition:
+      if (syntax::hasTimeout(statement)) nameInner(statement.branches[0], nextTest() + "L");
+      return;
     case StatementKind::Unknown:
     case StatementKind::Call:
     case StatementKind::Interrupt:
-    case StatementKind::WaitCondition:
     case StatementKind::WaitTime:
     case StatementKind::DoUntil:
     case StatementKind::Break:

@@ -21,8 +21,8 @@ struct BodyState {
   /// is taken, of a `break` or `goto` its target. Empty where it goes nowhere: behind an outcome,
   /// and behind a loop for ever.
   std::string next;
-  /// If, Case: the first state of each arm, an `else` included; While, DoUntil: of the body;
-  /// Choose: of each branch.
+  /// WaitCondition: of what follows its timeout; If, Case: the first state of each arm, an `else`
+  /// included; While, DoUntil: of the body; Choose: of each branch.
   std::vector<std::string> targets;
   std::vector<BodyAutomaton> branches; ///< Parallel
 

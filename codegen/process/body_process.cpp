@@ -4,6 +4,8 @@
 #include "codegen/term/effects.h"
 #include "codegen/term/grounds.h"
 
+#include "syntax/tree/statements.h"
+
 #include <fmt/format.h>
 
 #include <cassert>
@@ -99,8 +101,10 @@ Statement BodyProcess::whenItMay(Statement main) {
 }
 
 void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, Statement main) {
+  auto others = abortStatements({}, false);
+  if (syntax::hasTimeout(*state.statement)) others.insert(others.begin(), timeOut(state));
   addState(process, state.name, origin(state.statement->range),
-           watched(std::move(main), abortStatements({}, false)), lineOf(state));
+           watched(std::move(main), std::move(others)), lineOf(state));
 }
 
 /// A forbidden move among the effects tells more than the wait, so it comes behind its words.
@@ -114,6 +118,15 @@ Statement BodyProcess::waitFor(const BodyState& state) {
   (isPlain ? next : guard).origin = words;
   return sequence(
       {atOnce(), std::move(guard), effects(context, actor, statement.effects), std::move(next)});
+}
+
+/// Like any wait for time it goes on while a guard is false.
+Statement BodyProcess::timeOut(const BodyState& state) {
+  const auto& statement = *state.statement;
+  const auto words = fmt::format("has waited {} s in vain for {}", quote(statement.duration.range),
+                                 quote(statement.condition.range));
+  return sequence({wait(context.times.waiting(statement.duration)),
+                   at(origin(statement.range, words), to(state.targets[0]))});
 }
 
 /// A statement that takes no time.

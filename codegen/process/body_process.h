@@ -48,6 +48,7 @@ private:
   [[nodiscard]] fiacre::Statement unlessHeld(fiacre::Statement step);
   [[nodiscard]] fiacre::Statement whenItMay(fiacre::Statement main);
   [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
+  [[nodiscard]] fiacre::Statement timeOut(const BodyState& state);
   [[nodiscard]] fiacre::Statement step(const BodyState& state);
   [[nodiscard]] fiacre::Statement callNow(const BodyState& state, const std::string& sync);
   [[nodiscard]] fiacre::Expr argumentsOf(const syntax::Statement& call);

@@ -10,6 +10,7 @@
 #include "codegen/process/state_variables.h"
 #include "codegen/term/skill_types.h"
 #include "syntax/text/utf8.h"
+#include "syntax/tree/statements.h"
 
 #include <fmt/format.h>
 
@@ -253,7 +254,7 @@ std::set<std::string> obligedProcesses(Context& context) {
     return !interval || !interval->upper;
   };
   const auto waitsOpenly = [&](const BodyState& state) {
-    return state.statement && state.statement->kind == syntax::StatementKind::WaitTime &&
+    return state.statement && syntax::hasDuration(*state.statement) &&
            !state.statement->duration.upper;
   };
   std::set<std::string> all;

@@ -1,6 +1,7 @@
 #include "codegen/term/times.h"
 
 #include "analysis/names/walk.h"
+#include "syntax/tree/statements.h"
 
 #include <fmt/format.h>
 
@@ -42,8 +43,7 @@ public:
 private:
   void addWaits(const syntax::Block& body, syntax::FileId file) {
     analysis::forEachStatement(body, [&](const syntax::Statement& statement) {
-      if (statement.kind == syntax::StatementKind::WaitTime)
-        all.push_back({statement.duration, file, Use::Wait});
+      if (syntax::hasDuration(statement)) all.push_back({statement.duration, file, Use::Wait});
     });
   }
 

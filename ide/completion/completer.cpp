@@ -97,6 +97,9 @@ void Completer::fill() {
   case Slot::Temporal: return conditions();
   case Slot::IfStatement: forms(WordKind::Clause, false); return statements();
   case Slot::DoStatement: forms(WordKind::Until, false); return statements();
+  case Slot::TimeoutStatement:
+    if (!place.isHead) fields(WordKind::WaitField);
+    return statements();
   case Slot::Statement: return statements();
   case Slot::Pattern: return forms(WordKind::Pattern);
   case Slot::Status: return words(WordKind::Status);

@@ -156,7 +156,7 @@ void Completer::access() {
   const auto id = find(SymbolKind::Skill, skillName);
   if (id == kNoSymbol) return;
   const bool isStatement = place.slot == Slot::Statement || place.slot == Slot::IfStatement ||
-                           place.slot == Slot::DoStatement;
+                           place.slot == Slot::DoStatement || place.slot == Slot::TimeoutStatement;
   for (const Word& member : wordsOf(WordKind::Member))
     if ((member.text == "interrupt") == isStatement) word(member);
 }

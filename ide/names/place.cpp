@@ -143,7 +143,10 @@ Place inEffect(Items items) {
 Place inWait(Items items) {
   if (items.size() == 1) return just(Slot::WaitCondition);
   std::size_t after = 0;
-  if (lastKeyword(items, after)) return amongFields(items, WordKind::WaitField);
+  const Item* keyword = lastKeyword(items, after);
+  if (keyword && keyword->text == ":timeout")
+    return just(after == 0 ? Slot::Nothing : Slot::TimeoutStatement);
+  if (keyword) return amongFields(items, WordKind::WaitField);
   return field(WordKind::WaitField);
 }
 
@@ -238,6 +241,7 @@ Place behind(Items items, Slot outer) {
   case Slot::WaitCondition: return inCondition(items, Slot::Condition);
   case Slot::Statement:
   case Slot::IfStatement:
+  case Slot::TimeoutStatement:
   case Slot::DoStatement: return inStatement(items);
   case Slot::CaseCall: return inCall(items);
   default: return just(Slot::Nothing);

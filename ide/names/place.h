@@ -40,14 +40,15 @@ enum class Slot : std::uint8_t {
   Number,      ///< a value that is a number
   Body,        ///< a list of statements
   Statement,
-  IfStatement,   ///< or `elseif`, `else`
-  DoStatement,   ///< or `until`
-  Branch,        ///< a list of statements
-  CaseCall,      ///< the call of a `case`
-  CaseArm,       ///< an arm of a `case`
-  CasePattern,   ///< an outcome, or a list of one with tags
-  CaseTag,       ///< of the outcome `subject`
-  WaitCondition, ///< a condition or a time
+  IfStatement,      ///< or `elseif`, `else`
+  DoStatement,      ///< or `until`
+  TimeoutStatement, ///< or a keyword of a wait
+  Branch,           ///< a list of statements
+  CaseCall,         ///< the call of a `case`
+  CaseArm,          ///< an arm of a `case`
+  CasePattern,      ///< an outcome, or a list of one with tags
+  CaseTag,          ///< of the outcome `subject`
+  WaitCondition,    ///< a condition or a time
   Label,
   AnyLabel,
   SuccessTag,

@@ -37,6 +37,7 @@ const Word* head(Slot slot, std::string_view text) {
   case Slot::Statement:
   case Slot::IfStatement:
   case Slot::DoStatement:
+  case Slot::TimeoutStatement:
     return firstOf({WordKind::Statement, WordKind::EnvironmentStatement}, text);
   case Slot::CaseArm:
   case Slot::CasePattern: return findWord(WordKind::CaseOutcome, text);

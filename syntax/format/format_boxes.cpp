@@ -152,6 +152,7 @@ private:
     if (isDefinition(box.kind)) return firstFieldStartsLine(at);
     switch (box.kind) {
     case NodeKind::BodyField: return box.children > 1;
+    case NodeKind::TimeoutField: return box.children > 3; // more than one statement
     case NodeKind::Block:
     case NodeKind::PreconditionList:
     case NodeKind::InvariantList: return box.children > 1;

@@ -81,6 +81,7 @@ void Layout::broken(Index at, Separator before, std::uint32_t after, std::uint32
   case NodeKind::Environment: return definition(at, before, after);
   case NodeKind::Property: return property(at, before, after);
   case NodeKind::BodyField: return body(at, before, after);
+  case NodeKind::TimeoutField: return timeout(at, before, after);
   case NodeKind::Precondition:
   case NodeKind::Invariant:
   case NodeKind::Outcome:
@@ -161,6 +162,21 @@ void Layout::body(Index at, Separator before, std::uint32_t after) {
       token((*boxes)[child].range, before);
     else
       box(child, line(indent), afterChild(at, child, after));
+  }
+}
+
+/// The statements below the time.
+void Layout::timeout(Index at, Separator before, std::uint32_t after) {
+  std::uint32_t indent = columnOf(before) + kFieldIndent;
+  std::size_t count = 0;
+  for (Index child = at + 1; child < endOf(at); child = nextOf(child)) {
+    if ((*boxes)[child].shape == BoxShape::Comment) {
+      comment(child, indent);
+      continue;
+    }
+    auto between = count == 0 ? before : count == 1 ? space(indent) : line(indent);
+    box(child, between, afterChild(at, child, after));
+    ++count;
   }
 }
 

@@ -54,6 +54,7 @@ private:
   void definition(Index at, Separator before, std::uint32_t after);
   void property(Index at, Separator before, std::uint32_t after);
   void body(Index at, Separator before, std::uint32_t after);
+  void timeout(Index at, Separator before, std::uint32_t after);
   void field(Index at, Separator before, std::uint32_t after);
   void tagged(Index at, Separator before, std::uint32_t after, std::uint32_t hang);
   void hanging(Index at, Separator before, std::uint32_t after);

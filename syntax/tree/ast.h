@@ -203,7 +203,7 @@ enum class StatementKind : std::uint8_t {
   Unknown,       // nothing that can be understood; it is diagnosed
   Call,          // (name arguments…)
   Interrupt,     // (name.interrupt)
-  WaitCondition, // (^ condition [:effects effects])
+  WaitCondition, // (^ condition [:effects effects] [:timeout duration branches[0]])
   WaitTime,      // (^ duration)
   If,            // arms
   Case,          // branches[0]: the call alone; arms

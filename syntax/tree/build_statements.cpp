@@ -116,8 +116,8 @@ Interval instant(const Builder& builder, const Node& number) {
   return {seconds, seconds, false, false, number.range};
 }
 
+/// The number of seconds, or the interval, that comes next.
 void readDuration(Builder& builder, Parts& parts, Statement& statement) {
-  statement.kind = StatementKind::WaitTime;
   if (const Node* number = parts.take(NodeKind::Number)) {
     statement.duration = instant(builder, *number);
     if (statement.duration.lower < Rational{})
@@ -127,18 +127,38 @@ void readDuration(Builder& builder, Parts& parts, Statement& statement) {
   }
 }
 
+/// `:timeout 5`, and what is done then.
+void readTimeout(Builder& builder, Field& field, Statement& statement) {
+  const Node* first = field.values.peek();
+  if (first && (first->kind == NodeKind::Number || first->kind == NodeKind::Interval))
+    readDuration(builder, field.values, statement);
+  else
+    builder.report(Code::MissingValue, field.use.keyword.range, field.use.keyword.text,
+                   "a number of seconds, such as `5`");
+  statement.branches.push_back(takeBlock(builder, field.values, field.use.range.end));
+}
+
 void readWait(Builder& builder, Parts& parts, Statement& statement) {
-  const Node* next = parts.peek();
-  if (next && (next->kind == NodeKind::Number || next->kind == NodeKind::Interval)) {
+  const Node* first = parts.peek();
+  if (first && (first->kind == NodeKind::Number || first->kind == NodeKind::Interval)) {
+    statement.kind = StatementKind::WaitTime;
     readDuration(builder, parts, statement);
     builder.reportSurplus(parts, "the duration");
     return;
   }
   statement.kind = StatementKind::WaitCondition;
   statement.condition = takeCondition(builder, parts, statement.head);
-  if (const Node* effects = parts.take(NodeKind::EffectsField)) {
-    Field field = fieldOf(builder, *effects);
-    statement.effects = takeEffects(builder, field.values, field.use.keyword);
+  bool hasEffects = false;
+  while (const Node* next = parts.peek()) {
+    const bool isTimeout = next->kind == NodeKind::TimeoutField && statement.branches.empty();
+    const bool isEffects = next->kind == NodeKind::EffectsField && !hasEffects;
+    if (!isTimeout && !isEffects) break;
+    Field field = fieldOf(builder, *parts.take());
+    hasEffects |= isEffects;
+    if (isTimeout)
+      readTimeout(builder, field, statement);
+    else
+      statement.effects = takeEffects(builder, field.values, field.use.keyword);
   }
   builder.reportSurplus(parts, "what is waited for");
 }

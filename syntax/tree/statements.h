@@ -13,6 +13,16 @@ template <class Visit> void forEachStatement(const Block& block, Visit&& visit) 
   }
 }
 
+/// A wait for a condition that ends after its `duration`, with the statements of `branches[0]`.
+[[nodiscard]] inline bool hasTimeout(const Statement& statement) {
+  return statement.kind == StatementKind::WaitCondition && !statement.branches.empty();
+}
+
+/// It waits for its `duration`, or at most so long.
+[[nodiscard]] inline bool hasDuration(const Statement& statement) {
+  return statement.kind == StatementKind::WaitTime || hasTimeout(statement);
+}
+
 /// The call of a `case`; null where it is missing.
 [[nodiscard]] inline const Statement* callOf(const Statement& statement) {
   if (statement.kind != StatementKind::Case || statement.branches[0].statements.empty())

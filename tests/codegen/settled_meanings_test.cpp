@@ -230,3 +230,30 @@ TEST_CASE("a case knows its own outcome though others call the skill") {
   CHECK(found.at("mission.can_fail.aloft") == "reachable");
   CHECK(found.at("is_so") == "holds");
 }
+
+TEST_CASE("a wait with a timeout ends by it at its date, and not before") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defevent opens :effects (door Open))
+    (defskill mission :time_interval [0,3] :success (open closed)
+      :body ((^ (door Open) :timeout [2,3] (success closed)) (success open)))
+    (defproperty not_before (absent (= mission.res closed) :after (running mission) :for [0,2[))
+    (defproperty sees_it (leadsto (and (running mission) (door Open)) (ended mission)
+                                  :within [0,0])))");
+  CHECK(found.at("mission.can_succeed.open") == "reachable");
+  CHECK(found.at("mission.can_succeed.closed") == "reachable");
+  CHECK(found.at("mission.no_overshoot") == "holds");
+  CHECK(found.at("not_before") == "holds");
+  CHECK(found.at("sees_it") == "holds");
+}
+
+TEST_CASE("behind the statements of a timeout the body goes on as behind the wait") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defskill mission :success done
+      :body ((while (door Closed)
+               (^ (door Open) :effects (door Closed) :timeout 1 (set (door Open))))
+             (success done)))
+    (defproperty in_a_second (present (ended mission success) :within [1,1])))");
+  CHECK(found.at("in_a_second") == "holds");
+}

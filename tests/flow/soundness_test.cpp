@@ -60,7 +60,7 @@ void expectSound(std::uint64_t seed, const test::ProgramSize& size, Tally& tally
 
 TEST_CASE("The engine refutes nothing that the analysis claims about random programs") {
   Tally tally;
-  const auto seeds = test::seedsOr(1, 600);
+  const auto seeds = test::seedsOr(1, 1100);
   const std::uint64_t count = seeds.end - seeds.first;
   for (auto seed = seeds.first; seed < seeds.end; ++seed)
     expectSound(seed, seed % 2 == 1 ? kUsual : kMany, tally);
@@ -73,7 +73,7 @@ TEST_CASE("The engine refutes nothing that the analysis claims about random prog
   CHECK(tally.decided > count / 2);
   CHECK(tally.impossible > count);
   CHECK(tally.certain > count / 20);
-  if (count < 600) return;
+  if (count < 1100) return;
   for (const syntax::CodeInfo& info : syntax::allCodes()) {
     INFO(info.id << " is never said of these programs");
     CHECK((!makesClaim(info.id) || tally.codes.contains(std::string(info.id))));

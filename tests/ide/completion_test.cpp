@@ -120,8 +120,8 @@ TEST_CASE("the fields that are not there yet") {
   CHECK(labelsIn("(defskill f :invariant (t (:guard (battery Low) ^") == Labels{":effects"});
   CHECK(labelsIn("(defskill f :interrupt (^") == Labels{":effects"});
   CHECK(labelsIn("(defskill f :failure (bad (:postcondition true ^") == Labels{":effects"});
-  CHECK(labelsIn("(defskill f :body ((^ (battery Low) ^") == Labels{":effects"});
-  CHECK(labelsIn("(defskill f :body ((^ [1,2] ^") == Labels{":effects"});
+  CHECK(labelsIn("(defskill f :body ((^ (battery Low) ^") == Labels{":effects", ":timeout"});
+  CHECK(labelsIn("(defskill f :body ((^ [1,2] ^") == Labels{":effects", ":timeout"});
   CHECK(labelsIn("(defproperty p (present (running takeoff) ^") ==
         Labels{":after", ":before", ":within", ":for", ":lasting"});
 }
@@ -172,6 +172,14 @@ TEST_CASE("names of the right kind") {
   CHECK(labelsIn("(defsv lamp :states (A) :init A :transitions ^") == Labels{":all"});
   CHECK(labelsIn("(defskill f :monitor ^") == Labels{"t", "always"});
   CHECK(labelsIn("(defskill f :interruptible ^") == Labels{"nil", "t"});
+}
+
+TEST_CASE("a wait has a timeout, and statements behind it") {
+  const std::string wait = "(defskill f :body ((^ (battery Good) ";
+  CHECK(labelsIn(wait + "^") == Labels{":effects", ":timeout"});
+  CHECK(labelsIn(wait + ":timeout 5 (^").front() == "takeoff");
+  CHECK(contains(labelsIn(wait + ":timeout 5 ^"), ":effects"));
+  CHECK(contains(labelsIn(wait + ":timeout 5 (takeoff) ^"), "while"));
 }
 
 TEST_CASE("the call of a case, its outcomes and their tags") {

@@ -60,8 +60,7 @@ Runs::Runs(const Script& of, std::size_t limit) : script(of) {
     if (skill.node->timeInterval) note(*skill.node->timeInterval);
   for (const auto& thread : script.threads)
     for (const auto& place : thread.places)
-      if (place.statement && place.statement->kind == syntax::StatementKind::WaitTime)
-        note(place.statement->duration);
+      if (place.statement && waitsForTime(*place.statement)) note(place.statement->duration);
   add(beginning(script));
   std::size_t next = 0;
   for (; next < all.size() && all.size() < limit; ++next) expand(next);

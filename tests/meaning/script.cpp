@@ -62,6 +62,7 @@ private:
       break;
     case StatementKind::While:
     case StatementKind::DoUntil: targets = {block(statement.branches[0], here, next)}; break;
+    case StatementKind::WaitCondition:
     case StatementKind::Choose:
       for (const auto& each : statement.branches) targets.push_back(block(each, next, afterLoop));
       break;
@@ -167,8 +168,7 @@ private:
       if (skill.node->timeInterval) note(*skill.node->timeInterval);
     for (const auto& thread : script.threads)
       for (const auto& place : thread.places)
-        if (place.statement && place.statement->kind == StatementKind::WaitTime)
-          note(place.statement->duration);
+        if (place.statement && waitsForTime(*place.statement)) note(place.statement->duration);
   }
 
   /// What must not be stopped once it runs, what calls such a skill, and so on.
@@ -191,6 +191,12 @@ private:
 };
 
 } // namespace
+
+bool waitsForTime(const Statement& statement) {
+  const bool hasTimeout =
+      statement.kind == StatementKind::WaitCondition && !statement.branches.empty();
+  return statement.kind == StatementKind::WaitTime || hasTimeout;
+}
 
 int Script::skill(std::string_view name) const {
   for (std::size_t i = 0; i < skills.size(); ++i)

@@ -21,7 +21,8 @@ struct Place {
   const syntax::Statement* statement = nullptr; ///< null: the end of the body
   const syntax::Statement* call = nullptr;      ///< Call: itself; Case: the one that it begins with
   int next = 0;                                 ///< the place behind the statement
-  std::vector<int> targets;  ///< If, Case: by arm; While, DoUntil: the body; Choose: by branch
+  std::vector<int> targets;  ///< WaitCondition: the timeout; If, Case: by arm; While, DoUntil: the
+                             ///< body; Choose: by branch
   std::vector<int> branches; ///< Parallel: threads
 };
 
@@ -74,6 +75,9 @@ struct Script {
     return seconds.numerator * (unitsPerSecond / seconds.denominator);
   }
 };
+
+/// It ends when its `duration` is over, or does something else then.
+[[nodiscard]] bool waitsForTime(const syntax::Statement& statement);
 
 /// \pre the program has no errors. Nothing where it is not clear which skill is the mission.
 [[nodiscard]] std::optional<Script> scriptOf(const analysis::Program& program);

@@ -13,7 +13,10 @@ void Steps::ofStatement(int thread, const Place& place) {
   case StatementKind::Case: return ofNewCall(thread, place);
   case StatementKind::Interrupt: return ofInterrupt(thread, place);
   case StatementKind::WaitCondition:
-    if (look.holds(statement.condition, thread)) go(thread, place.next, &statement.effects);
+    if (mayGoOn(thread) && look.holds(statement.condition, thread))
+      go(thread, place.next, &statement.effects);
+    if (!place.targets.empty())
+      go(thread, place.targets[0], nullptr, within(statement.duration, thread));
     return;
   case StatementKind::WaitTime:
     return go(thread, place.next, nullptr, within(statement.duration, thread));

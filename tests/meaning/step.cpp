@@ -160,8 +160,7 @@ void Change::goTo(int thread, int place, Control control) {
   state = {.control = control, .place = place, .stop = state.stop};
   if (control == Control::Off) state.stop = false;
   const auto* statement = script.threads[thread].places[place].statement;
-  const bool waits =
-      control == Control::Before && statement && statement->kind == syntax::StatementKind::WaitTime;
+  const bool waits = control == Control::Before && statement && waitsForTime(*statement);
   step.after.ages[thread] = {.counts = waits};
 }
 

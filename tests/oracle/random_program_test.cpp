@@ -1,6 +1,8 @@
 #include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
+#include "syntax/tree/statements.h"
+
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -89,10 +91,12 @@ private:
     if (each.kind == StatementKind::WaitTime) interval(each.duration);
     if (each.kind == StatementKind::WaitCondition && !each.effects.items.empty())
       ++seen["wait with effects"];
+    if (syntax::hasTimeout(each)) ++seen["wait with timeout"];
     expression(each.condition);
     effects(each.effects);
+    const std::string prefix = each.kind == StatementKind::Case ? "case with " : "";
     for (std::size_t i = 1; i < each.arms.size(); ++i)
-      ++seen[each.arms[i].condition ? "elseif" : "else"];
+      ++seen[prefix + (each.arms[i].condition ? "elseif" : "else")];
     for (const auto& arm : each.arms) {
       if (arm.condition) expression(*arm.condition);
       block(arm.body, inBranch);
@@ -137,8 +141,9 @@ TEST_CASE("random programs use every statement of the language") {
     CHECK(census.of(static_cast<StatementKind>(kind)) >= 20);
   }
   for (const char* special :
-       {"wait with effects", "elseif", "else", "success in a branch", "failure in a branch",
-        "parallel in a branch", "unbounded interval", "open interval", "several effects"}) {
+       {"wait with effects", "wait with timeout", "elseif", "else", "case with else",
+        "success in a branch", "failure in a branch", "parallel in a branch", "unbounded interval",
+        "open interval", "several effects"}) {
     INFO(special);
     CHECK(census.of(std::string(special)) >= 20);
   }
@@ -160,6 +165,7 @@ TEST_CASE("random programs use every field and every condition of the language")
                             ":time_interval",
                             ":action",
                             ":interrupt",
+                            ":interruptible",
                             ":success",
                             ":failure",
                             ":resources",

@@ -55,6 +55,24 @@ TEST_CASE("waits") {
   CHECK(Body("(^ true)")->condition.kind == syntax::ExprKind::True);
 }
 
+TEST_CASE("a wait with a timeout") {
+  Body plain("(^ (door Open) :timeout 5)");
+  CHECK(plain.codes() == "");
+  CHECK(syntax::hasTimeout(*plain.operator->()));
+  CHECK(plain->duration.upper == syntax::Rational{5});
+  CHECK(plain->branches.at(0).statements.empty());
+  Body full("(^ (door Open) :timeout [1,3] (x) (y) :effects (door Closed))");
+  CHECK(full.codes() == "");
+  CHECK(full->duration.lower == syntax::Rational{1});
+  CHECK(full->branches.at(0).statements.size() == 2);
+  CHECK(full->effects.items.size() == 1);
+  CHECK_FALSE(syntax::hasTimeout(*Body("(^ (door Open))").operator->()));
+  CHECK(Body("(^ (door Open) :timeout)").codes() == "PS0114");
+  CHECK(Body("(^ (door Open) :timeout -1)").codes() == "PS0116");
+  CHECK(Body("(^ (door Open) :timeout (x))").codes() == "PS0114");
+  CHECK(Body("(^ 3 :timeout 5)").codes() == "PS0112");
+}
+
 TEST_CASE("an if with all its arms") {
   Body branching("(if (a B) (x) elseif (c D) (y) (z) elseif (e F) else (w))");
   CHECK(branching.codes() == "");

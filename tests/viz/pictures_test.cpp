@@ -170,6 +170,10 @@ TEST_CASE("a case goes from its call to an arm for each outcome") {
     CHECK(drawn.contains(edge));
 }
 
+TEST_CASE("a wait with a timeout has a second way on") {
+  CHECK(body("(^ (s X) :timeout 5 (a))").contains("until (s X) -> a: after 5 s"));
+}
+
 TEST_CASE("what must not be stopped says so") {
   const auto p = program("(defskill put :interruptible nil :action (put))");
   CHECK(outline(picture(p, Kind::Skill, "put")).contains("action run {(put); is never stopped}"));

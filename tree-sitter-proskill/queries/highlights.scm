@@ -55,6 +55,7 @@
 (failure_field keyword: _ @property)
 (postcondition_field keyword: _ @property)
 (effects_field keyword: _ @property)
+(timeout_field keyword: _ @property)
 (resources_field keyword: _ @property)
 (monitor_field keyword: _ @property)
 (body_field keyword: _ @property)

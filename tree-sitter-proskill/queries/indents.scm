@@ -36,6 +36,7 @@
   (body_field)
   (guard_field)
   (effects_field)
+  (timeout_field)
   (postcondition_field)
   (after_field)
   (before_field)

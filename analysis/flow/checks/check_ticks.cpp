@@ -1,6 +1,7 @@
 #include "analysis/flow/checks/checks.h"
 #include "analysis/names/walk.h"
 #include "syntax/diagnostics/codes.h"
+#include "syntax/tree/statements.h"
 
 #include <cstdint>
 #include <fmt/format.h>
@@ -63,8 +64,7 @@ void checkInterval(Report& report, const Skill& owner, const syntax::Interval& i
 template <class Owner>
 void checkBody(Report& report, const Owner& owner, const syntax::Block& body) {
   forEachStatement(body, [&](const syntax::Statement& statement) {
-    if (statement.kind == syntax::StatementKind::WaitTime)
-      checkInterval(report, owner, statement.duration);
+    if (syntax::hasDuration(statement)) checkInterval(report, owner, statement.duration);
   });
 }
 

@@ -1,5 +1,6 @@
 #include "analysis/flow/checks/checks.h"
 #include "syntax/diagnostics/codes.h"
+#include "syntax/tree/statements.h"
 
 /// Waits for what never comes, and for what is there already.
 namespace proskill::analysis::flow {
@@ -17,6 +18,7 @@ void checkWait(Report& report, ProcessId id, NodeId nodeId) {
     report.explain(id, nodeId);
     if (isBlamed(report, process, conditions)) return;
     if (dependsOnUnreturned(report, id, nodeId, conditions.front(), true)) return;
+    if (syntax::hasTimeout(*node.statement)) return; // it ends, and may be meant so
     Finding finding = report.findings.report(syntax::Code::WaitNeverEnds, at);
     addValues(finding, report, process, before, conditions);
   } else if (!report.solver.mayFail(id, nodeId, conditions.front()) &&

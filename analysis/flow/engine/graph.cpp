@@ -149,7 +149,11 @@ LooseEnds Builder::wait(const Statement& s, const LooseEnds& ends) {
   NodeId node = place(NodeKind::Wait, s, ends);
   graph().nodes[node].conditions = {&s.condition};
   graph().nodes[node].effects = &s.effects;
-  return {edge(node, Guard::Holds, true)};
+  LooseEnds after{edge(node, Guard::Holds, true)};
+  if (!hasTimeout(s)) return after;
+  const LooseEnds late = block(s.branches[0], {edge(node)});
+  after.insert(after.end(), late.begin(), late.end());
+  return after;
 }
 
 NodeId Builder::test(const Statement& s, const Expr& condition, const LooseEnds& ends) {

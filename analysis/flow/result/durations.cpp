@@ -2,6 +2,8 @@
 
 #include "analysis/flow/result/loops.h"
 
+#include "syntax/tree/statements.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -126,9 +128,10 @@ Duration Durations::ofNode(ProcessId process, NodeId id) {
   case NodeKind::Fork: return ofFork(process, id);
   case NodeKind::Delay: return ofInterval(node.statement->duration);
   case NodeKind::Wait:
-    if (solver.mayFail(process, id, system[process].actions[id].conditions.front()))
-      return {{0, 1}, std::nullopt};
-    return {{0, 1}, Rational{0, 1}};
+    if (!solver.mayFail(process, id, system[process].actions[id].conditions.front()))
+      return {{0, 1}, Rational{0, 1}};
+    return {{0, 1},
+            syntax::hasTimeout(*node.statement) ? node.statement->duration.upper : std::nullopt};
   case NodeKind::Start:
   case NodeKind::Refused:
   case NodeKind::Interrupt:

@@ -119,9 +119,15 @@ private:
     const bool calls = each.kind == NodeKind::Call;
     const std::size_t ways = calls ? calleeOf(node).actions[0].conditions.size() : 1;
     for (std::size_t edge = 0; edge < each.edges.size(); ++edge)
-      for (std::size_t i = 0; i < ways && !each.edges[edge].stops; ++i)
+      for (std::size_t i = 0; i < ways && !takesTime(each, each.edges[edge]); ++i)
         all.push_back({node, edge, i});
     return all;
+  }
+
+  /// Or is another check's matter.
+  [[nodiscard]] static bool takesTime(const Node& node, const Edge& edge) {
+    const bool isTimeout = node.kind == NodeKind::Wait && edge.guard != Guard::Holds;
+    return edge.stops || isTimeout;
   }
 
   [[nodiscard]] NodeId target(const Pass& pass) const {

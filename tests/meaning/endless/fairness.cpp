@@ -21,8 +21,7 @@ bool waitsForTime(const Script& script, const Situation& now, std::size_t thread
   const auto& place = script.threads[thread].places[now.threads[thread].place];
   return script.threads[thread].skill != kNobody && place.statement &&
          now.threads[thread].control == Control::Before &&
-         place.statement->kind == syntax::StatementKind::WaitTime &&
-         !place.statement->duration.upper;
+         meaning::waitsForTime(*place.statement) && !place.statement->duration.upper;
 }
 
 /// Whether it is so at all nodes.

@@ -95,12 +95,22 @@ Form Bodies::compound(Place place) {
 }
 
 Form Bodies::wait(Place place) {
+  Form wait{"^"};
   switch (random.below(place.environment ? 3 : 4)) {
   case 0: return {"^", phrase.duration()};
   case 1: return {"^", phrase.interval()};
-  case 2: return {"^", phrase.condition()};
-  default: return {"^", phrase.condition(), ":effects", phrase.effects()};
+  case 2: wait.add(phrase.condition()); break;
+  default: wait.addAll({phrase.condition(), ":effects", phrase.effects()});
   }
+  if (random.chance(30)) addTimeout(place, wait);
+  return wait;
+}
+
+void Bodies::addTimeout(Place place, Form& wait) {
+  wait.addAll({":timeout", random.chance(60) ? phrase.duration() : phrase.interval()});
+  if (place.depth == 0 || random.chance(20)) return;
+  --place.depth;
+  wait.addAll(block(place));
 }
 
 Form Bodies::interruptOf(Place place) {

@@ -37,6 +37,7 @@ private:
   [[nodiscard]] Form simple(Place place);
   [[nodiscard]] Form compound(Place place);
   [[nodiscard]] Form wait(Place place);
+  void addTimeout(Place place, Form& wait);
   [[nodiscard]] Form callOrInterrupt(Place place);
   [[nodiscard]] Form cases(std::size_t callee, Place place);
   [[nodiscard]] std::vector<Form> outcomesOf(const SkillWords& skill);

@@ -56,6 +56,7 @@
 (failure_field keyword: _ @attribute)
 (postcondition_field keyword: _ @attribute)
 (effects_field keyword: _ @attribute)
+(timeout_field keyword: _ @attribute)
 (resources_field keyword: _ @attribute)
 (monitor_field keyword: _ @attribute)
 (body_field keyword: _ @attribute)
