@@ -110,12 +110,12 @@ private:
     place = context.origins.of(actorOf(skill), interval.range);
     if (interval.lower.numerator > 0 || interval.lowerOpen)
       holds("no_undershoot", "",
-            fmt::format("{} takes at least {} s", syntax::backquoted(subject),
+            fmt::format("{} takes at least {} s from its start", syntax::backquoted(subject),
                         toString(interval.lower)),
             Weight::Error, absent(observer.state(process, "skill_undershoot")));
     if (interval.upper)
       holds("no_overshoot", "",
-            fmt::format("{} takes at most {} s", syntax::backquoted(subject),
+            fmt::format("{} takes at most {} s from its start", syntax::backquoted(subject),
                         toString(*interval.upper)),
             Weight::Error, absent(observer.state(process, "skill_overshoot")));
   }

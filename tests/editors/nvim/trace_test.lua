@@ -51,7 +51,7 @@ return {
       if item.module == 'uav_mission.no_overshoot' then found = item end
     end
     expect.equal({ found.type, found.lnum, found.col }, { 'E', 162, 18 })
-    expect.contains(found.text, '`uav_mission` takes at most 120 s: violated')
+    expect.contains(found.text, '`uav_mission` takes at most 120 s from its start: violated')
     child:lua("vim.cmd('ProskillVerify! takeoff')")
     child:wait([[
       local kinds = {}
@@ -66,7 +66,7 @@ return {
     local list = child:lua("return vim.fn.getqflist({ title = 1, items = 1, idx = 0 })")
     expect.equal(list.title, 'trace of uav_mission.no_overshoot')
     expect.equal(list.idx, 1)
-    expect.contains(list.items[1].text, 'takes at most 120 s: violated')
+    expect.contains(list.items[1].text, 'takes at most 120 s from its start: violated')
     expect.contains(list.items[7].text, '1 … 5 s  start_drone: fails with `motors_dead`')
     expect.contains(list.items[7].text, 'start_drone.status: no_status → failure')
     expect.contains(list.items[10].text, '>120 s …')
@@ -146,7 +146,7 @@ return {
       end
     ]])
     trace(child, '')
-    expect.contains(table.concat(child:lua('return offered'), '\n'), 'takes at most 120 s: violated')
+    expect.contains(table.concat(child:lua('return offered'), '\n'), 'takes at most 120 s from its start: violated')
     expect.equal(child:lua("return #vim.fn.getqflist()"), 4)
   end },
 
