@@ -275,6 +275,23 @@ TEST_CASE("Open variables and safe steps are nothing to a monitor that does not 
   CHECK(classes(model, returns, {Reduction::StubbornSets}) < unreduced * 2 / 3);
 }
 
+TEST_CASE("Open variables: a step of the environment that a monitor reads stays in the trace") {
+  Model model = weather();
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {now(), on(equals(name("weather"), number(2))), to("b")})}));
+  auto ends = plain(fiacre::PatternKind::LeadsTo);
+  ends.pattern.operands = {{.path = {5}, .name = "b"}, {.path = {5}, .name = "c"}};
+  model.ask(ends);
+  const std::vector<verify::Question> fair{{.property = 0, .fair = true}};
+  for (const auto& options : reductionChoices()) {
+    const auto result = verify::verify(model.program(), {}, fair, options);
+    REQUIRE(result.has_value());
+    CHECK(result->answers[0].reason == "");
+    REQUIRE(result->answers[0].trace.has_value());
+    CHECK(result->answers[0].trace->steps.size() >= 2);
+  }
+}
+
 TEST_CASE("A monitor that counts an event of the environment sees each of them") {
   Model model = weather();
   auto late = plain(fiacre::PatternKind::LeadsTo);

@@ -33,7 +33,15 @@ struct Rewritten {
   }
 };
 
-/// The evidence without one step, which no monitor sees.
+/// By step: whether the monitor moves with it, so that it has to stay.
+std::vector<bool> readSteps(const Evidence& evidence) {
+  std::vector<bool> read(evidence.steps.size());
+  for (const auto& mark : evidence.marks)
+    if (mark.atStep) read[mark.after - 1] = true;
+  return read;
+}
+
+/// The evidence without one step, which the monitor does not read.
 Evidence without(const Evidence& evidence, std::size_t step) {
   Evidence made = evidence;
   made.steps.erase(made.steps.begin() + static_cast<std::ptrdiff_t>(step));
@@ -138,7 +146,7 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
   if (!check(goal, better, dating).empty()) return whole;
   constexpr std::size_t kLong = 400;
   for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
-    if (!open->isSetter(better.steps[i])) continue;
+    if (!open->isSetter(better.steps[i]) || readSteps(better)[i]) continue;
     Evidence shorter = without(better, i);
     if (check(goal, shorter, dating).empty()) better = std::move(shorter);
   }
@@ -152,6 +160,7 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
   const Steps& steps = evidence.steps;
   const bool valuesAtEnd = goal.kind == GoalKind::Stuck;
   const bool lastIsAskedFor = !valuesAtEnd && goal.kind != GoalKind::Run;
+  const std::vector<bool> read = readSteps(evidence);
   StepLog log;
   std::vector<Word> there = initialState(system); // as the search had it
   std::vector<Word> here = there;
@@ -168,7 +177,8 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
   };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TransitionId step = steps[i];
-    if (open->isSetter(step) && !(lastIsAskedFor && i + 1 == steps.size())) {
+    const bool stays = read[i] || (lastIsAskedFor && i + 1 == steps.size());
+    if (open->isSetter(step) && !stays) {
       if (fire(system, step, there.data(), log) != Outcome::Done) return evidence;
     } else {
       for (auto setter : open->between(here.data(), there.data(), open->readBy(step))) take(setter);
