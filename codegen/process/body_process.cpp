@@ -120,7 +120,6 @@ Statement BodyProcess::waitFor(const BodyState& state) {
       {atOnce(), std::move(guard), effects(context, actor, statement.effects), std::move(next)});
 }
 
-/// Like any wait for time it goes on while a guard is false.
 Statement BodyProcess::timeOut(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto words = fmt::format("has waited {} s in vain for {}", quote(statement.duration.range),
@@ -129,7 +128,6 @@ Statement BodyProcess::timeOut(const BodyState& state) {
                    at(origin(statement.range, words), to(state.targets[0]))});
 }
 
-/// A statement that takes no time.
 Statement BodyProcess::step(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto goOn = [&](std::string_view words) {
@@ -253,7 +251,6 @@ Statement BodyProcess::returnFrom(const BodyState& state) {
   return sequence({std::move(acknowledge), std::move(next)});
 }
 
-/// To the target, whatever the outcome was; a refusal is marked.
 Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee,
                                  syntax::Range range, const std::string& target) {
   const auto isDone = calls.isDone(callee.name());
