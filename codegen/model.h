@@ -7,7 +7,6 @@
 #include <expected>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -117,7 +116,7 @@ struct Model {
   bool hasEnvironment = false; ///< executed: the signals come from one of these processes
   /// Processes of actions and delays that have no upper bound. In a fair run each of these ends:
   /// see verify::Question::fair.
-  std::set<std::string> obliged;
+  std::map<std::string, std::string> obliged; ///< with what they are to people: "`drive`"
   syntax::Rational unit{1, 1};
   std::string mainSkill; ///< empty where there is none: a library of skills
 };

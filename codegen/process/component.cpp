@@ -9,6 +9,7 @@
 #include "codegen/process/runtime_action.h"
 #include "codegen/process/state_variables.h"
 #include "codegen/term/skill_types.h"
+#include "syntax/text/quote.h"
 #include "syntax/text/utf8.h"
 #include "syntax/tree/statements.h"
 
@@ -249,7 +250,7 @@ Places placesOf(const Program& program) {
   return places;
 }
 
-std::set<std::string> obligedProcesses(Context& context) {
+std::map<std::string, std::string> obligedProcesses(Context& context) {
   const auto isOpen = [](const std::optional<syntax::Interval>& interval) {
     return !interval || !interval->upper;
   };
@@ -257,16 +258,18 @@ std::set<std::string> obligedProcesses(Context& context) {
     return state.statement && syntax::hasDuration(*state.statement) &&
            !state.statement->duration.upper;
   };
-  std::set<std::string> all;
+  std::map<std::string, std::string> all;
   for (const auto& skill : context.plan.skills) {
     if (!skill.body) {
       if (isOpen(skill.skill().timeInterval))
-        all.insert(context.names.process({"skill", skill.name()}));
+        all.emplace(context.names.process({"skill", skill.name()}),
+                    syntax::backquoted(skill.name()));
       continue;
     }
     forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
       if (std::ranges::any_of(thread.states, waitsOpenly))
-        all.insert(processOf(context, skill, thread));
+        all.emplace(processOf(context, skill, thread),
+                    "a wait of " + syntax::backquoted(skill.name()));
     });
   }
   return all;

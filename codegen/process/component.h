@@ -14,6 +14,6 @@ using Places = std::map<std::string, std::uint32_t, std::less<>>;
 [[nodiscard]] Places placesOf(const fiacre::Program& program);
 
 /// Those of Model::obliged.
-[[nodiscard]] std::set<std::string> obligedProcesses(Context& context);
+[[nodiscard]] std::map<std::string, std::string> obligedProcesses(Context& context);
 
 } // namespace proskill::codegen

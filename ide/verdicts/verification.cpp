@@ -94,7 +94,15 @@ std::optional<verify::Question> progressBeside(const codegen::Model& model, cons
 constexpr std::string_view kOfRunsWithTime = "of runs in which time goes on";
 
 /// A fair run never waits for ever for the end of what may take any time.
-constexpr std::string_view kOpenWaitsEnd = "if what has no time limit ends";
+std::string unlessForEver(const codegen::Model& model) {
+  constexpr std::size_t kMost = 3;
+  std::set<std::string> names;
+  for (const auto& [_, name] : model.obliged) names.insert(name);
+  if (names.size() > kMost)
+    return fmt::format("unless one of {} actions and waits without a time limit takes for ever",
+                       names.size());
+  return fmt::format("unless {} takes for ever", fmt::join(names, " or "));
+}
 
 /// A run in which time stands still breaks no bound, so it must be said that it does not count.
 /// \param progress whether time can always go on
@@ -103,7 +111,7 @@ void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictR
   switch (progress) {
   case verify::Truth::True:
     if (row.reason.starts_with(kOfRunsWithTime)) row.reason.clear();
-    if (row.check->fair && !model.obliged.empty()) row.reason = kOpenWaitsEnd;
+    if (row.check->fair && !model.obliged.empty()) row.reason = unlessForEver(model);
     break;
   case verify::Truth::False:
     row.reason = fmt::format("{}: `program.time_progress` is violated", kOfRunsWithTime);
@@ -211,7 +219,7 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
     if (progressAt) sayTimePasses(model, progress, *rows[i]);
     if (onRow) onRow(i, *rows[i]);
   };
-  options.obliged = model.obliged;
+  for (const auto& [process, _] : model.obliged) options.obliged.insert(process);
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
   if (progressAt) progress = result->answers[*progressAt].truth;

@@ -51,7 +51,7 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
   const Verdicts verdicts(script, runs);
   const Replays replays(script, runs);
   verify::Options fair = options;
-  fair.obliged = model.obliged;
+  for (const auto& [process, _] : model.obliged) fair.obliged.insert(process);
   const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), fair);
   if (!result) {
     comparison.refusal = "the engine cannot run it: " + result.error().message;
