@@ -73,8 +73,9 @@ public:
     const auto platformText = read(arguments.platform);
     const auto scriptText = read(arguments.script);
     const auto kind = runtime::platformKind(platformText.value_or("{}"));
+    if (!kind) return fail(arguments.platform + ": " + kind.error());
     if (kind != "simulated")
-      return fail("the platform in " + arguments.platform + " is of no known kind");
+      return fail(arguments.platform + ": `kind` must be `simulated`, not `" + *kind + "`");
     const bool said = runtime::speaksForEnvironment(platformText.value_or("")) ||
                       runtime::speaksForEnvironment(scriptText.value_or(""));
     auto made = runtime::makeExecutable(program, arguments.mainSkill, !said);

@@ -18,10 +18,22 @@ struct Wrong {
   std::string why;
 };
 
+/// Where a byte is, as people count: both from 1.
+std::string placeOf(std::string_view text, std::size_t byte) {
+  const auto before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
+  const auto line = std::ranges::count(before, '\n') + 1;
+  const auto column = before.size() - (before.rfind('\n') + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
 Json parsed(std::string_view text) {
-  auto value = Json::parse(text, nullptr, false);
-  if (value.is_discarded()) throw Wrong{"it is not JSON"};
-  if (!value.is_object()) throw Wrong{"it is no object"};
+  Json value;
+  try {
+    value = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw Wrong{"it is not JSON at " + placeOf(text, error.byte)};
+  }
+  if (!value.is_object()) throw Wrong{"it is not an object"};
   return value;
 }
 
@@ -205,11 +217,15 @@ bool speaksForEnvironment(std::string_view text) {
          (value.contains("signals") || value.contains("events") || value.contains("interrupts"));
 }
 
-std::string platformKind(std::string_view text) {
-  const auto value = Json::parse(text, nullptr, false);
-  if (!value.is_object()) return "";
-  if (!value.contains("kind")) return "simulated";
-  return value["kind"].is_string() ? value["kind"].get<std::string>() : "";
+std::expected<std::string, std::string> platformKind(std::string_view text) {
+  try {
+    const auto value = parsed(text);
+    if (!value.contains("kind")) return "simulated";
+    if (!value["kind"].is_string()) throw Wrong{"`kind` must be a string"};
+    return value["kind"].get<std::string>();
+  } catch (const Wrong& wrong) {
+    return std::unexpected(wrong.why);
+  }
 }
 
 } // namespace proskill::runtime

@@ -19,8 +19,8 @@ readScript(std::string_view text, const Executable& executable, SimulationSettin
 /// Whether the file says itself when events come, so that the program's environment does not.
 [[nodiscard]] bool speaksForEnvironment(std::string_view text);
 
-/// What a platform file says of its kind: `simulated` where it says nothing; empty where the file
-/// is no object.
-[[nodiscard]] std::string platformKind(std::string_view text);
+/// What a platform file says of its kind: `simulated` where it says nothing. The error says what is
+/// wrong with the file, and where.
+[[nodiscard]] std::expected<std::string, std::string> platformKind(std::string_view text);
 
 } // namespace proskill::runtime

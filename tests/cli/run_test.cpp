@@ -89,10 +89,11 @@ TEST_CASE("run says what is wrong with a script or a platform") {
        "there is no event `pushed_awy`; did you mean `pushed_away`?");
   says(wrong("--script", R"({"actions":{"charge":[{"result":"empty"}]}})"),
        "there is no result of `charge` `empty`");
-  says(wrong("--script", "[]"), "no object");
+  says(wrong("--script", "[]"), "it is not an object");
   says(wrong("--platform", R"({"actions":{"charge":{"duration":[3,2]}}})"),
        "`charge.duration` ends before it begins");
-  says(wrong("--platform", R"({"kind":"magic"})"), "no known kind");
+  says(wrong("--platform", R"({"kind":"magic"})"), "`kind` must be `simulated`, not `magic`");
+  says(wrong("--platform", "{\n  \"kind\":"), "it is not JSON at line 2, column");
   says(wrong("--platform", R"({"action":{}})"), "did you mean `actions`?");
 }
 
