@@ -1,26 +1,74 @@
 // What the .vsix carries: the server, and the libraries that other computers may not have.
-//   linux-x64/proskill
+//   linux-x64/proskill   (or linux-arm64)
 //             lib/       libraries; the program finds them by its RPATH
 //             lib/graphviz/  Graphviz's own plugins, which it looks for beside libgvc
 //             fallback/  libraries that nearly every computer has, most in a version that fits it better
 //             licences/  of each package that a library is from
 import { execFileSync } from 'node:child_process';
-import { chmodSync, copyFileSync, mkdirSync, readFileSync, readdirSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
+import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 
 /** The C library has to be the computer's own. */
 const kSystem = /^(linux-vdso|ld-linux|lib(c|m|dl|pthread|rt|resolv)\.so)/;
+const kTriple = { 'linux-x64': 'x86_64-linux-gnu', 'linux-arm64': 'aarch64-linux-gnu' };
 const kFallback = /^lib(stdc\+\+|gcc_s|expat)\.so/;
 /** SVG and DOT, and the two ways to place nodes that the pictures use. PNGs are made by the panel. */
 const kPlugins = ['core', 'dot_layout', 'neato_layout'];
 
 const run = (...command) => execFileSync(command[0], command.slice(1), { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 
-/** What the loader would load for a program or a library: names and paths. */
-function librariesOf(file) {
-  const out = run('ldd', file);
-  if (/not found/.test(out)) throw new Error(`${file} lacks a library:\n${out}`);
-  return [...out.matchAll(/^\s*(\S+) => (\S+)/gm)].map(([, name, path]) => ({ name, path }));
+/** Where the libraries and licences of a target are: on this system, or in the folder where scripts/arm64.sh has unpacked them. */
+class Native {
+  strip = 'strip';
+
+  /** What the loader would load for a program or a library: names and paths. */
+  librariesOf(file) {
+    const out = run('ldd', file);
+    if (/not found/.test(out)) throw new Error(`${file} lacks a library:\n${out}`);
+    return [...out.matchAll(/^\s*(\S+) => (\S+)/gm)].map(([, name, path]) => ({ name, path }));
+  }
+
+  /** The package's licence, by which it is carried on. */
+  licence(file) {
+    for (const path of [realpathSync(file), file, file.replace(/^\/usr/, '')]) {
+      try {
+        const name = run('dpkg-query', '--search', path).split(':')[0];
+        return { name, path: `/usr/share/doc/${name}/copyright` };
+      } catch {
+        // The package may know the file by another of its names.
+      }
+    }
+    throw new Error(`the licence of ${file} is not known: the extension is packed on Debian or something like it`);
+  }
+}
+
+class Unpacked {
+  constructor(root, triple) {
+    this.root = root;
+    this.strip = `${triple}-strip`;
+    this.folders = [`usr/lib/${triple}`, `lib/${triple}`].map((folder) => join(root, folder)).filter(existsSync);
+    this.packages = new Map(readFileSync(join(root, 'files'), 'utf8').trim().split('\n').map((line) => line.split('\t')));
+  }
+
+  /** All that a file needs, and what that needs. */
+  librariesOf(file, known = new Map()) {
+    for (const [, name] of run('readelf', '--dynamic', '--wide', file).matchAll(/\(NEEDED\).*\[(.*)\]/g)) {
+      if (known.has(name)) continue;
+      const folder = this.folders.find((it) => existsSync(join(it, name)));
+      if (!folder && kSystem.test(name)) continue;
+      if (!folder) throw new Error(`${file} lacks ${name}`);
+      known.set(name, join(folder, name));
+      this.librariesOf(join(folder, name), known);
+    }
+    return [...known].map(([name, path]) => ({ name, path }));
+  }
+
+  licence(file) {
+    const places = [file, realpathSync(file)].map((path) => path.slice(this.root.length));
+    const name = places.flatMap((path) => [path, path.replace(/^\/usr/, ''), `/usr${path}`]).map((path) => this.packages.get(path)).find(Boolean);
+    if (!name) throw new Error(`the licence of ${file} is not known`);
+    return { name, path: join(this.root, 'usr/share/doc', name, 'copyright') };
+  }
 }
 
 /** Of the list of Graphviz's plugins, the part about those that are carried. */
@@ -31,44 +79,32 @@ function configuration(folder) {
   return { name, text: blocks.filter((it) => kPlugins.some((plugin) => it.startsWith(`libgvplugin_${plugin}.`))).join('') };
 }
 
-/** The package's licence, by which it is carried on. */
-function licence(file, to) {
-  const paths = [realpathSync(file), file, file.replace(/^\/usr/, '')];
-  for (const path of paths) {
-    try {
-      const name = run('dpkg-query', '--search', path).split(':')[0];
-      copyFileSync(`/usr/share/doc/${name}/copyright`, join(to, name));
-      return;
-    } catch {
-      // The package may know the file by another of its names.
-    }
-  }
-  throw new Error(`the licence of ${file} is not known: the extension is packed on Debian or something like it`);
-}
-
-function put(from, to) {
+function put(from, to, strip) {
   copyFileSync(from, to);
   chmodSync(to, 0o755);
-  run('strip', to);
+  run(strip, to);
 }
 
-/** Fills a folder with the program and what it needs. */
-export function carry(program, folder) {
+/** Fills a folder with the program and what it needs. `root`: where the libraries of another architecture are unpacked. */
+export function carry(program, folder, target = 'linux-x64', root = null) {
   rmSync(folder, { recursive: true, force: true });
   for (const part of ['lib/graphviz', 'fallback', 'licences']) mkdirSync(join(folder, part), { recursive: true });
-  const needed = new Map(librariesOf(program).map((it) => [it.name, it.path]));
+  const system = root ? new Unpacked(root, kTriple[target]) : new Native();
+  const needed = new Map(system.librariesOf(program).map((it) => [it.name, it.path]));
   const graphviz = join(dirname(needed.get([...needed.keys()].find((name) => name.startsWith('libgvc.')))), 'graphviz');
   for (const plugin of kPlugins) {
     const name = readdirSync(graphviz).find((it) => new RegExp(`^libgvplugin_${plugin}\\.so\\.\\d+$`).test(it));
-    put(join(graphviz, name), join(folder, 'lib/graphviz', name));
-    for (const it of librariesOf(join(graphviz, name))) needed.set(it.name, it.path);
+    put(join(graphviz, name), join(folder, 'lib/graphviz', name), system.strip);
+    for (const it of system.librariesOf(join(graphviz, name))) needed.set(it.name, it.path);
   }
-  const { name, text } = configuration(graphviz);
+  // It names plugins and what they can do, the same for each architecture. Only a program that runs can make it: this system's.
+  const { name, text } = configuration(root ? `/usr/lib/${kTriple['linux-x64']}/graphviz` : graphviz);
   writeFileSync(join(folder, 'lib/graphviz', name), text);
-  put(program, join(folder, 'proskill'));
+  put(program, join(folder, 'proskill'), system.strip);
   for (const [library, path] of needed) {
     if (kSystem.test(library)) continue;
-    put(path, join(folder, kFallback.test(library) ? 'fallback' : 'lib', basename(library)));
-    licence(path, join(folder, 'licences'));
+    put(path, join(folder, kFallback.test(library) ? 'fallback' : 'lib', basename(library)), system.strip);
+    const licence = system.licence(path);
+    copyFileSync(licence.path, join(folder, 'licences', licence.name));
   }
 }
