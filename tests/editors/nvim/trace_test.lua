@@ -165,7 +165,7 @@ return {
       vim.cmd('helptags ' .. doc .. '/doc')
       vim.opt.runtimepath:prepend(doc)
     ]], vim.env.PROSKILL_ROOT)
-    for name in pairs(child:lua("return vim.api.nvim_get_commands({})")) do
+    for _, name in ipairs(child:lua('return vim.tbl_keys(vim.api.nvim_get_commands({}))')) do
       if name:find('^Proskill') then
         child:lua("vim.cmd('help :' .. ...)", name)
         expect.contains(child:lua("return vim.fn.getline('.')"), '*:' .. name .. '*')
