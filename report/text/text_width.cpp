@@ -3,8 +3,7 @@
 #include "syntax/text/utf8.h"
 
 #include <algorithm>
-#include <clocale>
-#include <cwchar>
+#include <optional>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -14,33 +13,9 @@ namespace {
 
 constexpr std::size_t kTabStop = 4;
 
-/// The width of characters as the C library knows it, whatever the locale of the process.
-class Utf8Locale {
-public:
-  Utf8Locale() : locale(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {}
-  ~Utf8Locale() {
-    if (locale) freelocale(locale);
-  }
-  Utf8Locale(const Utf8Locale&) = delete;
-  Utf8Locale& operator=(const Utf8Locale&) = delete;
-
-  /// Negative for what is not printed.
-  [[nodiscard]] int width(char32_t character) const {
-    if (character >= 0x20 && character < 0x7F) return 1;
-    const locale_t before = locale ? uselocale(locale) : nullptr;
-    const int columns = wcwidth(static_cast<wchar_t>(character));
-    if (before) uselocale(before);
-    return columns;
-  }
-
-private:
-  locale_t locale;
-};
-
 } // namespace
 
 DisplayedLine::DisplayedLine(std::string_view line) {
-  static const Utf8Locale locale; // slow to make
   std::size_t column = 0;
   columns.reserve(line.size() + 1);
   while (!line.empty()) {
@@ -51,9 +26,9 @@ DisplayedLine::DisplayedLine(std::string_view line) {
       const std::size_t spaces = kTabStop - column % kTabStop;
       shown.append(spaces, ' ');
       column += spaces;
-    } else if (const int width = character ? locale.width(*character) : -1; width >= 0) {
+    } else if (const auto width = character ? syntax::columnsOf(*character) : std::nullopt) {
       shown.append(line.substr(0, length));
-      column += static_cast<std::size_t>(width);
+      column += *width;
     } else {
       shown.append(syntax::kReplacement);
       ++column;

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// UTF-8 (The Unicode Standard, section 3.9): the one decoder of the tree.
+/// UTF-8 (The Unicode Standard, section 3.9): the one place that decodes it.
 namespace proskill::syntax {
 
 /// What stands for a byte that is not UTF-8, or for a character that cannot be shown: U+FFFD.
@@ -20,35 +20,19 @@ inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// The bytes of the well-formed sequence at the start of a text, by table 3-7; 0 where there is
 /// none.
-[[nodiscard]] constexpr std::size_t sequenceLength(std::string_view text) {
-  if (text.empty()) return 0;
-  const auto first = static_cast<unsigned char>(text[0]);
-  if (first < 0x80) return 1;
-  const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-  if (length == 0 || first > 0xF4 || length > text.size()) return 0;
-  const auto second = static_cast<unsigned char>(text[1]);
-  const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-  const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-  if (second < low || second > high) return 0;
-  return std::ranges::all_of(text.substr(2, length - 2), continuesCharacter) ? length : 0;
-}
+[[nodiscard]] std::size_t sequenceLength(std::string_view text);
 
 /// The bytes that a text's first character takes; 1 for a byte that begins none.
 /// \pre `text` is not empty.
-[[nodiscard]] constexpr std::size_t characterLength(std::string_view text) {
+[[nodiscard]] inline std::size_t characterLength(std::string_view text) {
   return std::max<std::size_t>(sequenceLength(text), 1);
 }
 
 /// The character at the start of a text; nothing where the bytes are not UTF-8.
-[[nodiscard]] constexpr std::optional<char32_t> firstCharacter(std::string_view text) {
-  const auto length = sequenceLength(text);
-  if (length == 0) return std::nullopt;
-  const auto first = static_cast<unsigned char>(text[0]);
-  char32_t value = length == 1 ? first : first & (0x7FU >> length);
-  for (const char byte : text.substr(1, length - 1))
-    value = value << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
-  return value;
-}
+[[nodiscard]] std::optional<char32_t> firstCharacter(std::string_view text);
+
+/// How many columns of a terminal a character takes; nothing where a terminal does not show it.
+[[nodiscard]] std::optional<std::size_t> columnsOf(char32_t character);
 
 /// How many characters a text has; the bytes that go on with one are not counted.
 [[nodiscard]] constexpr std::size_t countCharacters(std::string_view text) {
@@ -63,7 +47,7 @@ inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// A text character by character: `write(character, its bytes)`, with U+FFFD for each byte that is
 /// not UTF-8.
-template <class Write> constexpr void forEachCharacter(std::string_view text, Write write) {
+template <class Write> void forEachCharacter(std::string_view text, Write write) {
   while (!text.empty()) {
     const auto character = firstCharacter(text);
     const auto length = characterLength(text);
