@@ -72,6 +72,7 @@ Expr Parser::binary(std::size_t level) {
 
 Expr Parser::prefix() {
   const Deeper deeper(*this);
+  if (accept("+")) return prefix(); // of a number, and of no effect
   for (const auto& [word, op] : kPrefixes) {
     if (!accept(word)) continue;
     Expr operand = prefix();

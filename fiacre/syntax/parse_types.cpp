@@ -93,9 +93,10 @@ Type Parser::records() {
 Type Parser::unions() {
   Type result{.kind = TypeKind::Union};
   do {
-    Member member{name("the name of a constructor", NameKind::Constructor, true), {}, {}};
-    if (accept("of")) member.type.push_back(type());
-    result.members.push_back(std::move(member));
+    const auto constructors = names("the name of a constructor", NameKind::Constructor, true);
+    std::vector<Type> shared;
+    if (accept("of")) shared.push_back(type());
+    for (const auto& each : constructors) result.members.push_back({each, shared, {}});
   } while (accept("|"));
   expect("end");
   accept("union");
@@ -127,20 +128,27 @@ Interval Parser::interval() {
 
 bool Parser::acceptNoValue() { return accept("sync") || accept("none"); }
 
+/// A direction that stands before the channel's name goes before the channel's own.
+bool Parser::acceptChannel(Port& port) {
+  const auto channel = channels.find(peek().text);
+  if (channel == channels.end()) return false;
+  mention(NameKind::Channel);
+  ++at;
+  port.values = channel->second.values;
+  if (port.values.empty()) port.in = port.out = false;
+  if (port.in || port.out) return true;
+  port.in = channel->second.in;
+  port.out = channel->second.out;
+  return true;
+}
+
 /// `sync`, or the values that cross; `in` and `out` before them.
 void Parser::portType(Port& port) {
   if (acceptNoValue()) return;
-  if (const auto channel = channels.find(peek().text); channel != channels.end()) {
-    mention(NameKind::Channel);
-    ++at;
-    port.values = channel->second.values;
-    port.in = channel->second.in;
-    port.out = channel->second.out;
-    return;
-  }
   // `in [0,1]` belongs to a component's port of no type.
   port.in = accept("in");
   port.out = accept("out");
+  if (acceptChannel(port)) return;
   if (acceptNoValue()) {
     port.in = port.out = false; // nothing crosses it either way
     return;

@@ -77,6 +77,7 @@ private:
   std::int64_t time();
   std::vector<Port> ports(bool probed = false);
   bool acceptNoValue();
+  bool acceptChannel(Port& port);
   void portType(Port& port);
   std::vector<Parameter> parameters();
   std::vector<Variable> variables();

@@ -52,6 +52,33 @@ TEST_CASE("what carries nothing may say in which direction") {
          "        to s\n    []  d;\n        to s\n    end\n\nP\n");
 }
 
+TEST_CASE("a channel is the type of a port, whichever way its values go") {
+  isRead("channel two is nat # bool\nchannel nothing is none\n\n"
+         "process A [p: out two, q: in nothing] is\nstates s\nfrom s\n    select\n        p!1, "
+         "true;\n        to s\n    []  q;\n        to s\n    end\n\n"
+         "process B [p: in two, q: nothing] is\nstates s\nvar n: nat, b: bool\nfrom s\n"
+         "    select\n        p?n, b;\n        to s\n    []  q;\n        to s\n    end\n\n"
+         "component C is\nport p: two in [0,1], q: nothing\npar * in\n    A [p, q]\n||  B [p, "
+         "q]\nend\n\nC\n");
+}
+
+TEST_CASE("constructors of a union may share the type of their value") {
+  const auto parsed = fiacre::parse("type u is union a, b of 0..3 | c, d end\n");
+  REQUIRE(parsed.problems.empty());
+  const auto& members = parsed.program.types[0].type.members;
+  REQUIRE(members.size() == 4);
+  CHECK(members[0].name == "a");
+  CHECK(members[0].type == members[1].type);
+  CHECK(members[1].type.size() == 1);
+  CHECK(members[2].type.empty());
+  CHECK(members[3].name == "d");
+}
+
+TEST_CASE("a `+` may stand before a number") {
+  isRead("const k: int is -(+3)\n\nprocess P is\nstates s\nvar i: int := +k\nfrom s\n    i := i - "
+         "+1;\n    to s\n\nP\n");
+}
+
 TEST_CASE("a function of one line needs no `begin`, and no parameters") {
   isRead("function next(x: nat): nat is return x + 1\n\n"
          "function two(): nat is return 2\n\n"

@@ -58,6 +58,25 @@ TEST_CASE("a value crosses a port as it is when it is sent, and `where` chooses"
   CHECK(model.reaches("main/1/value x = 0"));
 }
 
+TEST_CASE("what is sent may depend on choices before it on the path") {
+  const auto model = [](const std::string& choice) {
+    return Text("type u is union one of 0..3 | two end\n"
+                "process S [p: out 0..9] is states a, b var x: 0..9, y: u := one(2) from a " +
+                choice +
+                "; p ! x; to b\n"
+                "process R [p: in 0..9] is states a, b var x: 0..9 from a p ? x; to b\n"
+                "component main is port p: 0..9 in [1,1] par * in S[p] || R[p] end");
+  };
+  const auto chosen = model("case y of one(0) -> x := 4 | one(2) -> x := 7 | any -> x := 8 end");
+  CHECK(chosen.reaches("main/2/value x = 7"));
+  CHECK_FALSE(chosen.reaches("main/2/value (x = 4 or x = 8)"));
+  const auto tested =
+      model("x := any where x < 3; if x > 1 then x := 6 elsif x = 1 then x := 5 end");
+  for (const auto* value : {"0", "5", "6"})
+    CHECK(tested.reaches(std::string("main/2/value x = ") + value + " and main/2/state b"));
+  CHECK_FALSE(tested.reaches("main/2/value (x = 1 or x = 2)"));
+}
+
 TEST_CASE("two who send on one port must agree; what nobody sends nobody gets") {
   const auto model = [](const std::string& first, const std::string& second) {
     return Text("process S [p: out 0..5] is states a, b var x: 0..5 from a p ! " + first +

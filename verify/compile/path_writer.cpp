@@ -15,6 +15,16 @@ namespace {
 constexpr std::size_t kMostChoices = 4096;
 constexpr std::size_t kMostPaths = 10'000; // of one `from`
 
+bool sendsValue(const Statement& statement) {
+  return (statement.kind == StatementKind::Send && !statement.values.empty()) ||
+         std::ranges::any_of(statement.children, sendsValue);
+}
+
+/// What is sent has to be known over the state before the path, so a choice before it splits it.
+bool mayStillSend(const RestOfPath& rest) {
+  return std::ranges::any_of(rest, [](const auto* statement) { return sendsValue(*statement); });
+}
+
 } // namespace
 
 void PathWriter::write(PathDraft draft, RestOfPath rest) {
@@ -29,7 +39,7 @@ void PathWriter::write(PathDraft draft, RestOfPath rest) {
       continue;
     }
     if (choice) {
-      bool plain = isPlain(statement);
+      bool plain = isPlain(statement) && !mayStillSend(rest);
       if (plain && endsPath(statement))
         plain = std::ranges::all_of(rest, [](const auto* next) { return isPlain(*next); });
       if (plain) {
@@ -92,10 +102,12 @@ bool PathWriter::step(const Statement& statement, PathDraft& draft, RestOfPath& 
   case StatementKind::If:
   case StatementKind::Case:
   case StatementKind::Select:
-  case StatementKind::Start:
-  case StatementKind::Sync:
   case StatementKind::While:
   case StatementKind::Return: unsupported("a statement that is not verified yet", statement.origin);
+  case StatementKind::Start:
+  case StatementKind::Sync:
+    unsupported("tasks are for execution, so this model can be checked but not verified",
+                statement.origin);
   }
   std::unreachable();
 }
@@ -148,7 +160,8 @@ NodeId PathWriter::beforePath(NodeId value, const PathDraft& draft) {
 void PathWriter::send(const Statement& statement, PathDraft& draft) {
   synchronise(statement, draft);
   if (!statement.values.empty() && draft.branched)
-    unsupported("a value is sent behind a choice on the same path", statement.origin);
+    unsupported("a value is sent behind a `while` on the same path: send it in a state of its own",
+                statement.origin);
   const auto& types = context.valuesOf(statement.name);
   for (std::size_t i = 0; i < statement.values.size(); ++i) {
     const auto* type = i < types.size() ? &types[i] : nullptr;
