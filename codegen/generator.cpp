@@ -37,8 +37,10 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
   if (context.isExecuted()) tellExecutor(context, model);
   if (context.plan.mission) model.mainSkill = context.plan.mission->name();
   if (!context.isPerformed()) addChecks(context, model);
-  if (options.edition == Edition::Tina) removeIdleProcesses(model.fiacre);
-  if (options.edition == Edition::Tina || context.isRuntime()) coerceNumbers(model.fiacre);
+  if (options.edition == Edition::Tina || context.isRuntime()) {
+    removeIdleProcesses(model.fiacre);
+    coerceNumbers(model.fiacre);
+  }
   context.origins.provenance.watched = watchedVariables(context);
   model.provenance = std::move(context.origins.provenance);
   return model;

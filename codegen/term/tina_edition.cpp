@@ -19,8 +19,8 @@ public:
   void run() {
     for (auto& component : program.components)
       if (component.name == program.main) removeInstances(component);
-    if (gone.empty()) return;
     std::erase_if(program.processes, isIdle);
+    if (gone.empty()) return;
     for (auto& property : program.properties) rename(property.pattern);
   }
 
@@ -40,7 +40,19 @@ private:
       }
       ++place;
     }
+    if (kept.empty() && !component.instances.empty()) return keepOne(component);
     component.instances = std::move(kept);
+  }
+
+  /// A component has an instance at least, so the first one gets a `from` that is never left.
+  void keepOne(fiacre::Component& component) {
+    component.instances.resize(1);
+    gone.erase(1);
+    places.emplace(1, 1);
+    auto& process = *std::ranges::find(program.processes, component.instances[0].process,
+                                       &fiacre::Process::name);
+    const auto& first = process.states.front().name;
+    process.transitions.push_back({first, sequence({on(boolean(false)), to(first)})});
   }
 
   void rename(fiacre::Pattern& pattern) {

@@ -76,6 +76,10 @@ TEST_CASE("an action without an interval is not watched, one that nothing stops 
   CHECK_THAT(wave, Contains("var ret_val: skill_result := no_result, ignoreb: bool := false\n"));
 }
 
+TEST_CASE("no process of a program for the executor is without a `from`") {
+  for (const auto& process : runtime().fiacre.processes) CHECK_FALSE(process.transitions.empty());
+}
+
 TEST_CASE("events and interrupts from outside are event ports, and there is no environment") {
   const auto text = test::printed(runtime());
   CHECK_THAT(text, Contains("event gust: sync is c_gust\n"));

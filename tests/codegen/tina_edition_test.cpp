@@ -1,6 +1,7 @@
 #include "codegen/model.h"
 #include "fiacre/check/check.h"
 #include "fiacre/check/typing.h"
+#include "fiacre/syntax/parse.h"
 #include "tests/codegen/model_of.h"
 #include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
@@ -125,6 +126,15 @@ TEST_CASE("for Tina no process is without a `from`, and properties look at the r
         static_cast<std::size_t>(std::ranges::count_if(
             compact.fiacre.processes, [](const auto& each) { return !each.transitions.empty(); })));
   CHECK(model.fiacre.processes.size() < compact.fiacre.processes.size());
+  CHECK(fiacre::check(model.fiacre).empty());
+}
+
+TEST_CASE("for Tina a model of which nothing moves is still one that can be read") {
+  const auto model = forTina("(defsv a :states (X Y) :init X) (defsv b :states (X Y) :init Y)");
+  REQUIRE(model.fiacre.components[0].instances.size() == 1);
+  const auto text = test::printed(model);
+  CHECK_THAT(text, Contains("from legal\n    on false;\n    to legal"));
+  CHECK(fiacre::parse(text).problems.empty());
   CHECK(fiacre::check(model.fiacre).empty());
 }
 

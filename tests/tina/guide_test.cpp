@@ -51,7 +51,8 @@ TEST_CASE("traces of random models are followed by their names alone, and found 
     const auto graph = graphOf(program);
     const auto result = verify::verify(program, {}, questions);
     if (!graph || !result) continue;
-    auto guide = tina::Guide::make(program, {}, questions);
+    const fiacre::Provenance provenance;
+    auto guide = tina::Guide::make(program, provenance, questions);
     REQUIRE(guide.has_value());
     for (std::size_t i = 0; i < questions.size(); ++i) {
       INFO("seed " << seed << ", property " << i << "\n" << fiacre::print(program));
