@@ -27,6 +27,25 @@ TEST_CASE("what a body reads before its own call is of no other body's call") {
   CHECK(codes(program).find("PS0701") == std::string::npos);
 }
 
+TEST_CASE(
+    "what a body reads is of its own call, whatever something that it calls has called since") {
+  const std::string parts =
+      "(defskill s :time_interval [1,1] :action (s) :success ok :failure bad)\n"
+      "(defskill c :success done :body ((do (s) until (= s.status success)) (success done)))\n";
+  const auto told = [&](const std::string& body) {
+    return codes(parts + "(defskill m :success done :failure no :body (" + body + "))");
+  };
+  // only `c` can know how its own calls have ended
+  CHECK(told("(s) (c) (if (/= s.status success) (failure no)) (success done)").empty());
+  CHECK(
+      told("(s) (// ((c)) ((^ 1))) (if (= s.status success) (success done)) (failure no)").empty());
+  CHECK(told("(c) (if (/= s.status success) (failure no)) (success done)") == "PS0703");
+  // a guard looks at the last call of all
+  CHECK(codes(parts + "(defskill m :invariant (i (:guard (/= s.status failure))) :success done "
+                      ":body ((s) (if (= s.status success) (c)) (success done)))")
+            .empty());
+}
+
 TEST_CASE("A loop that a refused call keeps going is told at its beginning") {
   const std::string door = "(defsv door :states (Closed Open) :init Closed)\n"
                            "(defevent opens :effects (door Open))\n"

@@ -19,13 +19,11 @@ constexpr std::size_t kEnough = 64; ///< variables that are followed however man
 
 /// What the process itself looks at, as long as that is not too much, and what others that it calls
 /// do. The values of what is left out are those that the variable has anywhere.
-Slots slotsOf(const IdSet& own, const IdSet& inherited, std::size_t nodes) {
-  IdSet followed = own;
-  followed.keepFirst(std::max(kEnough, kMostInThread / std::max<std::size_t>(nodes, 1)));
-  followed.insertAll(inherited);
-  std::vector<VariableId> variables;
-  forEach(followed, [&](std::size_t id) { variables.push_back(static_cast<VariableId>(id)); });
-  return Slots(std::move(variables));
+IdSet followed(const IdSet& own, const IdSet& inherited, std::size_t nodes) {
+  IdSet all = own;
+  all.keepFirst(std::max(kEnough, kMostInThread / std::max<std::size_t>(nodes, 1)));
+  all.insertAll(inherited);
+  return all;
 }
 
 } // namespace
@@ -64,6 +62,22 @@ bool System::mayReadStale(ProcessId reader, VariableId id) const {
   const auto isOther = [&](const Site& site) { return site.caller != calls.front().caller; };
   return std::ranges::any_of(calls, isOther) && std::ranges::any_of(calls, isOfReader) &&
          readsBeforeCall(process, id, skill);
+}
+
+bool System::hasTwoMeanings(ProcessId reader, VariableId id) const {
+  const Variable& variable = shared[id];
+  const Process& process = processes[reader];
+  if (variable.kind != VariableKind::Status && variable.kind != VariableKind::Result) return false;
+  if (process.kind != ProcessKind::Skill && process.kind != ProcessKind::Branch) return false;
+  const auto& calls = sites[skillProcess[variable.definition]];
+  const auto isOfReader = [&](const Site& site) {
+    return processes[site.caller].definition == process.definition;
+  };
+  const IdSet& within = activities[skillProcess[process.definition]];
+  return std::ranges::any_of(calls, isOfReader) &&
+         std::ranges::any_of(calls, [&](const Site& site) {
+           return !isOfReader(site) && within.contains(site.caller);
+         });
 }
 
 bool System::readsBeforeCall(const Process& reader, VariableId variable, ProcessId skill) const {
@@ -237,8 +251,15 @@ void System::chooseSlots() {
   for (const Process& process : processes) nodes += process.actions.size();
   std::vector<IdSet> inherited =
       calls->inherited(own, kMostInherited / std::max<std::size_t>(nodes, 1));
-  for (ProcessId id = 0; id < processes.size(); ++id)
-    processes[id].slots = slotsOf(own[id], inherited[id], processes[id].actions.size());
+  for (ProcessId id = 0; id < processes.size(); ++id) {
+    const auto all = followed(own[id], inherited[id], processes[id].actions.size());
+    std::vector<VariableId> variables;
+    forEach(all, [&](std::size_t variable) {
+      const auto each = static_cast<VariableId>(variable);
+      if (!hasTwoMeanings(id, each)) variables.push_back(each);
+    });
+    processes[id].slots = Slots(std::move(variables));
+  }
 }
 
 IdSet System::readsOf(ProcessId id) const {

@@ -72,6 +72,11 @@ public:
   /// the thread may read it before it calls the skill: what it reads is the outcome of the body's
   /// own last call, which lies before this run, whatever others have called since.
   [[nodiscard]] bool mayReadStale(ProcessId reader, VariableId variable) const;
+  /// The variable is the status or result of a skill that the body calls, and that something called
+  /// by the body calls, too: the body reads the outcome of its own last call, and its guards that
+  /// of the last call of all. One set of values cannot stand for both, so the process does not
+  /// follow the variable.
+  [[nodiscard]] bool hasTwoMeanings(ProcessId reader, VariableId variable) const;
   /// Skills that cannot be running while this one is; itself, where it is never called while it is.
   [[nodiscard]] const IdSet& exclusive(ProcessId id) const { return excluded[id]; }
   /// Events happen at any time: no environment restricts them.
