@@ -1,6 +1,7 @@
 #include "tests/meaning/agreement.h"
 
 #include "tests/meaning/replay.h"
+#include "tests/meaning/timed/pattern.h"
 #include "tests/meaning/verdicts.h"
 #include "tests/support/texts.h"
 
@@ -49,7 +50,7 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
   comparison.tooLarge = !runs.complete();
   if (comparison.tooLarge) return comparison;
   const Verdicts verdicts(script, runs);
-  const Replays replays(script, runs);
+  const Replays replays(script, model.unit);
   verify::Options fair = options;
   for (const auto& [process, _] : model.obliged) fair.obliged.insert(process);
   const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), fair);
@@ -63,6 +64,8 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
     compareTrace(replays, answer, comparison);
     const auto expected = verdicts.isTrue(check, model.provenance.origins[check.origin]);
     if (expected && !comparison.disagreement) compareTruth(*expected, answer, comparison);
+    if (expected && check.kind == "property")
+      comparison.scopes += hasScopeOrTime(script.program->properties.find(check.subject)->node());
     if (!comparison.disagreement) continue;
     comparison.kind = check.kind + ", " + comparison.kind;
     comparison.disagreement =

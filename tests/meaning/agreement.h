@@ -14,6 +14,7 @@ namespace proskill::meaning {
 struct Comparison {
   bool tooLarge = false;
   std::size_t questions = 0; ///< that were decided by both
+  std::size_t scopes = 0;    ///< of these, patterns with a scope or a time
   std::size_t traces = 0;    ///< of the engine, each a run of the interpreter
   std::size_t situations = 0;
   std::optional<std::string> refusal; ///< the engine cannot run it

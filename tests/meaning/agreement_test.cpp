@@ -17,6 +17,7 @@ struct Tally {
   std::uint64_t programs = 0;
   std::uint64_t tooLarge = 0;
   std::uint64_t questions = 0;
+  std::uint64_t scopes = 0;
   std::uint64_t traces = 0;
   std::uint64_t situations = 0;
   std::map<std::string, std::uint64_t> disagreements; ///< by kind
@@ -41,6 +42,7 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
     ++tally.programs;
     tally.tooLarge += comparison.tooLarge ? 1 : 0;
     tally.questions += comparison.questions;
+    tally.scopes += comparison.scopes;
     tally.traces += comparison.traces;
     tally.situations += comparison.situations;
   }
@@ -48,8 +50,8 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
   for (const auto& [kind, times] : tally.disagreements)
     found += "\n  " + kind + ": " + std::to_string(times);
   WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
-                      << " questions, " << tally.traces << " traces, " << tally.situations
-                      << " situations" << found);
+                      << " questions (" << tally.scopes << " with scopes or times), "
+                      << tally.traces << " traces, " << tally.situations << " situations" << found);
   CHECK(tally.disagreements.empty());
   return tally;
 }
@@ -74,4 +76,11 @@ TEST_CASE("so they are with several callers, resources and an environment") {
                                  .halves = 0,
                                  .environment = 80});
   CHECK(tally.tooLarge < tally.programs * 2 / 3);
+}
+
+TEST_CASE("so are those of patterns with scopes and times") {
+  const auto tally = compareAll(
+      2'000'000, 600,
+      {.resources = 0, .composites = 0, .properties = 6, .seconds = 2, .halves = 0, .scopes = 80});
+  CHECK(tally.scopes > tally.programs);
 }

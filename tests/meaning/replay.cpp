@@ -1,10 +1,11 @@
 #include "tests/meaning/replay.h"
 
-#include "tests/meaning/look.h"
+#include "tests/meaning/runs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 namespace proskill::meaning {
 namespace {
@@ -31,75 +32,81 @@ void apply(const std::vector<verify::Change>& changes, Values& values) {
       found->second = change.after;
 }
 
-} // namespace
-
-Replays::Replays(const Script& of, const Runs& in) : script(of), runs(in) {
-  for (const auto& node : runs.nodes()) {
-    const auto values = valuesIn(script, node.situation);
-    seen.push_back(numbers.try_emplace(values, numbers.size()).first->second);
+/// \pre time can pass: nothing has to happen before
+std::vector<Age> after(std::vector<Age> ages, std::int64_t time, std::int64_t parts) {
+  for (auto& age : ages) {
+    if (!age.counts) continue;
+    const auto whole = (age.fraction + time) / parts;
+    age = {.counts = true, .whole = age.whole + whole, .fraction = (age.fraction + time) % parts};
   }
+  return ages;
 }
 
+} // namespace
+
 std::optional<std::string> Replays::whyNoRun(const verify::Trace& trace) const {
-  const auto beginning = valuesIn(script, runs.nodes()[0].situation);
-  Values values = beginning;
+  Situations now{beginning(script)};
+  const auto beginsWith = valuesIn(script, *now.begin());
+  Values values = beginsWith;
   apply(trace.initial, values);
-  if (values != beginning) return "it begins with other values";
-  Nodes now{0};
+  if (values != beginsWith) return "it begins with other values";
+  const auto perUnit = unit.numerator * script.unitsPerSecond;
+  const auto parts = unit.denominator * trace.scale;
   std::int64_t date = 0;
+  const auto passTo = [&](std::int64_t next) {
+    if (next > date) now = later(script, closed(now), (next - date) * perUnit, parts);
+    date = std::max(date, next);
+    return !now.empty();
+  };
   for (std::size_t i = 0; i < trace.steps.size(); ++i) {
     const auto& step = trace.steps[i];
-    if (step.date > date) now = later(now);
-    if (now.empty()) return fmt::format("no time can pass before its step {}", i + 1);
-    date = step.date;
+    if (!passTo(step.date))
+      return fmt::format("so much time cannot pass before its step {}", i + 1);
     const Values before = values;
     apply(step.changes, values);
-    if (values != before) now = changed(now, values);
-    if (now.empty()) return fmt::format("nothing does what its step {} does", i + 1);
+    if (values != before) now = changed(closed(now), values);
+    if (now.empty()) return fmt::format("nothing does what its step {} does at its date", i + 1);
   }
+  if (!passTo(trace.end)) return "so much time cannot pass behind its last step";
   return std::nullopt;
 }
 
-Replays::Nodes Replays::later(const Nodes& nodes) const {
-  Nodes next;
-  for (const auto node : closed(nodes, false)) addLater(node, next);
-  return closed(std::move(next), true);
-}
-
-Replays::Nodes Replays::changed(const Nodes& nodes, const Values& to) const {
-  Nodes next;
-  const auto wanted = numbers.find(to);
-  if (wanted == numbers.end()) return next;
-  for (const auto node : closed(nodes, false))
-    for (const auto& edge : runs.nodes()[node].edges)
-      if (seen[edge.target] == wanted->second) next.insert(edge.target);
+Replays::Situations Replays::later(const Script& script, const Situations& now, std::int64_t time,
+                                   std::int64_t parts) {
+  Situations next;
+  for (auto situation : now) {
+    const auto steps = stepsFrom(script, situation);
+    situation.ages = after(situation.ages, time, parts);
+    for (auto& skill : situation.skills) skill.endedEarly = false;
+    if (std::ranges::none_of(steps, [&](const Step& step) {
+          return step.when.isUrgent() || isLate(step.when, situation.ages);
+        }))
+      next.insert(std::move(situation));
+  }
   return next;
 }
 
-Replays::Nodes Replays::closed(Nodes nodes, bool time) const {
-  std::vector<std::size_t> todo(nodes.begin(), nodes.end());
-  while (!todo.empty()) {
-    const auto at = todo.back();
-    todo.pop_back();
-    Nodes next;
-    if (time) addLater(at, next);
-    for (const auto& edge : runs.nodes()[at].edges)
-      if (seen[edge.target] == seen[at]) next.insert(edge.target);
-    for (const auto node : next)
-      if (nodes.insert(node).second) todo.push_back(node);
-  }
-  return nodes;
+Replays::Situations Replays::changed(const Situations& now, const Values& to) const {
+  Situations next;
+  for (const auto& situation : now)
+    for (auto& step : stepsFrom(script, situation))
+      if (isDue(step.when, situation.ages) && valuesIn(script, step.after) == to)
+        next.insert(std::move(step.after));
+  return next;
 }
 
-/// A little time may pass within one order of the fractions, too.
-void Replays::addLater(std::size_t at, Nodes& to) const {
-  const auto& node = runs.nodes()[at];
-  if (!node.timePasses) return;
-  const bool between = std::ranges::none_of(node.situation.ages, [](const Age& age) {
-    return age.counts && !age.beyond && age.fraction == 0;
-  });
-  if (between || !node.later) to.insert(at);
-  if (node.later) to.insert(*node.later);
+Replays::Situations Replays::closed(Situations now) const {
+  std::vector<Situation> todo(now.begin(), now.end());
+  while (!todo.empty()) {
+    const auto situation = std::move(todo.back());
+    todo.pop_back();
+    const auto values = valuesIn(script, situation);
+    for (const auto& step : stepsFrom(script, situation))
+      if (isDue(step.when, situation.ages) && valuesIn(script, step.after) == values &&
+          now.insert(step.after).second)
+        todo.push_back(step.after);
+  }
+  return now;
 }
 
 } // namespace proskill::meaning

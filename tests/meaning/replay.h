@@ -1,9 +1,11 @@
 #pragma once
 
-#include "tests/meaning/runs.h"
+#include "tests/meaning/steps.h"
 
 #include "verify/verify.h"
 
+#include <map>
+#include <set>
 #include <string>
 
 namespace proskill::meaning {
@@ -11,30 +13,31 @@ namespace proskill::meaning {
 /// What a user sees of a situation, called as in traces.
 using Values = std::map<std::string, std::string>;
 
-/// Traces of the engine, as runs of the interpreter. Looks into both.
+/// Traces of the engine, as runs of the interpreter. Looks into the script.
 class Replays {
 public:
-  Replays(const Script& script, const Runs& runs);
+  /// \param unit seconds of a unit of the model
+  Replays(const Script& of, const syntax::Rational& unit) : script(of), unit(unit) {}
 
   /// Why a trace is no run of the program; nothing where it is one: some run of the interpreter has
-  /// the same values of state variables, outcomes and resources in the same order, and time passes
-  /// between two changes where it does in the trace, and nowhere else.
+  /// the same values of state variables, outcomes and resources in the same order, with each change
+  /// at the very date of the trace, and does nothing at other dates than those of the trace's
+  /// steps.
   [[nodiscard]] std::optional<std::string> whyNoRun(const verify::Trace& trace) const;
 
 private:
-  using Nodes = std::set<std::size_t>;
+  using Situations = std::set<Situation>;
 
-  /// From one of the nodes, some time later; and after a step to the values.
-  [[nodiscard]] Nodes later(const Nodes& nodes) const;
-  [[nodiscard]] Nodes changed(const Nodes& nodes, const Values& to) const;
-  /// With what may follow unseen.
-  [[nodiscard]] Nodes closed(Nodes nodes, bool time) const;
-  void addLater(std::size_t at, Nodes& to) const;
+  /// Where the situations can be after some time, in `parts` of a unit.
+  [[nodiscard]] static Situations later(const Script& script, const Situations& now,
+                                        std::int64_t time, std::int64_t parts);
+  /// After a step to the values.
+  [[nodiscard]] Situations changed(const Situations& now, const Values& to) const;
+  /// With what may follow at the same date unseen.
+  [[nodiscard]] Situations closed(Situations now) const;
 
   const Script& script;
-  const Runs& runs;
-  std::map<Values, std::size_t> numbers;
-  std::vector<std::size_t> seen; ///< by node: the number of its values
+  syntax::Rational unit;
 };
 
 } // namespace proskill::meaning

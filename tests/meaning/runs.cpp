@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace proskill::meaning {
-namespace {
 
 bool reaches(const Age& age, std::int64_t bound, bool open) {
   if (age.beyond || age.whole > bound) return true;
@@ -12,11 +11,7 @@ bool reaches(const Age& age, std::int64_t bound, bool open) {
 
 bool isPast(const Age& age, std::int64_t bound, bool open) { return reaches(age, bound, !open); }
 
-bool isLate(const Step& step, const std::vector<Age>& ages) {
-  const auto& when = step.when;
-  return when.clock != kNobody && when.upper &&
-         isPast(ages[when.clock], *when.upper, when.upperOpen);
-}
+namespace {
 
 /// Whether the step cannot be put off any longer.
 bool hasToHappen(const Step& step, const std::vector<Age>& ages) {
@@ -44,6 +39,11 @@ std::vector<Age> later(std::vector<Age> ages) {
 
 } // namespace
 
+bool isLate(const When& when, const std::vector<Age>& ages) {
+  return when.clock != kNobody && when.upper &&
+         isPast(ages[when.clock], *when.upper, when.upperOpen);
+}
+
 bool isDue(const When& when, const std::vector<Age>& ages) {
   if (when.clock == kNobody) return true;
   const auto& age = ages[when.clock];
@@ -51,7 +51,8 @@ bool isDue(const When& when, const std::vector<Age>& ages) {
          (!when.upper || !isPast(age, *when.upper, when.upperOpen));
 }
 
-Runs::Runs(const Script& of, std::size_t limit) : script(of) {
+Runs::Runs(const Script& of, std::size_t limit, std::optional<std::int64_t> watch)
+    : script(of), longest(watch.value_or(0)), hasWatch(watch.has_value()) {
   const auto note = [&](const syntax::Interval& interval) {
     longest = std::max(longest, script.units(interval.lower));
     if (interval.upper) longest = std::max(longest, script.units(*interval.upper));
@@ -61,7 +62,9 @@ Runs::Runs(const Script& of, std::size_t limit) : script(of) {
   for (const auto& thread : script.threads)
     for (const auto& place : thread.places)
       if (place.statement && waitsForTime(*place.statement)) note(place.statement->duration);
-  add(beginning(script));
+  auto first = beginning(script);
+  if (hasWatch) first.ages.push_back({.counts = true});
+  add(std::move(first));
   std::size_t next = 0;
   for (; next < all.size() && all.size() < limit; ++next) expand(next);
   finished = next == all.size();
@@ -97,6 +100,12 @@ void Runs::expand(std::size_t node) {
     edges.push_back({add(step.after), step.facts, hasToHappen(step, all[node].situation.ages)});
   }
   all[node].edges = std::move(edges);
+  if (hasWatch) {
+    Situation anew = all[node].situation;
+    anew.ages.back() = {.counts = true};
+    const auto restarted = add(std::move(anew));
+    all[node].restarted = restarted;
+  }
   letTimePass(node, steps);
 }
 
@@ -105,7 +114,7 @@ void Runs::letTimePass(std::size_t node, const std::vector<Step>& steps) {
   Situation next = all[node].situation;
   next.ages = later(next.ages);
   const bool isLimit =
-      std::ranges::any_of(steps, [&](const Step& step) { return isLate(step, next.ages); });
+      std::ranges::any_of(steps, [&](const Step& step) { return isLate(step.when, next.ages); });
   const bool between = std::ranges::none_of(all[node].situation.ages, [](const Age& age) {
     return age.counts && !age.beyond && age.fraction == 0;
   });

@@ -17,17 +17,21 @@ struct Node {
   std::vector<Edge> edges;
   std::optional<std::size_t> later; ///< after a little time
   bool timePasses = false;          ///< by however little
+  std::size_t restarted = 0;        ///< the same moment with the watch at 0, where there is one
 };
 
 /// All runs of a program. Times are told apart as far as bounds can tell them apart: whole units,
 /// and the order of the fractions. Alur and Dill, "A theory of timed automata" (TCS 1994).
 class Runs {
 public:
-  /// Stops when there are `limit` nodes.
-  Runs(const Script& script, std::size_t limit);
+  /// Stops when there are `limit` nodes. \param watch where given, one age more goes on all the
+  /// time, as `watch()` says; it is told apart up to this bound
+  Runs(const Script& script, std::size_t limit, std::optional<std::int64_t> watch = {});
 
   [[nodiscard]] bool complete() const { return finished; }
   [[nodiscard]] const std::vector<Node>& nodes() const { return all; }
+  /// How long it is since the watch was at 0. \pre there is one
+  [[nodiscard]] static const Age& watch(const Node& node) { return node.situation.ages.back(); }
   /// What happens in some run.
   [[nodiscard]] const std::set<Fact>& facts() const { return found; }
   [[nodiscard]] bool canStop() const;
@@ -43,13 +47,22 @@ private:
 
   const Script& script;
   std::int64_t longest = 0; ///< the largest bound
+  bool hasWatch = false;
   std::vector<Node> all;
   std::map<Situation, std::size_t> known;
   std::set<Fact> found;
   bool finished = false;
 };
 
+/// An age against a bound: `reaches` from the first moment that is not before it, `isPast` from the
+/// first one that is after it.
+[[nodiscard]] bool reaches(const Age& age, std::int64_t bound, bool open);
+[[nodiscard]] bool isPast(const Age& age, std::int64_t bound, bool open);
+
 /// Whether a step may happen at these ages.
 [[nodiscard]] bool isDue(const When& when, const std::vector<Age>& ages);
+
+/// Whether its last moment is over.
+[[nodiscard]] bool isLate(const When& when, const std::vector<Age>& ages);
 
 } // namespace proskill::meaning

@@ -169,6 +169,11 @@ private:
     for (const auto& thread : script.threads)
       for (const auto& place : thread.places)
         if (place.statement && waitsForTime(*place.statement)) note(place.statement->duration);
+    for (const auto& property : program.properties.all) {
+      for (const auto& interval : {property->within, property->forDuration})
+        if (interval) note(*interval);
+      if (property->lasting) note(*property->lasting);
+    }
   }
 
   /// What must not be stopped once it runs, what calls such a skill, and so on.

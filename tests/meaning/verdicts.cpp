@@ -2,6 +2,7 @@
 
 #include "tests/meaning/endless/fairness.h"
 #include "tests/meaning/endless/ltl.h"
+#include "tests/meaning/timed/pattern.h"
 
 #include <algorithm>
 #include <functional>
@@ -56,9 +57,11 @@ std::optional<bool> Verdicts::isTrue(const codegen::Check& check,
 }
 
 std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
-  if (property.after || property.before || property.within || property.forDuration ||
-      property.lasting)
-    return std::nullopt;
+  if (hasScopeOrTime(property))
+    return isTrueInTime(property, script,
+                        [this](const auto& wish, const auto& now, const auto& facts) {
+                          return isTrueAt(wish, now, facts);
+                        });
   switch (property.kind) {
   case PropertyKind::Always: return !sometimes(property.operands[0], false);
   case PropertyKind::Never:

@@ -50,12 +50,15 @@ const std::vector<std::pair<std::string, Options>>& settings() {
     made.emplace_back("no reduction", Options{.reductions = {}});
     const std::vector<std::pair<std::string, Reduction>> names{
         {"dead variables", Reduction::DeadVariables}, {"live variables", Reduction::LiveVariables},
-        {"open variables", Reduction::FreeInputs},    {"safe steps", Reduction::StubbornSets},
-        {"inclusion", Reduction::Inclusion},          {"extrapolation", Reduction::Extrapolation}};
+        {"open variables", Reduction::FreeInputs},    {"private moves", Reduction::PrivateMoves},
+        {"safe steps", Reduction::StubbornSets},      {"inclusion", Reduction::Inclusion},
+        {"extrapolation", Reduction::Extrapolation}};
     for (const auto& [name, reduction] : names) {
       made.emplace_back("without " + name, Options{});
       made.back().second.reductions.erase(reduction);
       made.emplace_back("only " + name, Options{.reductions = {reduction}});
+      if (reduction == Reduction::PrivateMoves) // they are on open variables
+        made.back().second.reductions.insert(Reduction::FreeInputs);
     }
     return made;
   }();

@@ -180,11 +180,32 @@ private:
     static const std::vector<std::string> heads{"always", "never", "reachable", "absent",
                                                 "present"};
     Form body{"deadlockfree"};
-    if (random.chance(30))
+    if (size.scopes > 0 && random.chance(size.scopes))
+      body = withScope();
+    else if (random.chance(30))
       body = ofRuns();
     else if (!random.chance(15))
       body = {random.pick(heads), phrase.proposition(2)};
     program.push_back({"defproperty", "wish" + std::to_string(number), body});
+  }
+
+  /// A pattern with scopes and times, all that has a meaning.
+  Form withScope() {
+    static const std::vector<std::string> heads{"present", "absent", "leadsto"};
+    const auto head = random.pick(heads);
+    Form form{head, phrase.proposition(1)};
+    if (head == "leadsto") {
+      form.addAll({phrase.proposition(1), ":within", phrase.interval()});
+      return form;
+    }
+    const bool after = random.chance(60);
+    const bool before = !after && random.chance(60);
+    if (after || before) form.addAll({after ? ":after" : ":before", phrase.proposition(1)});
+    if (head == "present" && !before && random.chance(40))
+      form.addAll({":lasting", std::to_string(random.between(1, size.seconds))});
+    else if (random.chance(75) || (!after && !before))
+      form.addAll({head == "present" ? ":within" : ":for", phrase.interval()});
+    return form;
   }
 
   Form ofRuns() {

@@ -25,6 +25,7 @@ struct ProgramSize {
   unsigned halves = 5;       ///< per cent of bounds that are no whole number
   unsigned environment = 20; ///< per cent of programs with a defenvironment
   unsigned library = 10;     ///< per cent of programs without a main skill
+  unsigned scopes = 0;       ///< per cent of properties that have a scope or a time
   unsigned labels = 0;       ///< per cent of tests, waits and interrupts with a label before them
 };
 
