@@ -13,6 +13,9 @@ std::vector<std::string> conditions(const Builder& builder, const syntax::Skill&
 Exits drawPrecondition(Builder& builder, const SkillDefinition& skill, const Exits& in) {
   if (skill->preconditions.empty()) return in;
   const auto range = span(skill->preconditions);
+  if (skill->armed)
+    return builder.then(in, builder.node(NodeRole::Wait, "until the precondition holds", range,
+                                         conditions(builder, skill.node())));
   const auto test =
       builder.node(NodeRole::Test, "precondition?", range, conditions(builder, skill.node()));
   builder.connect(in, test);
