@@ -19,6 +19,7 @@ inline constexpr std::array kReductionNames{
     ReductionName{Reduction::DeadVariables, "dead-variables", ""},
     ReductionName{Reduction::LiveVariables, "live-variables", ""},
     ReductionName{Reduction::FreeInputs, "free-inputs", "open-variables"},
+    ReductionName{Reduction::PrivateMoves, "private-moves", ""},
     ReductionName{Reduction::StubbornSets, "stubborn-sets", "safe-steps"},
     ReductionName{Reduction::Inclusion, "inclusion", ""},
     ReductionName{Reduction::Extrapolation, "extrapolation", ""},

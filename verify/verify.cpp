@@ -7,6 +7,7 @@
 #include "verify/reduce/free_inputs.h"
 #include "verify/reduce/live_variables.h"
 #include "verify/reduce/monitor_view.h"
+#include "verify/reduce/private_moves.h"
 #include "verify/reduce/stubborn_sets.h"
 #include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
@@ -47,6 +48,7 @@ bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
   case Reduction::DeadVariables: return monitor.ofPoints || watchesStates(monitor, system);
   case Reduction::FreeInputs: return watchesPoints(monitor) || watchesStates(monitor, system);
   case Reduction::StubbornSets: return watchesPoints(monitor);
+  case Reduction::PrivateMoves: return false;
   case Reduction::LiveVariables:
   case Reduction::Inclusion:
   case Reduction::Extrapolation: return true;
@@ -70,6 +72,9 @@ struct Prepared {
       reductions.liveVariables = &liveVariables.emplace(system, goals, dropped, limits);
     if (takes(Reduction::FreeInputs) && !freeInputs.emplace(system, goals, dropped).none())
       reductions.freeInputs = &*freeInputs;
+    if (takes(Reduction::PrivateMoves) && reductions.freeInputs &&
+        !privateMoves.emplace(system, goals, dropped, *freeInputs).none())
+      reductions.privateMoves = &*privateMoves;
   }
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
@@ -79,6 +84,7 @@ struct Prepared {
   std::optional<StubbornSets> stubbornSets;
   std::optional<LiveVariables> liveVariables;
   std::optional<FreeInputs> freeInputs;
+  std::optional<PrivateMoves> privateMoves;
   Reductions reductions;
 };
 

@@ -77,6 +77,13 @@ struct Step {
   bool relevant = true;              ///< to what the trace is a witness of: see trace/causes.h
 };
 
+/// What can come behind the last step of a run, or from where its steps repeat.
+enum class Rest : std::uint8_t {
+  No,      ///< something has to happen, sooner or later; or nobody looked
+  Allowed, ///< nothing has to happen any more
+  Forced,  ///< nothing is possible any more, or only what changes nothing
+};
+
 /// A run from the initial state. It was replayed step by step, with the dates that it gives, before
 /// it got here.
 struct Trace {
@@ -87,7 +94,9 @@ struct Trace {
   /// 1/scale; 0 where the steps do.
   std::int64_t end = 0;
   std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
+  Rest rest = Rest::No;            ///< of a run that is a witness as a whole
   std::vector<Support> support{};  ///< what the last state shows it by, where that is a condition
+  std::vector<fiacre::OriginId> waits{}; ///< where nothing is possible any more: see waitsIn()
 };
 
 struct Answer {
@@ -102,6 +111,7 @@ enum class Reduction : std::uint8_t {
   DeadVariables, ///< variables that nothing reads, and processes that only watch
   LiveVariables, ///< a variable that is written before it is read again counts as 0
   FreeInputs,    ///< one of the values that the environment may set at any time stands for all
+  PrivateMoves,  ///< what a process does on inputs of its own is done at once
   StubbornSets,  ///< one safe urgent step at a time
   Inclusion,     ///< a zone within another of the same marking is not explored
   Extrapolation, ///< bounds beyond the largest constants are forgotten (LU)
@@ -126,8 +136,9 @@ struct Progress {
 
 struct Options {
   std::set<Reduction> reductions{Reduction::DeadVariables, Reduction::LiveVariables,
-                                 Reduction::FreeInputs,    Reduction::StubbornSets,
-                                 Reduction::Inclusion,     Reduction::Extrapolation};
+                                 Reduction::FreeInputs,    Reduction::PrivateMoves,
+                                 Reduction::StubbornSets,  Reduction::Inclusion,
+                                 Reduction::Extrapolation};
   Limits limits;
   unsigned jobs = 1;
   std::set<std::string> obliged; ///< processes; see Question::fair

@@ -321,3 +321,61 @@ TEST_CASE("Extrapolation: how long ago something ripened is forgotten") {
   CHECK(classes(model, progress, {Reduction::Inclusion, Reduction::Extrapolation}) <
         classes(model, progress, {Reduction::Inclusion}) / 3);
 }
+
+namespace {
+
+constexpr int kWatchers = 4;
+
+/// Watchers of an alarm each: one that is heard is passed on, then its end is waited for.
+Model watchers(bool alarmIsShared) {
+  Model model;
+  model.variable("heard", range(0, 1), number(0));
+  const auto alarm = [&](int i) { return "alarm" + std::to_string(alarmIsShared ? 0 : i); };
+  for (int i = 0; i < (alarmIsShared ? 1 : kWatchers); ++i) {
+    model.variable(alarm(i), range(0, 1), number(0));
+    model.add(
+        process("sets_" + alarm(i), {"a"},
+                {from("a", {select({sequence({assign(name(alarm(i)), number(0)), to("a")}),
+                                    sequence({assign(name(alarm(i)), number(1)), to("a")})})})}));
+  }
+  for (int i = 0; i < kWatchers; ++i)
+    model.add(process("watcher" + std::to_string(i), {"quiet", "rings", "loud", "again"},
+                      {from("again", {now(), to("quiet")}),
+                       from("quiet", {now(), on(equals(name(alarm(i)), number(1))), to("rings")}),
+                       from("rings", {wait(0, 2), assign(name("heard"), number(1)), to("loud")}),
+                       from("loud", {now(), on(equals(name(alarm(i)), number(0))), to("again")})}));
+  return model;
+}
+
+const std::set<Reduction> kFree{Reduction::FreeInputs, Reduction::Extrapolation,
+                                Reduction::Inclusion};
+const std::set<Reduction> kPrivate{Reduction::FreeInputs, Reduction::PrivateMoves,
+                                   Reduction::Extrapolation, Reduction::Inclusion};
+
+} // namespace
+
+TEST_CASE("Private moves: where a process waits on inputs of its own makes no difference") {
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(watchers(false), progress, kPrivate) <
+        classes(watchers(false), progress, kFree) / 2);
+  CHECK(watchers(false).reaches(kWatchers + 1, "loud"));
+  CHECK(watchers(false).reaches(2 * kWatchers, "quiet"));
+}
+
+TEST_CASE("Private moves: none on an input that others read") {
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(watchers(true), progress, kPrivate) == classes(watchers(true), progress, kFree));
+}
+
+TEST_CASE("Private moves: none to where something comes by itself") {
+  Model model = weather();
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {now(), on(equals(name("weather"), number(2))), to("b")}),
+                     from("b", {wait(3, 3), to("c")}),
+                     from("c", {now(), on(equals(name("weather"), number(1))), to("a")})}));
+  model.add(process("clock", {"a", "b"}, {from("a", {wait(5, 5), to("b")})}));
+  const auto progress = plain(fiacre::PatternKind::Progress);
+  CHECK(classes(model, progress, kPrivate) <
+        classes(model, progress, kFree)); // `c` is left at once, `a` is not
+  CHECK(model.reaches(6, "b"));
+}

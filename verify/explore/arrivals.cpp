@@ -4,12 +4,13 @@ namespace proskill::verify {
 
 Arrival Arrivals::at(Walk walk) const {
   Arrival made;
-  made.chain.push_back(walker.signature(walk, timing));
-  walker.followStubbornSets(walk.state, walk.enabled, [&](TransitionId next) {
+  made.chain.push_back(walker.signature(walk.state, walk.enabled, timing));
+  walker.followAlone(walk.state, walk.enabled, [&](TransitionId next) {
     limits.check();
+    walker.choose(walk, next, 0);
     if (!walker.take(walk, next)) return false;
     made.alone.push_back(next);
-    made.chain.push_back(walker.signature(walk, timing));
+    made.chain.push_back(walker.signature(walk.state, walk.enabled, timing));
     return true;
   });
   made.state = std::move(walk.state);

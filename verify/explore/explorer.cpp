@@ -83,21 +83,10 @@ void Explorer::start() {
   if (reductions.freeInputs)
     passed =
         reductions.freeInputs->normalise(current.state.data(), current.enabled, graph.enabling);
-  current.signature = signatureOf(current);
+  current.signature = walker.signature(current.state, current.enabled, graph.timing);
   current.zone = graph.timing.initial(current.signature);
-  runStubbornSets(current);
+  runAlone(current);
   if (result.failure.empty()) add(current, kNone, kNone, 0);
-}
-
-/// What time needs to know of the state: of all choices of values of open variables, where there
-/// are some.
-SignatureId Explorer::signatureOf(const Current& current) {
-  bool urgent = graph.enabling.isUrgent(current.enabled);
-  if (urgent && reductions.freeInputs) {
-    trial = current.state;
-    urgent = !reductions.freeInputs->calm(trial.data(), current.enabled);
-  }
-  return graph.enabling.signature(current.enabled, urgent, graph.timing);
 }
 
 void Explorer::load(NodeIndex index) {
@@ -179,7 +168,7 @@ void Explorer::follow(NodeIndex parent, TransitionId transition, std::uint32_t c
   if (!advance(work, transition)) return;
   const FreeInputs* open = reductions.freeInputs;
   if (open && open->staysWithin(transition, loaded.state.data())) return;
-  runStubbornSets(work);
+  runAlone(work);
   if (result.failure.empty()) add(work, parent, transition, choice);
 }
 
@@ -199,7 +188,7 @@ bool Explorer::advance(Current& current, TransitionId transition) {
   Steps back;
   if (reductions.freeInputs)
     back = reductions.freeInputs->normalise(current.state.data(), current.enabled, graph.enabling);
-  const SignatureId signature = signatureOf(current);
+  const SignatureId signature = walker.signature(current.state, current.enabled, graph.timing);
   current.zone = graph.timing.after(current.zone, current.signature, transition, signature);
   current.signature = signature;
   if (current.zone == kNone) return false;
@@ -209,9 +198,23 @@ bool Explorer::advance(Current& current, TransitionId transition) {
   return true;
 }
 
-void Explorer::runStubbornSets(Current& current) {
-  walker.followStubbornSets(current.state, current.enabled,
-                            [&](TransitionId next) { return advance(current, next); });
+/// To the first choice of values of open variables with which the transition is fired.
+void Explorer::chooseInputs(Current& current, TransitionId transition) {
+  const FreeInputs* open = reductions.freeInputs;
+  if (!open || open->readBy(transition).empty()) return;
+  trial = current.state;
+  open->eachFiring(transition, trial.data(), [] { return true; });
+  append(passed, open->between(current.state.data(), trial.data()));
+  current.state = trial;
+  for (auto variable : open->readBy(transition))
+    graph.enabling.refresh(open->all()[variable].readers, current.state.data(), current.enabled);
+}
+
+void Explorer::runAlone(Current& current) {
+  walker.followAlone(current.state, current.enabled, [&](TransitionId next) {
+    chooseInputs(current, next);
+    return advance(current, next);
+  });
 }
 
 void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,

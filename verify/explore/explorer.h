@@ -91,9 +91,9 @@ private:
   void stepWith(NodeIndex parent, TransitionId transition, const std::vector<Word>& state,
                 std::uint32_t choice);
   void follow(NodeIndex parent, TransitionId transition, std::uint32_t choice);
-  SignatureId signatureOf(const Current& current);
   bool advance(Current& current, TransitionId transition);
-  void runStubbornSets(Current& current);
+  void chooseInputs(Current& current, TransitionId transition);
+  void runAlone(Current& current);
   void add(Current& current, NodeIndex parent, TransitionId transition, std::uint32_t choice);
   bool isCovered(StateId state, ZoneId zone);
   void strike(StateId state, ZoneId zone);

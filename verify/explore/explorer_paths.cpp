@@ -26,7 +26,7 @@ const Steps& Explorer::legTo(NodeIndex index) const {
     walker.choose(walk, node.transition, node.choice);
     walker.take(walk, node.transition);
   }
-  walker.runStubbornSets(walk);
+  walker.runAlone(walk);
   return legs.emplace(index, std::move(walk.taken)).first->second; // whole, or a limit was met
 }
 

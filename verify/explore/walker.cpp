@@ -56,24 +56,28 @@ void Walker::moveInputs(Walk& walk, const std::vector<Word>& to) const {
   enabling.compute(walk.state.data(), walk.enabled);
 }
 
-void Walker::runStubbornSets(Walk& walk) const {
-  followStubbornSets(walk.state, walk.enabled, [&](TransitionId next) { return take(walk, next); });
+void Walker::runAlone(Walk& walk) const {
+  followAlone(walk.state, walk.enabled, [&](TransitionId next) {
+    choose(walk, next, 0);
+    return take(walk, next);
+  });
 }
 
 void Walker::arrive(Walk& walk) const {
-  runStubbornSets(walk);
+  runAlone(walk);
   if (!reductions.liveVariables) return;
   reductions.liveVariables->clean(walk.state.data());
   enabling.compute(walk.state.data(), walk.enabled);
 }
 
-SignatureId Walker::signature(const Walk& walk, Timing& timing) const {
-  bool urgent = enabling.isUrgent(walk.enabled);
+SignatureId Walker::signature(const std::vector<Word>& state, const TransitionSet& enabled,
+                              Timing& timing) const {
+  bool urgent = enabling.isUrgent(enabled);
   if (urgent && reductions.freeInputs) {
-    std::vector<Word> trial = walk.state;
-    urgent = !reductions.freeInputs->calm(trial.data(), walk.enabled);
+    trial = state;
+    urgent = !reductions.freeInputs->calm(trial.data(), enabled);
   }
-  return enabling.signature(walk.enabled, urgent, timing);
+  return enabling.signature(enabled, urgent, timing);
 }
 
 } // namespace proskill::verify

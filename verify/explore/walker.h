@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/reduce/free_inputs.h"
+#include "verify/reduce/private_moves.h"
 #include "verify/reduce/reductions.h"
 #include "verify/reduce/stubborn_sets.h"
 #include "verify/state/enabled.h"
@@ -39,21 +40,22 @@ public:
   std::vector<Word> becomeCalm(Walk& walk) const;
   /// To the values of open variables that another state has.
   void moveInputs(Walk& walk, const std::vector<Word>& to) const;
-  /// Takes the steps that stubborn sets allow to take alone.
-  void runStubbornSets(Walk& walk) const;
+  /// Takes the steps that the reductions allow to take alone.
+  void runAlone(Walk& walk) const;
   /// The same, and forgets what is dead, as in a state that is stored.
   void arrive(Walk& walk) const;
 
-  /// As long as there is a step that is safe to take alone, takes it by `advance`, which says
-  /// whether to go on. Stops where it comes by a state again: that state is then stored and
-  /// expanded fully, so that nothing is put off for ever.
+  /// As long as there is a step that may be taken alone, takes it by `advance`, with the first of
+  /// its choices of values of open variables; that says whether to go on. Stops where it comes by a
+  /// state again: that state is then stored and expanded fully, so that nothing is put off for
+  /// ever.
   template <class Advance>
-  void followStubbornSets(const std::vector<Word>& state, const TransitionSet& enabled,
-                          Advance advance) const {
-    if (!reductions.stubbornSets) return;
+  void followAlone(const std::vector<Word>& state, const TransitionSet& enabled,
+                   Advance advance) const {
+    if (!reductions.stubbornSets && !reductions.privateMoves) return;
     std::vector<Word> mark; // Brent: the state at the last power of two
     for (std::size_t length = 1;; ++length) {
-      const TransitionId next = reductions.stubbornSets->pick(state.data(), enabled);
+      const TransitionId next = pickAlone(state, enabled);
       if (next == kNone || state == mark) return;
       if (std::has_single_bit(length)) mark = state;
       if (!advance(next)) return;
@@ -65,12 +67,22 @@ public:
 
   /// What time needs to know of the state: of all choices of values of open variables, where there
   /// are some.
-  [[nodiscard]] SignatureId signature(const Walk& walk, Timing& timing) const;
+  [[nodiscard]] SignatureId signature(const std::vector<Word>& state, const TransitionSet& enabled,
+                                      Timing& timing) const;
 
 private:
+  [[nodiscard]] TransitionId pickAlone(const std::vector<Word>& state,
+                                       const TransitionSet& enabled) const {
+    const TransitionId safe =
+        reductions.stubbornSets ? reductions.stubbornSets->pick(state.data(), enabled) : kNone;
+    if (safe != kNone || !reductions.privateMoves) return safe;
+    return reductions.privateMoves->pick(state.data());
+  }
+
   const System& system;
   const Enabling& enabling;
   const Reductions& reductions;
+  mutable std::vector<Word> trial; ///< a state with other values of open variables
 };
 
 } // namespace proskill::verify

@@ -8,6 +8,7 @@ namespace proskill::verify {
 class StubbornSets;
 class LiveVariables;
 class FreeInputs;
+class PrivateMoves;
 
 /// The measures that an exploration takes; what is null or empty is not taken.
 struct Reductions {
@@ -15,7 +16,8 @@ struct Reductions {
   const StubbornSets* stubbornSets = nullptr;
   const LiveVariables* liveVariables = nullptr;
   const FreeInputs* freeInputs = nullptr;
-  Bits dropped; ///< transitions of processes that only watch
+  const PrivateMoves* privateMoves = nullptr; ///< only with free inputs
+  Bits dropped;                               ///< transitions of processes that only watch
 };
 
 } // namespace proskill::verify

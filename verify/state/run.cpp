@@ -201,4 +201,10 @@ bool isEnabled(const System& system, TransitionId id, const Word* state) {
   return fire(system, id, trial.data(), log) != Outcome::GaveUp;
 }
 
+bool disturbs(const System& system, TransitionId fired, TransitionId other) {
+  return std::ranges::any_of(system.transitions[other].parts, [&](PathId part) {
+    return system.transitions[fired].consumed.contains(system.paths[part].instance);
+  });
+}
+
 } // namespace proskill::verify

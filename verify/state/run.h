@@ -51,4 +51,8 @@ public:
 /// Whether the transition can fire, were it not for time.
 [[nodiscard]] bool isEnabled(const System& system, TransitionId transition, const Word* state);
 
+/// Whether firing a transition restarts the time of another: it moves an instance that takes part
+/// in the other.
+[[nodiscard]] bool disturbs(const System& system, TransitionId fired, TransitionId other);
+
 } // namespace proskill::verify

@@ -23,4 +23,12 @@ template <class Visit> void eachIn(const TransitionSet& set, Visit visit) {
       visit(static_cast<TransitionId>(i * 64 + std::countr_zero(rest)));
 }
 
+/// \pre the sets are of one size
+template <class Visit>
+void eachInBoth(const TransitionSet& one, const TransitionSet& other, Visit visit) {
+  for (std::size_t i = 0; i < one.size(); ++i)
+    for (Word rest = one[i] & other[i]; rest != 0; rest &= rest - 1)
+      visit(static_cast<TransitionId>(i * 64 + std::countr_zero(rest)));
+}
+
 } // namespace proskill::verify

@@ -94,8 +94,8 @@ std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, st
   for (auto other : enabledIn(next.state)) {
     const auto clocked = withoutObservers(other);
     auto before = now.since.find(clocked);
-    bool goesOn =
-        before != now.since.end() && clocked != withoutObservers(id) && !disturbs(id, clocked);
+    bool goesOn = before != now.since.end() && clocked != withoutObservers(id) &&
+                  !disturbs(system, id, clocked);
     next.since[other] = goesOn ? before->second : date;
   }
   return next;
@@ -158,12 +158,6 @@ bool Simulator::isBlocked(const Concrete& now, TransitionId id) const {
 }
 
 /// Whether `fired` consumes the place of an instance that takes part in `other`.
-bool Simulator::disturbs(TransitionId fired, TransitionId other) const {
-  return std::ranges::any_of(system.transitions[other].parts, [&](PathId part) {
-    return system.transitions[fired].consumed.contains(system.paths[part].instance);
-  });
-}
-
 bool Simulator::mayWaitALittle(const Concrete& now, std::int64_t date) const {
   return std::ranges::all_of(now.since, [&](const auto& entry) {
     const auto& interval = system.transitions[entry.first].interval;

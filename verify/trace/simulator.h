@@ -54,7 +54,6 @@ private:
   [[nodiscard]] bool isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool isBlocked(const Concrete& now, TransitionId id) const;
   [[nodiscard]] TransitionId withoutObservers(TransitionId id) const;
-  [[nodiscard]] bool disturbs(TransitionId fired, TransitionId other) const;
   [[nodiscard]] bool isAwaited(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool mayWaitALittle(const Concrete& now, std::int64_t date) const;
 
