@@ -20,7 +20,7 @@ install(DIRECTORY tree-sitter-proskill/ DESTINATION ${CMAKE_INSTALL_DATADIR}/pro
 # Neovim finds plugins of the system below share/nvim/site; its copy of the queries is a link.
 set(nvim_site ${CMAKE_INSTALL_DATADIR}/nvim/site/pack/proskill/start/proskill)
 install(DIRECTORY editors/nvim/ DESTINATION ${nvim_site}
-        PATTERN "queries" EXCLUDE PATTERN "tags" EXCLUDE PATTERN "parser" EXCLUDE
+        PATTERN "queries" EXCLUDE PATTERN "setup.lua" EXCLUDE PATTERN "parser" EXCLUDE
         PATTERN ".gitignore" EXCLUDE)
 install(DIRECTORY tree-sitter-proskill/queries/ DESTINATION ${nvim_site}/queries/proskill)
 install(TARGETS proskill_parser LIBRARY DESTINATION ${nvim_site}/parser)
@@ -30,6 +30,9 @@ install(FILES editors/emacs/proskill-mode.el DESTINATION ${CMAKE_INSTALL_DATADIR
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(DIRECTORY python/proskill DESTINATION lib/python3/dist-packages
+  FILES_MATCHING PATTERN *.py PATTERN py.typed)
+install(FILES python/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/python)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)

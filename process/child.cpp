@@ -12,6 +12,7 @@
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -39,6 +40,12 @@ public:
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   }
+  void leadGroupIn(const std::filesystem::path& directory) {
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK |
+                                              POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
+  }
   ~ChildEnvironment() {
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
@@ -59,7 +66,16 @@ std::string words(int status) {
 
 } // namespace
 
-std::expected<Child, std::string> Child::start(const std::vector<std::string>& command) {
+namespace {
+
+struct Started {
+  pid_t pid = -1;
+  int socket = -1;
+};
+
+/// \param directory where the child leads a group of its own; null: it does not
+std::expected<Started, std::string> spawned(const std::vector<std::string>& command,
+                                            const std::filesystem::path* directory) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     return std::unexpected(std::string(std::strerror(errno)));
@@ -67,22 +83,45 @@ std::expected<Child, std::string> Child::start(const std::vector<std::string>& c
   for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t child = -1;
-  const ChildEnvironment surroundings(ends[1]);
-  const int error = posix_spawn(&child, arguments[0], &surroundings.actions,
-                                &surroundings.attributes, arguments.data(), environ);
+  ChildEnvironment surroundings(ends[1]);
+  if (directory) surroundings.leadGroupIn(*directory);
+  const auto spawn = directory ? posix_spawnp : posix_spawn;
+  const int error = spawn(&child, arguments[0], &surroundings.actions, &surroundings.attributes,
+                          arguments.data(), environ);
   ::close(ends[1]);
-  if (error == 0) return Child(child, ends[0]);
+  if (error == 0) return Started{child, ends[0]};
   ::close(ends[0]);
   return std::unexpected(std::string(std::strerror(error)));
 }
 
+} // namespace
+
+std::expected<Child, std::string> Child::start(const std::vector<std::string>& command) {
+  const auto started = spawned(command, nullptr);
+  if (!started) return std::unexpected(started.error());
+  return Child(started->pid, started->socket, -1, false);
+}
+
+std::expected<Child, std::string> Child::startGroup(const std::vector<std::string>& command,
+                                                    const std::filesystem::path& directory) {
+  const auto started = spawned(command, &directory);
+  if (!started) return std::unexpected(started.error());
+  // Not pidfd_open: the header of glibc 2.36 does not say that it is a function of C.
+  const auto end = static_cast<int>(syscall(SYS_pidfd_open, started->pid, 0));
+  return Child(started->pid, started->socket, end, true);
+}
+
 Child::Child(Child&& other) noexcept
-    : pid(std::exchange(other.pid, -1)), socket(std::exchange(other.socket, -1)) {}
+    : pid(std::exchange(other.pid, -1)),
+      socket(std::exchange(other.socket, -1)),
+      ended(std::exchange(other.ended, -1)),
+      isGroup(other.isGroup) {}
 
 Child::~Child() {
   if (socket >= 0) ::close(socket);
+  if (ended >= 0) ::close(ended);
   if (pid < 0) return;
-  kill(pid, SIGKILL);
+  signal(SIGKILL);
   while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
@@ -121,6 +160,28 @@ std::string Child::ending() {
   }
   pid = -1;
   return "it did not end and was killed";
+}
+
+std::optional<std::string> Child::endingIfOver() {
+  siginfo_t over{};
+  waitid(P_PID, static_cast<id_t>(pid), &over, WEXITED | WNOHANG | WNOWAIT);
+  if (over.si_pid != pid) return std::nullopt;
+  signalGroup(SIGKILL); // those it has left behind, while its number is still its own
+  int status = 0;
+  waitpid(pid, &status, 0);
+  pid = -1;
+  return words(status);
+}
+
+void Child::endInput() { shutdown(socket, SHUT_WR); }
+
+void Child::signal(int number) const {
+  kill(pid, number);
+  signalGroup(number);
+}
+
+void Child::signalGroup(int number) const {
+  if (isGroup) kill(-pid, number);
 }
 
 bool dieWithParent(pid_t parent) {

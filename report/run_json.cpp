@@ -151,7 +151,7 @@ ide::TraceStep runStep(RunSubject subject, const runtime::Remark& remark, Nanose
   if (remark.origin != 0)
     made = ide::inWords({.origins = {remark.origin}}, subject.executable.model.provenance);
   made.actor = remark.subject.empty() ? "run" : std::string(remark.subject);
-  made.description = remark.text;
+  made.description = std::string(toString(remark.kind)) + ": " + std::string(remark.text);
   if (remark.kind == RemarkKind::Started)
     made.description =
         "its action starts: " + runtime::commandText(remark.start->call, remark.subject);

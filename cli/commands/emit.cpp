@@ -64,9 +64,7 @@ void addEmit(CLI::App& app, int& exitCode) {
       "fiacre: a model to verify; tina: the same for frac and Tina; hfiacre: a model to execute")
       ->required();
   command->add_option("file", arguments->file, "Root file of the program")->required();
-  show(command->add_option("--main", arguments->options.mainSkill,
-                           "The skill that is the mission, where several could be"),
-       group::kSubject, "SKILL");
+  addMainSkill(*command, arguments->options.mainSkill);
   show(command->add_option("-o,--output", arguments->output,
                            "Write to this file instead of standard output"),
        group::kOutput, "FILE");

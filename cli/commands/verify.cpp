@@ -240,10 +240,9 @@ int runVerify(const VerifyArguments& arguments) {
 } // namespace
 
 void addVerify(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<VerifyArguments>();
-  auto* command = app.add_subcommand("verify", "Verify the properties of a program");
-  addVerifyOptions(*command, *arguments);
-  showBelow(*command,
+  auto& command = addCommand<VerifyArguments>(app, "verify", "Verify the properties of a program",
+                                              addVerifyOptions, runVerify, exitCode);
+  showBelow(command,
             {"proskill verify mission.proskill",
              "proskill verify --property land --time-limit 60 mission.proskill",
              "proskill verify --format junit mission.proskill > report.xml"},
@@ -252,7 +251,6 @@ void addVerify(CLI::App& app, int& exitCode) {
              {kFailed, "the program has errors, the command line is wrong, or Tina cannot be run"},
              {kInconclusive, "nothing is violated, but a limit left properties undecided"},
              {kDiffer, "with --backend both: the engine and Tina disagree"}});
-  command->callback([arguments, &exitCode] { exitCode = runVerify(*arguments); });
 }
 
 } // namespace proskill::cli

@@ -43,9 +43,7 @@ void addSubject(CLI::App& command, VerifyArguments& arguments) {
   show(command.add_option("--environment", arguments.environment,
                           "Replace the environment by the Fiacre process in this file"),
        group::kSubject, "FILE");
-  show(command.add_option("--main", arguments.mainSkill,
-                          "The skill that is the mission, where several could be"),
-       group::kSubject, "SKILL");
+  addMainSkill(command, arguments.mainSkill);
 }
 
 void addOutput(CLI::App& command, VerifyArguments& arguments) {

@@ -91,9 +91,7 @@ void addView(CLI::App& app, int& exitCode) {
       ->add_option("file", arguments->file,
                    "Root file of the program, or a saved trace or report (JSON)")
       ->required();
-  show(command->add_option("--main", arguments->mainSkill,
-                           "The skill that is the mission, where several could be"),
-       group::kSubject, "SKILL");
+  addMainSkill(*command, arguments->mainSkill);
   show(command->add_flag("--no-open", arguments->noOpen,
                          "Print the address without opening a browser"),
        group::kOutput);

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sys/eventfd.h>
@@ -74,22 +75,10 @@ public:
     const auto scriptText = read(arguments.script);
     const auto kind = runtime::platformKind(platformText.value_or("{}"));
     if (!kind) return fail(arguments.platform + ": " + kind.error());
-    if (kind != "simulated")
-      return fail(arguments.platform + ": `kind` must be `simulated`, not `" + *kind + "`");
-    const bool said = runtime::speaksForEnvironment(platformText.value_or("")) ||
-                      runtime::speaksForEnvironment(scriptText.value_or(""));
-    auto made = runtime::makeExecutable(program, arguments.mainSkill, !said);
-    if (!made) return failGeneration(program, made.error());
-    executable = std::move(*made);
-    auto settings = defaultSettings(*executable);
-    if (platformText)
-      if (auto wrong = readPlatform(*platformText, *executable, settings))
-        return fail(arguments.platform + ": " + *wrong);
-    if (scriptText)
-      if (auto wrong = readScript(*scriptText, *executable, settings))
-        return fail(arguments.script + ": " + *wrong);
-    const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
-    return runOn(*platform);
+    if (*kind == "process") return runOnProcess(*platformText);
+    if (*kind == "simulated") return runSimulated(platformText, scriptText);
+    return fail(arguments.platform + ": `kind` must be `simulated` or `process`, not `" + *kind +
+                "`");
   }
 
 private:
@@ -100,8 +89,48 @@ private:
     return *text;
   }
 
-  int runOn(runtime::Platform& platform) {
-    const auto factor = clockFactor(arguments.clock);
+  void makeExecutable(bool environment) {
+    auto made = runtime::makeExecutable(program, arguments.mainSkill, environment);
+    if (!made) throw Failed{failGeneration(program, made.error())};
+    executable = std::move(*made);
+  }
+
+  int runSimulated(const std::optional<std::string>& platformText,
+                   const std::optional<std::string>& scriptText) {
+    const bool said = runtime::speaksForEnvironment(platformText.value_or("")) ||
+                      runtime::speaksForEnvironment(scriptText.value_or(""));
+    makeExecutable(!said);
+    auto settings = defaultSettings(*executable);
+    if (platformText)
+      if (auto wrong = readPlatform(*platformText, *executable, settings))
+        return fail(arguments.platform + ": " + *wrong);
+    if (scriptText)
+      if (auto wrong = readScript(*scriptText, *executable, settings))
+        return fail(arguments.script + ": " + *wrong);
+    const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
+    return runOn(*platform, clockFactor(arguments.clock));
+  }
+
+  /// Real programs take real time.
+  int runOnProcess(const std::string& text) {
+    if (!arguments.script.empty()) return fail("`--script` is for simulations");
+    if (arguments.clock == "simulated")
+      return fail("`--clock simulated` is for simulations: this platform takes real time");
+    makeExecutable(false);
+    const auto factor = clockFactor(arguments.clock).value_or(1);
+    runtime::ProcessSettings settings;
+    settings.speed = factor;
+    settings.directory =
+        std::filesystem::absolute(std::filesystem::path(arguments.platform)).parent_path();
+    if (const auto wrong = readProcessPlatform(text, settings))
+      return fail(arguments.platform + ": " + *wrong);
+    const auto platform =
+        processPlatform(*executable, std::move(settings), [] { return stopRequests > 0; });
+    if (!platform) return fail(arguments.platform + ": " + platform.error());
+    return runOn(**platform, factor);
+  }
+
+  int runOn(runtime::Platform& platform, std::optional<double> factor) {
     const auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
     std::optional<disk::GrowingFile> recording; // outlives who adds to it
     Observers observers(factor.has_value());
@@ -169,10 +198,10 @@ int runRun(const RunArguments& arguments) {
 } // namespace
 
 void addRun(CLI::App& app, int& exitCode) {
-  auto arguments = std::make_shared<RunArguments>();
-  auto* command = app.add_subcommand("run", "Execute a program on a robot, or on a simulated one");
-  addRunOptions(*command, *arguments);
-  showBelow(*command,
+  auto& command =
+      addCommand<RunArguments>(app, "run", "Execute a program on a robot, or on a simulated one",
+                               addRunOptions, runRun, exitCode);
+  showBelow(command,
             {"proskill run mission.proskill",
              "proskill run --seed 7 --record run.json mission.proskill",
              "proskill run --clock 10x --script script.json mission.proskill"},
@@ -180,7 +209,6 @@ void addRun(CLI::App& app, int& exitCode) {
              {kFound, "the mission did not succeed, or something happened that should not have"},
              {kFailed, "the command line, a file or the program is wrong"},
              {kInconclusive, "the run ended before the mission did"}});
-  command->callback([arguments, &exitCode] { exitCode = runRun(*arguments); });
 }
 
 } // namespace proskill::cli

@@ -41,11 +41,11 @@ std::optional<double> clockFactor(const std::string& clock) {
 
 void addRunOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("file", arguments.file, "Root file of the program")->required();
-  show(command.add_option("--main", arguments.mainSkill,
-                          "The skill that is the mission, where several could be"),
-       group::kSubject, "SKILL");
-  show(command.add_option("--platform", arguments.platform,
-                          "Who performs the actions (JSON); by default they are simulated"),
+  addMainSkill(command, arguments.mainSkill);
+  show(command.add_option(
+           "--platform", arguments.platform,
+           "Who performs the actions (JSON): a program or a simulation; the default is a "
+           "simulation"),
        group::kSubject, "FILE");
   show(command.add_option("--script", arguments.script,
                           "What happens in a simulation (JSON): results, events, interrupts"),

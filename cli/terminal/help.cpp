@@ -82,6 +82,12 @@ CLI::Option* show(CLI::Option* option, const char* inGroup, const std::string& v
   return option->group(inGroup)->option_text(value);
 }
 
+void addMainSkill(CLI::App& command, std::string& mainSkill) {
+  show(command.add_option("--main", mainSkill,
+                          "The skill that is the mission, where several could be"),
+       group::kSubject, "SKILL");
+}
+
 void showBelow(CLI::App& command, const std::vector<std::string>& examples,
                const std::vector<ExitMeaning>& exits) {
   std::string text = "Examples:\n";

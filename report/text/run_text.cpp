@@ -63,9 +63,8 @@ public:
                         Colour::Blue);
     if (remark.kind == RemarkKind::Asked)
       return writeBelow("→ stop " + std::string(remark.subject), Colour::Blue);
-    auto made = runStep(subject, remark, before);
-    made.description = fmt::format("{}: {}", toString(remark.kind), made.description);
-    write(made, remark.date, isBad(remark.kind) ? Colour::Red : Colour::Yellow);
+    write(runStep(subject, remark, before), remark.date,
+          isBad(remark.kind) ? Colour::Red : Colour::Yellow);
   }
 
 private:
@@ -78,7 +77,7 @@ private:
                           at.column);
     }
     out << fmt::format("{:>12} s  {}  {}", dateText(date), paint(colour, column(step.actor, width)),
-                       column(step.description, where.empty() ? 0 : kWords));
+                       column(syntax::printable(step.description), where.empty() ? 0 : kWords));
     if (!where.empty()) out << "  " << paint(Colour::Dim, where);
     out << '\n';
     before = date;
@@ -111,6 +110,7 @@ std::string_view toWords(End end) {
   case End::Stuck: return "nothing can happen any more";
   case End::NoTime: return "the program takes steps without end, and time does not go on";
   case End::Failed: return "a step is an error of the model";
+  case End::Lost: return "the platform has ended before the mission did";
   }
   return "";
 }

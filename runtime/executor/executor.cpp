@@ -5,6 +5,7 @@
 #include "verify/state/evaluate.h"
 
 #include <algorithm>
+#include <unistd.h>
 
 namespace proskill::runtime {
 
@@ -31,6 +32,7 @@ public:
     clock.start();
     while (!ended) step();
     result.date = date;
+    closePlatform();
     result.missionStatus = missionStatus();
     return std::move(result);
   }
@@ -56,6 +58,7 @@ private:
     if (due && due->date <= std::min(now, options.until.value_or(now))) {
       passTimeTo(due->date);
       lag = now - date;
+      tellHeldUp();
       return take(due->transition, date);
     }
     passTimeTo(std::min(now, options.until.value_or(now)));
@@ -71,6 +74,16 @@ private:
     stepsAtOnce = 0;
     date = to;
     watch.tellOvershoots(date, [&](const Remark& remark) { tell(remark); });
+  }
+
+  /// A machine that was suspended, or a process that was stopped, makes a run late.
+  void tellHeldUp() {
+    const bool is = lag > kSecond;
+    if (is && !std::exchange(isHeldUp, is))
+      tell({.kind = RemarkKind::Note,
+            .date = date,
+            .text = "this process was held up: steps are taken later than their dates"});
+    isHeldUp = is;
   }
 
   /// Waits for whatever comes first.
@@ -114,6 +127,13 @@ private:
   }
 
   void startAction(std::uint32_t action) {
+    if (isLost) {
+      tell({.kind = RemarkKind::Fault,
+            .date = date,
+            .subject = nameOf(action),
+            .text = "nobody is there to perform its action"});
+      return end(End::Lost);
+    }
     auto& run = runs[action];
     run = {.number = ++lastRun, .isRunning = true};
     watch.start(action, date);
@@ -135,7 +155,8 @@ private:
     switch (report.kind) {
     case ReportKind::Signal: return signal(report.signal);
     case ReportKind::Fault:
-      return tell({.kind = RemarkKind::Fault, .date = date, .text = report.text});
+    case ReportKind::Note: return tellRun(report.kind);
+    case ReportKind::Lost: isLost = true; return;
     case ReportKind::Result: break;
     }
     const auto& run = runs[report.action];
@@ -224,15 +245,45 @@ private:
   }
 
   void awaitStops(Nanoseconds deadline) {
-    while (std::ranges::any_of(runs, &Run::isRunning) && date < deadline && stopRequests() < 2) {
-      if (platform.poll(date, report)) {
-        if (report.kind == ReportKind::Result && runs[report.action].number == report.run)
-          runs[report.action].isRunning = false;
-        continue;
-      }
-      clock.wait(std::min(deadline, platform.next().value_or(deadline)), descriptors);
-      date = std::max(clock.now(), date);
+    while (std::ranges::any_of(runs, &Run::isRunning) && date < deadline && !isUrged())
+      if (!hearLastWord()) wait(deadline);
+  }
+
+  void closePlatform() {
+    platform.close();
+    const auto deadline = date + options.grace;
+    while (!platform.isClosed() && date < deadline && !isUrged())
+      if (!hearLastWord() && !platform.isClosed()) wait(deadline);
+    while (platform.isClosed() && hearLastWord()) {
     }
+    if (platform.isClosed() || result.end == End::Abandoned) return;
+    tell({.kind = RemarkKind::Fault,
+          .date = date,
+          .text = "the platform's program did not end in time; it is killed"});
+  }
+
+  /// What a platform says when the program takes no more steps. False where that is all.
+  bool hearLastWord() {
+    date = std::max(clock.now(), date); // a platform may have words without end
+    if (!platform.poll(date, report)) return false;
+    if (report.kind == ReportKind::Fault || report.kind == ReportKind::Note) tellRun(report.kind);
+    if (report.kind == ReportKind::Result && runs[report.action].number == report.run)
+      runs[report.action].isRunning = false;
+    return true;
+  }
+
+  void wait(Nanoseconds deadline) {
+    clock.wait(std::min(deadline, platform.next().value_or(deadline)), descriptors);
+    date = std::max(clock.now(), date);
+  }
+
+  /// Whether somebody has asked for the end a second time. What wakes us is read before: else the
+  /// first request would wake every wait.
+  [[nodiscard]] bool isUrged() const {
+    std::uint64_t times = 0;
+    if (options.stopDescriptor >= 0)
+      std::ignore = ::read(options.stopDescriptor, &times, sizeof times);
+    return stopRequests() >= 2;
   }
 
   /// The date at which the platform has not stopped an action in time.
@@ -273,6 +324,12 @@ private:
     observer.onRemark(remark);
   }
 
+  void tellRun(ReportKind kind) {
+    tell({.kind = kind == ReportKind::Note ? RemarkKind::Note : RemarkKind::Fault,
+          .date = date,
+          .text = report.text});
+  }
+
   void tellAlarm(fiacre::OriginId origin) {
     const auto& of = executable.model.provenance.origins[origin];
     const bool isGuard = executable.model.alarms.at(origin) == codegen::Alarm::FailedInvariant;
@@ -301,6 +358,8 @@ private:
   Nanoseconds date = 0;
   Nanoseconds lag = 0;
   std::uint64_t stepsAtOnce = 0;
+  bool isLost = false; ///< the platform
+  bool isHeldUp = false;
   bool ended = false;
   RunResult result;
 };

@@ -15,6 +15,7 @@ enum class End : std::uint8_t {
   Stuck,     ///< nothing can happen any more
   NoTime,    ///< steps without end at one date
   Failed,    ///< a step is an error of the model
+  Lost,      ///< the platform has ended, and an action should have started
 };
 
 struct RunOptions {
@@ -26,7 +27,7 @@ struct RunOptions {
   std::uint64_t mostAtOnce = 1'000'000;
   /// How often somebody has asked for the end. May be null.
   const std::atomic<int>* stopRequests = nullptr;
-  int stopDescriptor = -1; ///< can be read when that changes
+  int stopDescriptor = -1; ///< an eventfd that is written to when that changes
 };
 
 struct RunResult {

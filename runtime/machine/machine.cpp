@@ -3,8 +3,6 @@
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
-#include <algorithm>
-
 namespace proskill::runtime {
 
 using verify::contains;
@@ -39,31 +37,28 @@ Machine::Machine(const Executable& of, std::uint64_t seed)
     if (role == Role::Timed || role == Role::Drawn) verify::insert(timedOnes, id);
   }
   enabling.compute(now.data(), enabled);
-  for (std::size_t k = 0; k < enabled.size(); ++k)
-    for (auto rest = enabled[k] & timedOnes[k]; rest != 0; rest &= rest - 1) {
-      const auto id = static_cast<TransitionId>(k * 64 + std::countr_zero(rest));
-      dates[id] = drawn(id);
-    }
+  verify::eachInBoth(enabled, timedOnes, [&](TransitionId id) { dates[id] = drawn(id); });
 }
 
 std::optional<TransitionId> Machine::urgent() {
   std::uint64_t count = 0;
-  for (std::size_t k = 0; k < enabled.size(); ++k)
-    count += static_cast<std::uint64_t>(std::popcount(enabled[k] & urgentOnes[k]));
-  if (count == 0) return std::nullopt;
-  auto chosen = count == 1 ? 0 : random.below(count);
-  for (std::size_t k = 0;; ++k)
-    for (auto rest = enabled[k] & urgentOnes[k]; rest != 0; rest &= rest - 1)
-      if (chosen-- == 0) return static_cast<TransitionId>(k * 64 + std::countr_zero(rest));
+  std::optional<TransitionId> found;
+  verify::eachInBoth(enabled, urgentOnes, [&](TransitionId id) {
+    if (count++ == 0) found = id;
+  });
+  if (count <= 1) return found;
+  auto chosen = random.below(count);
+  verify::eachInBoth(enabled, urgentOnes, [&](TransitionId id) {
+    if (chosen-- == 0) found = id;
+  });
+  return found;
 }
 
 std::optional<Machine::Due> Machine::due() const {
   std::optional<Due> first;
-  for (std::size_t k = 0; k < enabled.size(); ++k)
-    for (auto rest = enabled[k] & timedOnes[k]; rest != 0; rest &= rest - 1) {
-      const auto id = static_cast<TransitionId>(k * 64 + std::countr_zero(rest));
-      if (!first || dates[id] < first->date) first = Due{id, dates[id]};
-    }
+  verify::eachInBoth(enabled, timedOnes, [&](TransitionId id) {
+    if (!first || dates[id] < first->date) first = Due{id, dates[id]};
+  });
   return first;
 }
 
@@ -85,19 +80,10 @@ bool Machine::take(TransitionId step, Nanoseconds date) {
 }
 
 void Machine::setDates(TransitionId step, Nanoseconds date) {
-  for (std::size_t k = 0; k < enabled.size(); ++k)
-    for (auto rest = enabled[k] & timedOnes[k]; rest != 0; rest &= rest - 1) {
-      const auto id = static_cast<TransitionId>(k * 64 + std::countr_zero(rest));
-      if (!contains(timedBefore, id) || !goesOn(step, id)) dates[id] = date + drawn(id);
-    }
-}
-
-/// Whether the time of `other` runs on while the step is taken.
-bool Machine::goesOn(TransitionId step, TransitionId other) const {
-  if (step == other) return false;
-  const auto& consumed = system.transitions[step].consumed;
-  return std::ranges::none_of(system.transitions[other].parts, [&](verify::PathId part) {
-    return consumed.contains(system.paths[part].instance);
+  verify::eachInBoth(enabled, timedOnes, [&](TransitionId id) {
+    const bool goesOn =
+        contains(timedBefore, id) && id != step && !verify::disturbs(system, step, id);
+    if (!goesOn) dates[id] = date + drawn(id);
   });
 }
 

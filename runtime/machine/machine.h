@@ -40,7 +40,6 @@ public:
   [[nodiscard]] std::int64_t locationBefore(verify::InstanceId instance) const;
 
 private:
-  [[nodiscard]] bool goesOn(verify::TransitionId step, verify::TransitionId other) const;
   void setDates(verify::TransitionId step, Nanoseconds date);
   [[nodiscard]] Nanoseconds drawn(verify::TransitionId step);
 

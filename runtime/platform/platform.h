@@ -22,6 +22,8 @@ enum class ReportKind : std::uint8_t {
   Result, ///< an action has ended
   Signal, ///< an event, or an interrupt from outside
   Fault,  ///< the platform does not do what it should; `text` says what
+  Note,   ///< something that changes nothing: `text`
+  Lost,   ///< the platform has ended and will say no more
 };
 
 inline constexpr std::uint32_t kUnknownResult = UINT32_MAX;
@@ -58,6 +60,10 @@ public:
   virtual bool poll(Nanoseconds date, Report& report) = 0;
   /// Whether it may say something that next() does not announce.
   [[nodiscard]] virtual bool mayReport() const { return false; }
+  /// The run is over: nothing is asked of it any more. It may have things to say until it is
+  /// closed.
+  virtual void close() {}
+  [[nodiscard]] virtual bool isClosed() const { return true; }
   /// What can be read when it has something to say.
   virtual void addDescriptors(std::vector<int>& all) const { static_cast<void>(all); }
 };

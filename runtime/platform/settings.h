@@ -1,17 +1,21 @@
 #pragma once
 
+#include "runtime/platform/process.h"
 #include "runtime/platform/simulated.h"
 
 #include <expected>
 #include <string>
 #include <string_view>
 
-/// The files of a simulated platform: `--platform` and `--script`, both JSON.
+/// The files of `--platform` and `--script`, both JSON.
 namespace proskill::runtime {
 
-/// Takes over what a platform file says. What is wrong with it is in words.
+/// Takes over what the file of a simulated platform says. What is wrong with it is in words.
 [[nodiscard]] std::optional<std::string>
 readPlatform(std::string_view text, const Executable& executable, SimulationSettings& settings);
+/// Takes over what the file of a platform of kind `process` says.
+[[nodiscard]] std::optional<std::string> readProcessPlatform(std::string_view text,
+                                                             ProcessSettings& settings);
 /// Takes over a script.
 [[nodiscard]] std::optional<std::string>
 readScript(std::string_view text, const Executable& executable, SimulationSettings& settings);

@@ -92,7 +92,8 @@ TEST_CASE("run says what is wrong with a script or a platform") {
   says(wrong("--script", "[]"), "it is not an object");
   says(wrong("--platform", R"({"actions":{"charge":{"duration":[3,2]}}})"),
        "`charge.duration` ends before it begins");
-  says(wrong("--platform", R"({"kind":"magic"})"), "`kind` must be `simulated`, not `magic`");
+  says(wrong("--platform", R"({"kind":"magic"})"),
+       "`kind` must be `simulated` or `process`, not `magic`");
   says(wrong("--platform", "{\n  \"kind\":"), "it is not JSON at line 2, column");
   says(wrong("--platform", R"({"action":{}})"), "did you mean `actions`?");
 }

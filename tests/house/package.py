@@ -3,7 +3,9 @@
 usage: package.py BUILD_DIRECTORY
 """
 
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -23,14 +25,22 @@ WANTED = [
     "usr/share/fish/vendor_completions.d/proskill.fish",
     f"{GRAMMAR}/grammar.js", f"{GRAMMAR}/src/parser.c", f"{GRAMMAR}/src/tree_sitter/parser.h",
     f"{GRAMMAR}/queries/highlights.scm", f"{GRAMMAR}/tree-sitter.json",
-    f"{NVIM}/ftplugin/proskill.lua", f"{NVIM}/doc/proskill.txt", f"{NVIM}/parser/proskill.so",
+    f"{NVIM}/ftplugin/proskill.lua", f"{NVIM}/doc/proskill.txt", f"{NVIM}/doc/tags", f"{NVIM}/parser/proskill.so",
     f"{NVIM}/queries/proskill/highlights.scm",
     "usr/share/emacs/site-lisp/proskill-mode.el", "usr/share/proskill/helix/languages.toml",
     "usr/share/proskill/helix/queries/proskill/highlights.scm",
+    "usr/lib/python3/dist-packages/proskill/__init__.py", "usr/lib/python3/dist-packages/proskill/py.typed",
     f"{DOC}/copyright", f"{DOC}/README.md", f"{DOC}/CHANGELOG.md", f"{DOC}/docs/language.md",
     f"{DOC}/examples/drone/drone.proskill",
 ]
-LIBRARIES = ["libtree-sitter", "libgvc", "libcgraph", "libfmt"]
+# What each program says of a file of the package, where the program is installed.
+CHECKS = [
+    ("man", ["man", "--warnings", "--local-file"], "usr/share/man/man1/proskill.1"),
+    ("bash", ["bash", "-n"], "usr/share/bash-completion/completions/proskill"),
+    ("zsh", ["zsh", "-n"], "usr/share/zsh/vendor-completions/_proskill"),
+    ("fish", ["fish", "--no-execute"], "usr/share/fish/vendor_completions.d/proskill.fish"),
+]
+LIBRARIES = ["libtree-sitter", "libgvc", "libcgraph", "libutf8proc", "libfmt"]
 
 
 def run(*command):
@@ -38,6 +48,20 @@ def run(*command):
     if done.returncode:
         finish([f"{' '.join(map(str, command))} failed", done.stdout + done.stderr], "")
     return done.stdout
+
+
+def wrong(root, command, file):
+    """What a program complains about in a file; a manual page has to name every command."""
+    done = subprocess.run([*command, root / file], capture_output=True, text=True, env={**os.environ, "MANPAGER": "cat", "MANWIDTH": "200"})
+    found = [f"{file}: {line}" for line in done.stderr.splitlines()]
+    if done.returncode:
+        found.append(f"{command[0]} ends with {done.returncode} on {file}")
+    commands = subprocess.run([root / "usr/bin/proskill", "--help"], capture_output=True, text=True).stdout
+    text = done.stdout if command[0] == "man" else (root / file).read_text()
+    names = re.findall(r"^  ([a-z]+)  ", commands, re.M)
+    if len(names) < 8:
+        found.append("proskill --help lists no commands")
+    return found + [f"{file}: does not name `{name}`" for name in names if not re.search(rf"\b{name}\b", text)]
 
 
 for program, debian in [("dpkg-shlibdeps", "dpkg-dev"), ("file", "file")]:
@@ -58,4 +82,5 @@ with tempfile.TemporaryDirectory() as directory:
     root = pathlib.Path(directory) / "root"
     run("dpkg-deb", "-x", package, root)
     run(root / "usr/bin/proskill", "check", root / DOC / "examples/drone/drone.proskill")
+    complaints += [line for name, command, file in CHECKS if shutil.which(name) for line in wrong(root, command, file)]
 finish(complaints, f"{package.name}: {len(names)} entries")

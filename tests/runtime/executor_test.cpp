@@ -2,6 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <functional>
+
 using namespace proskill;
 using runtime::End;
 using runtime::RemarkKind;
@@ -129,17 +132,94 @@ TEST_CASE("a run ends where nothing can happen, where its time is over, where ti
         End::NoTime);
 }
 
-TEST_CASE("a request to end stops the actions that run") {
+namespace {
+
+/// Does not perform anything; asked to stop an action it calls `onStop`.
+class Silent final : public runtime::Platform {
+public:
+  void start(const runtime::Start&, runtime::Nanoseconds) override { onStart(); }
+  bool stop(std::uint32_t, runtime::RunNumber, runtime::Nanoseconds) override {
+    onStop();
+    return false;
+  }
+  [[nodiscard]] std::optional<runtime::Nanoseconds> next() const override { return {}; }
+  bool poll(runtime::Nanoseconds, runtime::Report&) override { return false; }
+  [[nodiscard]] bool mayReport() const override { return true; }
+
+  std::function<void()> onStart = [] {};
+  std::function<void()> onStop = [] {};
+};
+
+/// A clock of which a test says what it shows.
+class Jumping final : public runtime::Clock {
+public:
+  explicit Jumping(std::vector<runtime::Nanoseconds> all) : dates(std::move(all)) {}
+  void start() override {}
+  runtime::Nanoseconds now() override { return dates[at]; }
+  void wait(std::optional<runtime::Nanoseconds>, const std::vector<int>&) override {
+    at = std::min(at + 1, dates.size() - 1);
+  }
+  [[nodiscard]] bool isReal() const override { return true; }
+
+private:
+  std::vector<runtime::Nanoseconds> dates;
+  std::size_t at = 0;
+};
+
+} // namespace
+
+TEST_CASE("a request to end before the start takes no step") {
   const auto executable = test::executableOf(mission("(fly) (success done)"), false);
   const std::atomic<int> requests = 1;
-  class Asking final : public runtime::Platform {
-  public:
-    void start(const runtime::Start&, runtime::Nanoseconds) override {}
-    bool stop(std::uint32_t, runtime::RunNumber, runtime::Nanoseconds) override { return false; }
-    [[nodiscard]] std::optional<runtime::Nanoseconds> next() const override { return {}; }
-    bool poll(runtime::Nanoseconds, runtime::Report&) override { return false; }
-  } silent;
+  Silent silent;
   const auto before = runOf(*executable, silent, {.stopRequests = &requests});
   CHECK(before.result.end == End::Stopped);
   CHECK(before.result.steps == 0);
+}
+
+TEST_CASE("a request to end stops what runs; a second one does not wait for it") {
+  const auto executable = test::executableOf(mission("(fly) (success done)"), false);
+  const auto endedBy = [&](int more) {
+    std::atomic<int> requests = 0;
+    Silent silent;
+    silent.onStart = [&] { ++requests; };
+    silent.onStop = [&] { requests += more; };
+    return runOf(*executable, silent, {.grace = runtime::kSecond, .stopRequests = &requests});
+  };
+  const auto once = endedBy(0);
+  CHECK(once.result.end == End::Abandoned);
+  CHECK(once.result.date == runtime::kSecond);
+  REQUIRE(once.told(RemarkKind::Asked));
+  REQUIRE(once.told(RemarkKind::Fault));
+  CHECK(once.told(RemarkKind::Fault)->text ==
+        "its action did not stop in time; it is left to the platform");
+  const auto twice = endedBy(1);
+  CHECK(twice.result.end == End::Abandoned);
+  CHECK(twice.result.date == 0);
+  CHECK(twice.told(RemarkKind::Fault));
+}
+
+TEST_CASE("after a clock has jumped, steps keep their own dates, and it is said") {
+  const auto executable = test::executableOf(mission("(^ 1) (^ 2) (^ 0.5) (success done)"), false);
+  Silent silent;
+  Jumping clock({0, 3600 * runtime::kSecond});
+  const auto ran = runOf(*executable, silent, clock, {});
+  INFO(ran.text());
+  CHECK(ran.result.end == End::Mission);
+  CHECK(ran.when("mission", "succeeds with `done`") == 3.5);
+  CHECK(ran.maxLag == 3599 * runtime::kSecond);
+  REQUIRE(ran.told(RemarkKind::Note));
+  CHECK(ran.told(RemarkKind::Note)->text ==
+        "this process was held up: steps are taken later than their dates");
+  CHECK(std::ranges::count(ran.remarks, RemarkKind::Note, &test::Ran::Told::kind) == 1);
+}
+
+TEST_CASE("a clock that goes back does not take time back") {
+  const auto executable = test::executableOf(mission("(^ 2) (^ 2) (success done)"), false);
+  Silent silent;
+  Jumping clock({0, 3 * runtime::kSecond, runtime::kSecond, 4 * runtime::kSecond});
+  const auto ran = runOf(*executable, silent, clock, {});
+  CHECK(ran.when("mission", "succeeds with `done`") == 4);
+  for (std::size_t i = 1; i < ran.steps.size(); ++i)
+    CHECK(ran.steps[i - 1].date <= ran.steps[i].date);
 }

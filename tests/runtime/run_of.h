@@ -28,6 +28,7 @@ struct Ran {
   std::vector<Taken> steps;
   std::vector<Told> remarks;
   runtime::RecordedRun recorded;
+  runtime::Nanoseconds maxLag = 0;
 
   /// `2.5 fly succeeds with `there``, a line each.
   [[nodiscard]] std::string text() const;
@@ -45,6 +46,12 @@ struct Ran {
                         double until = 600);
 [[nodiscard]] Ran runOf(const runtime::Executable& executable, runtime::Platform& platform,
                         runtime::RunOptions options);
+/// By the machine's clock: tests may not say when what happens.
+[[nodiscard]] Ran runInRealTime(const runtime::Executable& executable, runtime::Platform& platform,
+                                runtime::RunOptions options);
+/// By a clock of the test's own.
+[[nodiscard]] Ran runOf(const runtime::Executable& executable, runtime::Platform& platform,
+                        runtime::Clock& clock, runtime::RunOptions options);
 /// Events and interrupts only as the script says.
 [[nodiscard]] Ran runOf(const std::string& text, const std::string& script = R"({"signals":[]})",
                         std::uint64_t seed = 0);

@@ -1,0 +1,79 @@
+#include "runtime/platform/json.h"
+
+#include "syntax/diagnostics/suggest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace proskill::runtime {
+
+namespace {
+
+/// Where a byte is, as people count: both from 1.
+std::string placeOf(std::string_view text, std::size_t byte) {
+  const auto before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
+  const auto line = std::ranges::count(before, '\n') + 1;
+  const auto column = before.size() - (before.rfind('\n') + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+} // namespace
+
+Json parsedFile(std::string_view text) {
+  Json value;
+  try {
+    value = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw Wrong{"it is not JSON at " + placeOf(text, error.byte)};
+  }
+  if (!value.is_object()) throw Wrong{"it is not an object"};
+  return value;
+}
+
+void allowMembers(const Json& value, const std::vector<std::string>& known,
+                  const std::string& where) {
+  if (!value.is_object()) throw Wrong{where + " is no object"};
+  for (const auto& [key, _] : value.items())
+    if (std::ranges::find(known, key) == known.end()) throwUnknown("member", key, known);
+}
+
+const Json& listOf(const Json& value, const std::string& of) {
+  if (!value.is_array()) throw Wrong{"`" + of + "` is no list"};
+  return value;
+}
+
+const Json::object_t& objectAt(const Json& file, const std::string& key) {
+  static const Json::object_t none;
+  if (!file.contains(key)) return none;
+  if (!file[key].is_object()) throw Wrong{"`" + key + "` is no object"};
+  return file[key].get_ref<const Json::object_t&>();
+}
+
+const std::string& stringAt(const Json& value, const std::string& key) {
+  const auto found = value.find(key);
+  if (found == value.end() || !found->is_string()) throw Wrong{"`" + key + "` must be a string"};
+  return found->get_ref<const std::string&>();
+}
+
+Nanoseconds secondsOf(const Json& value, const std::string& of) {
+  if (!value.is_number()) throw Wrong{"`" + of + "` is no number of seconds"};
+  const auto number = value.get<double>();
+  if (!(number >= 0 && number <= 1e9)) throw Wrong{"`" + of + "` is not between 0 and 1e9 s"};
+  return std::llround(number * static_cast<double>(kSecond));
+}
+
+Span spanOf(const Json& value, const std::string& of) {
+  if (!value.is_array() || value.size() != 2) throw Wrong{"`" + of + "` is not [LEAST, MOST]"};
+  const Span made{secondsOf(value[0], of), secondsOf(value[1], of)};
+  if (*made.last < made.first) throw Wrong{"`" + of + "` ends before it begins"};
+  return made;
+}
+
+void throwUnknown(const std::string& what, const std::string& name,
+                  const std::vector<std::string>& names) {
+  const auto meant = syntax::nearest(name, names);
+  throw Wrong{"there is no " + what + " `" + name + "`" +
+              (meant.empty() ? "" : "; did you mean `" + std::string(meant) + "`?")};
+}
+
+} // namespace proskill::runtime

@@ -1,0 +1,188 @@
+#include "runtime/stubs/stub_text.h"
+#include "runtime/stubs/stubs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace proskill::runtime {
+
+namespace {
+
+/// Python's keywords, and what the generated text uses itself.
+constexpr auto kReserved = std::to_array<std::string_view>(
+    {"False", "None",     "True",  "and",         "as",    "assert", "async",  "await",    "break",
+     "class", "continue", "def",   "del",         "elif",  "else",   "except", "finally",  "for",
+     "from",  "global",   "if",    "import",      "in",    "is",     "lambda", "nonlocal", "not",
+     "or",    "pass",     "raise", "return",      "try",   "while",  "with",   "yield",    "self",
+     "stop",  "abc",      "enum",  "bool",        "float", "int",    "str",    "Actions",  "Event",
+     "Stop",  "Platform", "Skill", "platform_of", "mro",   "name",   "value"});
+
+/// A class whose members have the words of the program as values.
+std::string enumeration(const std::string& name, const std::string& about,
+                        const std::vector<std::string>& words) {
+  std::string text = fmt::format("\n\nclass {}(enum.Enum):\n    \"\"\"{}\"\"\"\n\n", name, about);
+  StubNames members(kReserved);
+  for (const auto& word : words)
+    text += fmt::format("    {} = \"{}\"\n", members.unique(upperSnake(word)), word);
+  return text;
+}
+
+/// The words of a program as Python has them.
+class PythonStubs {
+public:
+  explicit PythonStubs(const StubProgram& of) : program(of), names(kReserved), methods(kReserved) {
+    for (const auto& variable : program.variables)
+      variables.push_back(names.unique(upperCamel(variable.name)));
+    for (const auto& action : program.actions) {
+      results.push_back(names.unique(upperCamel(action.skill) + "Result"));
+      functions.push_back(methods.unique(action.skill == "report" || action.skill == "interrupt" ||
+                                                 action.skill == "log" || action.skill == "platform"
+                                             ? action.skill + "_"
+                                             : action.skill));
+      parameters.push_back(parametersOf(action));
+    }
+  }
+
+  [[nodiscard]] StubFile generated() const {
+    std::string text = fmt::format("\"\"\"The actions of {}, as a class to fill in.\"\"\"\n\n"
+                                   "import abc\nimport enum\n\n"
+                                   "from proskill import Platform, Stop\n",
+                                   program.file);
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      text +=
+          enumeration(variables[i], fmt::format("The values of `{}`.", program.variables[i].name),
+                      program.variables[i].values);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      text += enumeration(results[i], fmt::format("How `{}` ends.", program.actions[i].skill),
+                          program.actions[i].results);
+    if (!program.events.empty()) text += enumeration("Event", "What may happen.", program.events);
+    if (!program.interrupts.empty())
+      text += enumeration("Skill", "What may be interrupted from outside.", program.interrupts);
+    text += base();
+    return {"actions.py", withStubMark("#", text + factory()), false};
+  }
+
+  [[nodiscard]] StubFile users() const {
+    std::vector<std::string> imported{"Actions", "platform_of"};
+    imported.insert(imported.end(), results.begin(), results.end());
+    imported.insert(imported.end(), variables.begin(), variables.end());
+    std::ranges::sort(imported);
+    std::string text =
+        fmt::format("\"\"\"Performs the actions of {}. This file is yours: `proskill "
+                    "stubs` does not write it again.\"\"\"\n\n"
+                    "from actions import (\n",
+                    program.file);
+    for (const auto& name : imported) text += fmt::format("    {},\n", name);
+    text += ")\nfrom proskill import Stop\n\n\nclass Robot(Actions):\n";
+    for (std::size_t i = 0; i < functions.size(); ++i)
+      text += fmt::format("{}    {}\n        raise NotImplementedError\n", i == 0 ? "" : "\n",
+                          signature(i));
+    if (functions.empty()) text += "    pass\n";
+    return {"robot.py", text + "\n\nif __name__ == \"__main__\":\n    platform_of(Robot()).run()\n",
+            true};
+  }
+
+private:
+  struct Parameter {
+    std::string name;
+    std::string type;
+    bool isValue = false;
+  };
+
+  [[nodiscard]] std::vector<Parameter> parametersOf(const StubAction& action) const {
+    StubNames own(kReserved);
+    std::vector<Parameter> all;
+    for (const auto& parameter : action.parameters) {
+      auto name =
+          parameter.name.empty() ? fmt::format("argument{}", all.size() + 1) : parameter.name;
+      all.push_back({own.unique(std::move(name)), typeOf(parameter.type),
+                     parameter.type.kind == StubType::Kind::Value});
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::string typeOf(const StubType& type) const {
+    switch (type.kind) {
+    case StubType::Kind::Integer:
+    case StubType::Kind::Natural: return "int";
+    case StubType::Kind::Float: return "float";
+    case StubType::Kind::Boolean: return "bool";
+    case StubType::Kind::String: return "str";
+    case StubType::Kind::Value: break;
+    }
+    const auto found =
+        std::ranges::find(program.variables, type.variable, &StubProgram::Variable::name);
+    return variables[static_cast<std::size_t>(found - program.variables.begin())];
+  }
+
+  /// `def fly(self, height: float, stop: Stop) -> FlyResult:`
+  [[nodiscard]] std::string signature(std::size_t action) const {
+    std::string text = fmt::format("def {}(self", functions[action]);
+    for (const auto& parameter : parameters[action])
+      text += fmt::format(", {}: {}", parameter.name, parameter.type);
+    return text + fmt::format(", stop: Stop) -> {}:", results[action]);
+  }
+
+  /// The class that a user derives from: what it lacks, or has otherwise, is a type error.
+  [[nodiscard]] std::string base() const {
+    std::string text = "\n\nclass Actions(abc.ABC):\n"
+                       "    \"\"\"A method for each basic skill. One that is asked to stop lets "
+                       "`stop.sleep` or `stop.check`\n    raise Stopped.\"\"\"\n\n"
+                       "    platform: Platform  # set by platform_of\n";
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      text += fmt::format("\n    @abc.abstractmethod\n    {}\n", signature(i));
+      const auto& action = program.actions[i].action;
+      text += action.empty() ? "        ...\n"
+                             : fmt::format("        # {}\n        ...\n", firstLine(action));
+    }
+    if (!program.events.empty())
+      text += "\n    def report(self, event: Event) -> None:\n"
+              "        self.platform.report(event.value)\n";
+    if (!program.interrupts.empty())
+      text += "\n    def interrupt(self, skill: Skill) -> None:\n"
+              "        self.platform.interrupt(skill.value)\n";
+    return text;
+  }
+
+  static std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+  [[nodiscard]] std::string factory() const {
+    std::string text = "\n\ndef platform_of(actions: Actions) -> Platform:\n"
+                       "    \"\"\"What performs the actions: `run` it.\"\"\"\n"
+                       "    made = Platform()\n    actions.platform = made\n";
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      std::string given;
+      std::string passed;
+      for (const auto& parameter : parameters[i]) {
+        given += parameter.name + ", ";
+        passed += parameter.isValue ? fmt::format("{}({}), ", parameter.type, parameter.name)
+                                    : parameter.name + ", ";
+      }
+      text += fmt::format("    made.action(\"{}\")(lambda {}stop: actions.{}({}stop))\n",
+                          program.actions[i].skill, given, functions[i], passed);
+    }
+    return text + "    return made\n";
+  }
+
+  const StubProgram& program;
+  StubNames names;
+  StubNames methods;
+  std::vector<std::string> variables; ///< the names of their classes
+  std::vector<std::string> results;   ///< by action
+  std::vector<std::string> functions;
+  std::vector<std::vector<Parameter>> parameters;
+};
+
+constexpr std::string_view kPlatform =
+    "{\n  \"kind\": \"process\",\n  \"command\": [\"python3\", \"robot.py\"]\n}\n";
+
+} // namespace
+
+std::vector<StubFile> pythonStubs(const StubProgram& program) {
+  const PythonStubs stubs(program);
+  return {stubs.generated(), stubs.users(), {"platform.json", std::string(kPlatform), true}};
+}
+
+} // namespace proskill::runtime

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// What stubs of all languages need: names, and the mark of what is generated.
+namespace proskill::runtime {
+
+/// `goto_waypoint` as `GotoWaypoint`.
+[[nodiscard]] std::string upperCamel(std::string_view name);
+/// `at_altitude` as `AT_ALTITUDE`, `InAir` as `IN_AIR`.
+[[nodiscard]] std::string upperSnake(std::string_view name);
+
+/// Names that may not be given twice, nor be words of a language.
+class StubNames {
+public:
+  explicit StubNames(std::span<const std::string_view> reserved)
+      : taken(reserved.begin(), reserved.end()) {}
+
+  /// The name, with `_` where it is taken.
+  std::string unique(std::string name) {
+    while (!taken.insert(name).second) name += '_';
+    return name;
+  }
+
+private:
+  std::set<std::string> taken;
+};
+
+/// Puts the mark before a generated text: it says that the file is generated, and of what bytes.
+/// \param comment what begins a comment: `#`
+[[nodiscard]] std::string withStubMark(std::string_view comment, std::string_view text);
+
+} // namespace proskill::runtime

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "codegen/model.h"
+
+#include <expected>
+#include <string>
+#include <vector>
+
+/// Source text for whoever performs the actions of a program: a typed function for each.
+namespace proskill::runtime {
+
+/// What an argument of an action is.
+struct StubType {
+  enum class Kind : std::uint8_t { Integer, Natural, Float, Boolean, String, Value };
+  Kind kind = Kind::String;
+  std::string variable; ///< Value: whose values
+};
+
+/// What somebody has to write for a basic skill.
+struct StubAction {
+  struct Parameter {
+    std::string name; ///< of the parameter of `:input`, without `$`; empty: a literal
+    StubType type;
+  };
+  std::string skill;
+  std::string action; ///< `(navigate $x $y "office")`, as written; empty where there is none
+  std::vector<Parameter> parameters;
+  std::vector<std::string> results; ///< as the protocol calls them
+};
+
+/// What there is to know of a program. In the order of its text.
+struct StubProgram {
+  struct Variable {
+    std::string name;
+    std::vector<std::string> values;
+  };
+  std::string file; ///< its root's name, without folders
+  std::vector<StubAction> actions;
+  std::vector<Variable> variables; ///< whose values are arguments
+  std::vector<std::string> events;
+  std::vector<std::string> interrupts; ///< skills that can be interrupted
+};
+
+/// \pre the program has no errors
+[[nodiscard]] std::expected<StubProgram, codegen::GenerationError>
+stubProgram(const analysis::Program& program, const std::string& mainSkill);
+
+struct StubFile {
+  std::string name;
+  std::string text;
+  bool isUsers = false; ///< to be filled in: written only where there is no such file
+};
+
+/// The files of a platform in Python.
+[[nodiscard]] std::vector<StubFile> pythonStubs(const StubProgram& program);
+
+/// Whether a generated file is as it was generated: a user has written nothing into it.
+[[nodiscard]] bool isUnchangedStub(std::string_view text);
+
+} // namespace proskill::runtime
