@@ -39,10 +39,11 @@ enum class Weight : std::uint8_t { Error, Warning };
 
 /// A default property, or one of the program's own, as a question to the model.
 struct Check {
-  std::string name;        ///< unique and stable: `takeoff.can_succeed.at_altitude`
-  std::string kind;        ///< `can_succeed`; `property` for the program's own
-  std::string subject;     ///< `takeoff`
-  std::string description; ///< "`takeoff` can succeed with `at_altitude`"
+  std::string name;                  ///< unique and stable: `takeoff.can_succeed.at_altitude`
+  std::string kind;                  ///< `can_succeed`; `property` for the program's own
+  std::string subject;               ///< `takeoff`
+  std::string description;           ///< "`takeoff` can succeed with `at_altitude`"
+  std::vector<std::string> operands; ///< of the program's own pattern, as written
   Expectation good = Expectation::Holds;
   Weight weight = Weight::Error;
   bool fair = false;        ///< it is about fair runs without end

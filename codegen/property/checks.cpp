@@ -177,6 +177,8 @@ private:
     check.name = unique(std::string(property.name()));
     check.kind = "property";
     check.description = context.origins.excerpt(property.file, property->bodyRange);
+    for (const auto& operand : property->operands)
+      check.operands.push_back(context.origins.excerpt(property.file, operand.range));
     check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
     auto pattern = patternOf(context, observer, property.node());
     check.fair = context.options.fairRuns && fiacre::isAboutEndlessRuns(pattern);

@@ -1,5 +1,6 @@
 #include "ide/verdicts/verification.h"
 
+#include "ide/verdicts/waits.h"
 #include "ide/verdicts/why.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,22 @@ Moment moment(const verify::Date& date, Rational unit) {
   return {seconds(date.value, 1, unit), date.strict};
 }
 
+/// That a mission which has ended stays so for ever is a step of the model, and none of the
+/// program.
+void dropIdleLoop(Trace& trace) {
+  if (!trace.loop) return;
+  const auto first = trace.steps.begin() + static_cast<std::ptrdiff_t>(*trace.loop);
+  const bool isIdle = std::all_of(first, trace.steps.end(), [](const TraceStep& step) {
+    return step.description.empty() && step.changes.empty();
+  });
+  if (!isIdle) {
+    trace.rest = verify::Rest::No;
+    return;
+  }
+  trace.steps.erase(first, trace.steps.end());
+  trace.loop.reset();
+}
+
 Trace translate(verify::Trace raw, const codegen::Model& model) {
   Trace trace{std::move(raw.initial), {}};
   trace.steps.reserve(raw.steps.size());
@@ -43,7 +60,9 @@ Trace translate(verify::Trace raw, const codegen::Model& model) {
     trace.steps.push_back(std::move(step));
   }
   trace.loop = raw.loop;
-  if (raw.end > last) trace.end = seconds(raw.end, raw.scale, model.unit);
+  trace.rest = raw.rest;
+  dropIdleLoop(trace);
+  if (!raw.loop && raw.end > last) trace.end = seconds(raw.end, raw.scale, model.unit);
   return trace;
 }
 
@@ -62,8 +81,11 @@ VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen
   result.location = locate(model.provenance.origins[check.origin]);
   if (answer.trace) {
     const auto support = answer.trace->support;
+    const auto waits = waitsText(answer.trace->waits, model);
     result.trace = translate(std::move(*answer.trace), model);
     result.trace->summary = summaryOf(check, model, *result.trace, support);
+    if (!waits.empty())
+      result.trace->summary.replace(result.trace->summary.size() - 1, 1, ": " + waits + ".");
   }
   result.reason = answer.reason;
   return result;
@@ -143,18 +165,28 @@ syntax::Rational difference(Rational later, Rational earlier) {
   return syntax::add(later, Rational{-earlier.numerator, earlier.denominator}).value_or(Rational{});
 }
 
-/// The last origin that says something names the step; the last one with a place locates it.
+/// The last origin that says something names the step.
+StepName nameOf(const verify::Step& step, const fiacre::Provenance& provenance) {
+  StepName name;
+  for (auto id : step.origins) {
+    const auto& origin = provenance.origins[id];
+    if (!origin.actor.empty()) name.actor = origin.actor;
+    if (!origin.description.empty()) name.description = origin.description;
+  }
+  if (provenance.byHand) name.actor = fmt::format("{}", fmt::join(step.instances, ", "));
+  if (!step.failure.empty())
+    name.description += (name.description.empty() ? "" : ": ") + step.failure;
+  return name;
+}
+
+/// The last origin with a place locates the step.
 TraceStep inWords(verify::Step raw, const fiacre::Provenance& provenance) {
   TraceStep step;
-  for (auto id : raw.origins) {
-    const auto& origin = provenance.origins[id];
-    if (!origin.actor.empty()) step.actor = origin.actor;
-    if (!origin.description.empty()) step.description = origin.description;
-    if (auto location = locate(origin)) step.location = location;
-  }
-  if (provenance.byHand) step.actor = fmt::format("{}", fmt::join(raw.instances, ", "));
-  if (!raw.failure.empty())
-    step.description += (step.description.empty() ? "" : ": ") + raw.failure;
+  auto name = nameOf(raw, provenance);
+  step.actor = std::move(name.actor);
+  step.description = std::move(name.description);
+  for (auto id : raw.origins)
+    if (auto location = locate(provenance.origins[id])) step.location = location;
   step.changes = std::move(raw.changes);
   step.transitions = std::move(raw.transitions);
   step.origins = std::move(raw.origins);

@@ -39,6 +39,14 @@ struct TraceStep {
   bool relevant = true;            ///< to what the trace shows: see verify/trace/causes.h
 };
 
+/// Who takes a step, and what it is, in the program's words.
+struct StepName {
+  std::string actor;
+  std::string description;
+};
+
+[[nodiscard]] StepName nameOf(const verify::Step& step, const fiacre::Provenance& provenance);
+
 /// A step in the program's words, without its dates.
 [[nodiscard]] TraceStep inWords(verify::Step step, const fiacre::Provenance& provenance);
 
@@ -57,7 +65,8 @@ struct Trace {
   std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
   /// Until when nothing else happens, where that is what is shown: seconds since the start.
   std::optional<syntax::Rational> end;
-  std::string summary; ///< what the trace shows, in a sentence
+  verify::Rest rest = verify::Rest::No; ///< behind the last step
+  std::string summary;                  ///< what the trace shows, in a sentence
 };
 
 /// The verdict on one property.

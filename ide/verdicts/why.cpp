@@ -112,7 +112,7 @@ private:
     std::ranges::sort(steps);
     steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
     for (auto number : steps) {
-      const auto cause = inWords(trace.steps[number - 1], model.provenance);
+      const auto cause = nameOf(trace.steps[number - 1], model.provenance);
       const auto why = conditionsOf(trace.steps[number - 1]);
       say(fmt::format("step {}: {} {}{}{}", number, cause.actor, cause.description,
                       why.empty() ? "" : ": ", why));
@@ -198,14 +198,47 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
+/// What did not come, or came, in the program's words: "`(called lift)` does not follow
+/// `(running drive)`". Of what is not the program's own pattern, the description.
+std::string failureText(const codegen::Check& check, const codegen::Model& model) {
+  using fiacre::PatternKind;
+  const auto kind = model.fiacre.properties[check.property].pattern.kind;
+  const auto operand = [&](std::size_t i) { return "`" + check.operands[i] + "`"; };
+  if (check.operands.size() == 2 && kind == PatternKind::LeadsTo)
+    return fmt::format("{} does not follow {}", operand(1), operand(0));
+  if (check.operands.size() == 2 && kind == PatternKind::Precedes)
+    return fmt::format("{} comes without {} before it", operand(1), operand(0));
+  if (check.operands.size() == 1) {
+    if (kind == PatternKind::Present) return operand(0) + " does not come";
+    if (kind == PatternKind::InfinitelyOften) return operand(0) + " does not come again";
+    if (kind == PatternKind::Always) return operand(0) + " is false";
+    if (kind == PatternKind::Absent)
+      return operand(0) +
+             (check.good == codegen::Expectation::Reachable ? " is reached" : " is true");
+  }
+  return check.description + " does not hold";
+}
+
+bool waitsForSomething(const codegen::Check& check, const codegen::Model& model) {
+  using fiacre::PatternKind;
+  const auto kind = model.fiacre.properties[check.property].pattern.kind;
+  return kind != PatternKind::Absent && kind != PatternKind::Always &&
+         kind != PatternKind::Precedes;
+}
+
 /// A run as a whole shows it.
-std::string runText(const codegen::Check& check, const Trace& trace) {
-  if (trace.loop)
-    return fmt::format("{}, and then {} does not hold", repeatText(trace), check.description);
+std::string runText(const codegen::Check& check, const codegen::Model& model, const Trace& trace) {
+  const auto failure = failureText(check, model);
+  if (trace.loop) return fmt::format("{}, and then {}", repeatText(trace), failure);
+  const bool waits = trace.end || waitsForSomething(check, model);
+  if (waits && trace.rest == verify::Rest::Forced)
+    return fmt::format("{} nothing happens any more: {}", afterText(trace), failure);
+  if (waits && trace.rest == verify::Rest::Allowed)
+    return fmt::format("{} nothing has to happen any more: {}", afterText(trace), failure);
   if (trace.end)
-    return fmt::format("{} nothing else has to happen until {} s: {} does not hold",
-                       afterText(trace), syntax::toString(*trace.end), check.description);
-  return fmt::format("{} {} does not hold", afterText(trace), check.description);
+    return fmt::format("{} nothing else has to happen until {} s: {}", afterText(trace),
+                       syntax::toString(*trace.end), failure);
+  return fmt::format("{} {}", afterText(trace), failure);
 }
 
 } // namespace
@@ -226,12 +259,13 @@ std::string summaryOf(const codegen::Check& check, const codegen::Model& model, 
     if (trace.loop) return sentence(repeatText(trace) + ", and no time passes");
     return sentence(afterText(trace) + " time can never pass again");
   }
-  if (isRunPattern(check, model)) return sentence(runText(check, trace));
+  if (isRunPattern(check, model)) return sentence(runText(check, model, trace));
   if (!support.empty()) {
     const bool isFound = check.good == codegen::Expectation::Reachable;
-    return sentence(fmt::format("{} {} {}: {}", afterText(trace), check.description,
-                                isFound ? "is reached" : "does not hold",
-                                shownText(trace, support)));
+    const auto outcome = !check.operands.empty() ? failureText(check, model)
+                         : isFound               ? check.description + " is reached"
+                                                 : check.description + " does not hold";
+    return sentence(fmt::format("{} {}: {}", afterText(trace), outcome, shownText(trace, support)));
   }
   if (trace.steps.empty()) return sentence("at the start");
   return sentence(stepText(trace, trace.steps.size()));

@@ -198,6 +198,10 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
   for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
   if (row.trace->loop)
     out << fmt::format("    and from step {} on again and again\n", *row.trace->loop + 1);
+  else if (row.trace->rest == verify::Rest::Forced)
+    out << "    and nothing happens any more\n";
+  else if (row.trace->end && row.trace->rest == verify::Rest::Allowed)
+    out << "    and nothing has to happen any more\n";
   else if (row.trace->end)
     out << fmt::format("    and nothing else until {} s\n", syntax::toString(*row.trace->end));
 }

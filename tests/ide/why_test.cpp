@@ -89,3 +89,47 @@ TEST_CASE("what the mission does not need is said not to matter") {
   for (const auto& step : trace.steps)
     if (step.actor == "idle") CHECK_FALSE(step.relevant);
 }
+
+TEST_CASE("where nothing is possible any more, it is said who waits for what") {
+  const auto trace = traceOf(kRobot + R"(
+(defskill mission :body ((drill) (// ((^ (lid Open)) (drill)) ((charge) (^ (place Dock))))))
+(defskill guard :monitor t :body ((while true (^ (energy 0)) (drill.interrupt))))
+)",
+                             "program.no_deadlock");
+  CHECK(trace.summary.find("the mission has not ended: `mission branch 1` waits for `(lid Open)`; "
+                           "`mission branch 2` waits for `(place Dock)`") != std::string::npos);
+  CHECK(trace.summary.find("`guard` waits for `(energy 0)`") != std::string::npos);
+  CHECK(trace.summary.find("`mission` waits until all parallel branches have ended") !=
+        std::string::npos);
+  CHECK(trace.summary.find("`close`") == std::string::npos); // it waits for nobody
+}
+
+TEST_CASE("a property of runs is told with what does not come, and that nothing happens any more") {
+  const std::string lamp = R"((defsv lamp :states (On Off) :init Off :transitions :all)
+(defskill light :time_interval [2,5] :action (a) :success lit (:effects (lamp On)) :failure broken)
+(defskill mission :success done :body ((light) (success done)))
+)";
+  const auto summary = [&](const std::string& property) {
+    return traceOf(lamp + "(defproperty p " + property + ")", "p").summary;
+  };
+  CHECK(summary("(present (lamp On))")
+            .ends_with("nothing happens any more: `(lamp On)` does not come."));
+  CHECK(summary("(leadsto (running light) (lamp On))")
+            .ends_with("nothing happens any more: `(lamp On)` does not follow `(running light)`."));
+  CHECK(summary("(leadsto (running light) (lamp On) :within [0,60])")
+            .ends_with("nothing happens any more: `(lamp On)` does not follow `(running light)`."));
+  CHECK(summary("(infinitelyoften (lamp On))").ends_with("`(lamp On)` does not come again."));
+  CHECK(summary("(precedes (lamp On) (ended mission))")
+            .ends_with("`(ended mission)` comes without `(lamp On)` before it."));
+  CHECK(summary("(ltl (<> (lamp On)))").find("nothing happens any more") != std::string::npos);
+}
+
+TEST_CASE("where an event may still come, nothing has to happen any more") {
+  const auto trace = traceOf(R"((defsv lamp :states (On Off) :init Off :transitions :all)
+(defevent dusk :effects (lamp On))
+(defskill mission :success done :body ((^ 1) (success done)))
+(defproperty lit (present (lamp On)))
+)",
+                             "lit");
+  CHECK(trace.summary.ends_with("nothing has to happen any more: `(lamp On)` does not come."));
+}

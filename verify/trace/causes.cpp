@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <ranges>
-#include <set>
 
 namespace proskill::verify {
 
@@ -38,7 +37,13 @@ private:
   Bits own; ///< written by the part at hand: its value is the step's own
 };
 
-using StepNumbers = std::set<std::size_t>; ///< from 1: how many were taken with the step
+/// From 1: how many were taken with the step. Ascending, each once, when all are found.
+using StepNumbers = std::vector<std::size_t>;
+
+void tidy(StepNumbers& numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
 
 class CauseFinder {
 public:
@@ -111,7 +116,7 @@ private:
     if (fails) return true;
     const TransitionSet wereEnabled = enabled;
     enabling.update(id, state.data(), enabled);
-    starts.restart(id, wereEnabled, i + 1);
+    starts.restart(id, wereEnabled, enabled, i + 1);
     return true;
   }
 
@@ -130,14 +135,14 @@ private:
     const bool waits = transition.interval.lower > 0 || transition.interval.lowerOpen;
     if (transition.clock == kNone || !waits) return;
     const std::size_t since = starts.of(transition.clock);
-    if (since > 0) causes[i].insert(since);
+    if (since > 0) causes[i].push_back(since);
     made.timers[i] = Timer{since, transition.interval};
   }
 
   // --- What is needed
 
   void depend(StepNumbers& on, CellId cell) const {
-    if (writers[cell] != 0) on.insert(writers[cell]);
+    if (writers[cell] != 0) on.push_back(writers[cell]);
   }
   void depend(StepNumbers& on, const Needs& needs) const {
     for (auto cell : needs.before) depend(on, cell);
@@ -150,7 +155,7 @@ private:
       return depend(on, footprints.of(transition.guard, state.data()));
     transition.guardReads.each([&](CellId cell) { depend(on, cell); });
     if (transition.clock == kNone || !contains(enabled, id)) return;
-    if (const auto since = starts.of(transition.clock); since > 0) on.insert(since);
+    if (const auto since = starts.of(transition.clock); since > 0) on.push_back(since);
   }
 
   // --- What the goal looks at
@@ -160,7 +165,7 @@ private:
     switch (goal.kind) {
     case GoalKind::Events:
     case GoalKind::Error:
-      if (last > 0) seeds.insert(last);
+      if (last > 0) seeds.push_back(last);
       break;
     case GoalKind::Condition: return showCondition();
     case GoalKind::Deadlock: return showDeadlock();
@@ -184,7 +189,7 @@ private:
   void showLastStep(std::size_t i) {
     if (goal.kind != GoalKind::Condition || i + 1 != evidence.steps.size()) return;
     if (holdsAt(system, goal.condition, {state.data(), nullptr, nullptr})) return;
-    seeds.insert(i + 1);
+    seeds.push_back(i + 1);
     readStep(i, goal.condition);
   }
 
@@ -235,9 +240,9 @@ private:
     for (auto cell : needs.after) {
       depend(seeds, cell);
       if (readCell(system, cell, before.data()) != readCell(system, cell, state.data()))
-        seeds.insert(i + 1);
+        seeds.push_back(i + 1);
     }
-    if (needs.event) seeds.insert(i + 1);
+    if (needs.event) seeds.push_back(i + 1);
   }
 
   [[nodiscard]] std::uint32_t locationAfter(const MonitorMove& mark) const {
@@ -294,7 +299,8 @@ private:
   void close(bool whole) {
     const std::size_t count = evidence.steps.size();
     made.relevant.assign(count, whole);
-    std::vector<std::size_t> todo(seeds.begin(), seeds.end());
+    std::ranges::for_each(causes, tidy);
+    std::vector<std::size_t> todo = std::move(seeds);
     while (!todo.empty()) {
       const std::size_t taken = todo.back();
       todo.pop_back();

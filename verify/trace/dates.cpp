@@ -55,7 +55,7 @@ public:
       }
       if (outcome != Outcome::Done) return std::nullopt;
       enabling.update(step, state.data(), enabled);
-      since.restart(step, before, i + 1);
+      since.restart(step, before, enabled, i + 1);
     }
     const std::size_t last = evidence.steps.size();
     letTimePass(last, last + 1);

@@ -23,39 +23,12 @@ void Needs::add(Needs other) {
 }
 
 Footprints::Footprints(const System& of, const std::vector<std::size_t>& by)
-    : system(of), writers(by) {
-  mayFault.reserve(system.nodes.size());
-  for (NodeId id = 0; id < system.nodes.size(); ++id) mayFault.push_back(faults(id));
-}
+    : system(of), writers(by), faults(of.nodes.size()) {}
 
-/// \pre it is known of the nodes before it, which are all that it may be made of
-bool Footprints::faults(NodeId id) const {
-  const Node& node = system.nodes[id];
-  switch (node.op) {
-  case NodeOp::Not:
-  case NodeOp::Negate:
-  case NodeOp::Entered:
-  case NodeOp::Left: return mayFault[node.a];
-  case NodeOp::And:
-  case NodeOp::Or:
-  case NodeOp::Equal:
-  case NodeOp::Less:
-  case NodeOp::LessEqual: return mayFault[node.a] || mayFault[node.b];
-  case NodeOp::Conditional: return mayFault[node.a] || mayFault[node.b] || mayFault[node.c];
-  case NodeOp::Number:
-  case NodeOp::Cell:
-  case NodeOp::Test:
-  case NodeOp::Add:
-  case NodeOp::Subtract:
-  case NodeOp::Multiply:
-  case NodeOp::Divide:
-  case NodeOp::Modulo:
-  case NodeOp::Happens:
-  case NodeOp::Received:
-  case NodeOp::Require:
-  case NodeOp::Fails: return mayFail(system, id);
-  }
-  std::unreachable();
+bool Footprints::mayFault(NodeId node) const {
+  auto& known = faults[node];
+  if (known == Fault::Unknown) known = mayFail(system, node) ? Fault::Possible : Fault::Never;
+  return known == Fault::Possible;
 }
 
 Needs Footprints::of(NodeId node, const Moment& moment) const { return walk(node, moment).needs; }
@@ -118,11 +91,11 @@ Footprints::Found Footprints::walk(NodeId id, const Moment& moment) const {
 Footprints::Found Footprints::either(const Node& node, const Moment& moment, bool decisive) const {
   auto first = walk(node.a, moment);
   const bool decided = (first.value != 0) == decisive;
-  if (decided && (mayFault[node.a] || mayFault[node.b] || cost(first.needs) == 0)) return first;
+  if (decided && (mayFault(node.a) || mayFault(node.b) || cost(first.needs) == 0)) return first;
   auto second = walk(node.b, moment);
   const bool decides = (second.value != 0) == decisive;
   if (decided) return decides && cost(second.needs) < cost(first.needs) ? second : first;
-  if (!decides || mayFault[node.a]) second.needs.add(std::move(first.needs));
+  if (!decides || mayFault(node.a)) second.needs.add(std::move(first.needs));
   return second;
 }
 

@@ -37,7 +37,7 @@ private:
     Needs needs;
   };
 
-  [[nodiscard]] bool faults(NodeId node) const;
+  [[nodiscard]] bool mayFault(NodeId node) const;
   [[nodiscard]] Found walk(NodeId node, const Moment& moment) const;
   [[nodiscard]] Found either(const Node& node, const Moment& moment, bool decisive) const;
   [[nodiscard]] Found strict(NodeId node, const Moment& moment) const;
@@ -46,7 +46,8 @@ private:
 
   const System& system;
   const std::vector<std::size_t>& writers;
-  std::vector<bool> mayFault; ///< by node
+  enum class Fault : std::uint8_t { Unknown, Never, Possible };
+  mutable std::vector<Fault> faults; ///< by node, as far as it was asked for
 };
 
 } // namespace proskill::verify

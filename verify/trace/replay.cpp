@@ -176,6 +176,18 @@ std::string ReplayedRun::take(std::size_t before, TransitionId step, std::int64_
   return {};
 }
 
+Rest ReplayedRun::restAfter(std::size_t steps) const {
+  if (steps > taken.size()) return Rest::No; // too long to be kept
+  const Concrete& now = after(steps);
+  const bool isStill = std::ranges::all_of(now.since, [&](const auto& enabled) {
+    StepLog log;
+    const auto next = simulator->take(now, enabled.first, enabled.second, log);
+    return next && next->state == now.state;
+  });
+  if (isStill) return Rest::Forced;
+  return simulator->mayRest(now) ? Rest::Allowed : Rest::No;
+}
+
 void ReplayedRun::forgetLong() {
   constexpr std::size_t kMostKept = 4096;
   if (taken.size() > kMostKept) taken.resize(kMostKept);

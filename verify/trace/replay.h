@@ -4,6 +4,7 @@
 #include "verify/model/goals.h"
 #include "verify/trace/dates.h"
 #include "verify/trace/simulator.h"
+#include "verify/verify.h"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ public:
   [[nodiscard]] const Concrete& after(std::size_t steps) const {
     return steps == 0 ? first : taken[steps - 1].after;
   }
+  /// Whether it comes to rest behind so many steps.
+  [[nodiscard]] Rest restAfter(std::size_t steps) const;
   /// What the step behind `before` others passed.
   [[nodiscard]] const std::vector<EventId>& events(std::size_t before) const {
     return taken[before].events;

@@ -102,13 +102,16 @@ std::vector<Choice> Simulation::choices() const {
   return all;
 }
 
-void Simulation::take(std::size_t choice) {
+std::int64_t Simulation::take(std::size_t choice, When when) {
   const auto chosen = state->candidates().at(choice);
-  const auto date = chosen.choice.step.date;
+  const auto& offered = chosen.choice;
+  const bool isLate = when == When::Late && offered.latest;
+  const auto date = isLate ? *offered.latest - (offered.beforeLatest ? 1 : 0) : offered.step.date;
   StepLog log;
   auto next = state->simulator.take(state->now, chosen.transition, date, log);
   state->taken.push_back({std::exchange(state->now, std::move(*next)), state->date});
   state->date = date;
+  return date;
 }
 
 bool Simulation::undo() {

@@ -20,8 +20,14 @@ struct Choice {
   bool bounded = false;
 };
 
-/// A run of a model that somebody else chooses the steps of. Values and dates are concrete; each
-/// step is taken as early as it can be. \pre the model outlives this
+/// When a step is taken, of all the dates at which it can be.
+enum class When : std::uint8_t {
+  Early,
+  Late, ///< just before, where the last date is not reached itself; as `Early` where there is none
+};
+
+/// A run of a model that somebody else chooses the steps of. Values and dates are concrete.
+/// \pre the model outlives this
 class Simulation {
 public:
   [[nodiscard]] static std::expected<Simulation, Unsupported>
@@ -35,8 +41,9 @@ public:
   /// What may come next, the likeliest first: what has to happen soonest, before what may never
   /// happen. Empty where nothing is possible any more.
   [[nodiscard]] std::vector<Choice> choices() const;
-  /// Takes one of them. \pre choice < choices().size()
-  void take(std::size_t choice);
+  /// Takes one of them; returns its date, in units of `Choice::scale`. \pre choice <
+  /// choices().size()
+  std::int64_t take(std::size_t choice, When when = When::Early);
   /// Takes the last step back; false at the start.
   bool undo();
 

@@ -6,6 +6,7 @@
 #include "verify/trace/dates.h"
 #include "verify/trace/replay.h"
 #include "verify/trace/step_description.h"
+#include "verify/trace/waits.h"
 
 #include <algorithm>
 
@@ -62,7 +63,8 @@ Witness::Witness(const System& whole, const Reductions& used, const fiacre::Prov
       dropped(used.dropped),
       provenance(origins),
       limits(watch),
-      played(whole, watch) {
+      played(whole, watch),
+      changing(whole.transitions.size()) {
   if (used.freeInputs) open.emplace(*used.freeInputs, whole);
 }
 
@@ -83,6 +85,8 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
   Trace made{.scale = dating->scale,
              .end = goal.kind == GoalKind::Run ? dating->end : 0,
              .loop = evidence.loop};
+  if (goal.kind == GoalKind::Run)
+    made.rest = played.restAfter(made.loop.value_or(evidence.steps.size()));
   std::vector<Word> state = initialState(system);
   made.initial = valuesIn(system, state);
   StepLog log;
@@ -105,6 +109,8 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evid
          .changes = changesBetween(system, watchedBy(evidence.steps[i]), before, state),
          .failure = fails ? log.failure : ""});
   }
+  if (goal.kind == GoalKind::Deadlock || evidence.rest)
+    made.waits = waitsIn(system, provenance, state);
   addCauses(goal, evidence, made);
   return made;
 }
@@ -129,12 +135,12 @@ void Witness::addCauses(const Goal& goal, const Evidence& evidence, Trace& trace
 
 /// Watched variables that a step may change, by their places.
 const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
-  const auto [entry, isNew] = changing.try_emplace(step);
-  if (isNew)
-    for (std::uint32_t i = 0; i < system.watched.size(); ++i)
-      if (system.transitions[step].writes.contains(system.watched[i].cell))
-        entry->second.push_back(i);
-  return entry->second;
+  auto& known = changing[step];
+  if (known) return *known;
+  known.emplace();
+  for (std::uint32_t i = 0; i < system.watched.size(); ++i)
+    if (system.transitions[step].writes.contains(system.watched[i].cell)) known->push_back(i);
+  return *known;
 }
 
 /// The evidence on the whole system, with as few steps of the environment as will do.
@@ -144,9 +150,10 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
   std::optional<Dating> dating;
   Evidence better = completed(goal, lazily(goal, evidence));
   if (!check(goal, better, dating).empty()) return whole;
+  const std::vector<bool> read = readSteps(better); // only steps behind the one at hand go
   constexpr std::size_t kLong = 400;
   for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
-    if (!open->isSetter(better.steps[i]) || readSteps(better)[i]) continue;
+    if (!open->isSetter(better.steps[i]) || read[i]) continue;
     Evidence shorter = without(better, i);
     if (check(goal, shorter, dating).empty()) better = std::move(shorter);
   }

@@ -6,7 +6,8 @@
 #include "verify/trace/dates.h"
 #include "verify/trace/replay.h"
 
-#include <map>
+#include <optional>
+#include <vector>
 
 namespace proskill::verify {
 
@@ -39,8 +40,8 @@ private:
   const fiacre::Provenance& provenance;
   LimitWatch& limits;
   mutable ReplayedRun played; ///< traces of one search mostly begin alike
-  /// By transition: the watched cells that it may change.
-  mutable std::map<TransitionId, std::vector<std::uint32_t>> changing;
+  /// By transition that a trace had: the watched cells that it may change.
+  mutable std::vector<std::optional<std::vector<std::uint32_t>>> changing;
 };
 
 } // namespace proskill::verify
