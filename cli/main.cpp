@@ -14,7 +14,9 @@
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
 #include "cli/execution/conform.h"
+#include "cli/execution/replay.h"
 #include "cli/execution/run.h"
+#include "cli/execution/stubs.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
@@ -91,7 +93,7 @@ int main(int argc, char** argv) {
   useHelpFormat(app);
   app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
   for (auto add : {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData,
-                   addLsp, addRun, addVerify, addVerifyWorker, addView})
+                   addLsp, addReplay, addRun, addStubs, addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknownCommand(app, word);

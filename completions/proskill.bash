@@ -15,16 +15,18 @@ _proskill_values() {
     'graph --kind') echo 'sv skill body calls' ;;
     'graph --format') echo 'dot svg png' ;;
     'graph --color') echo 'auto always never' ;;
+    'replay --color') echo 'auto always never' ;;
     'run --clock') echo 'real simulated Nx' ;;
     'run --format') echo 'text json' ;;
     'run --color') echo 'auto always never' ;;
+    'stubs --color') echo 'auto always never' ;;
     'verify --format') echo 'text json junit sarif' ;;
     'verify --traces') echo 'failed all none' ;;
     'verify --graph') echo 'counts' ;;
     'verify --graph-of') echo 'classes markings untimed' ;;
     'verify --color') echo 'auto always never' ;;
     'verify --backend') echo 'engine tina both' ;;
-    'verify --reduce') echo 'all none dead-variables live-variables free-inputs stubborn-sets inclusion extrapolation' ;;
+    'verify --reduce') echo 'all none dead-variables live-variables free-inputs private-moves stubborn-sets inclusion extrapolation' ;;
     'verify --runs') echo 'fair all' ;;
     'verify --sv-automata') echo 'exact paper' ;;
   esac
@@ -82,7 +84,9 @@ _proskill_options() {
     fmt) echo '--help --check --diff' ;;
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
     lsp) echo '--help --port --log --debounce --stdio' ;;
+    replay) echo '--help --color' ;;
     run) echo '--help --main --platform --script --clock --seed --until --format --record --color' ;;
+    stubs) echo '--help --language --main --color' ;;
     verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --jobs --reduce --runs --expanded --sv-automata' ;;
     view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
@@ -103,7 +107,7 @@ _proskill() {
   local kind
   kind=$(_proskill_kinds "$command" "$previous")
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check conform dap emit explain fmt graph lsp run verify view $(_proskill_options)"
+    words="check conform dap emit explain fmt graph lsp replay run stubs verify view $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ -n "$kind" ]; then

@@ -70,10 +70,15 @@ complete -c proskill -n '__fish_seen_subcommand_from lsp' -l port -d 'Wait for o
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l log -d 'Append one line per request to this file' -r
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l debounce -d 'Wait this long after the last edit before reporting (default 50)' -x
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l stdio -d 'Use standard input and output, as by default'
+complete -c proskill -n __fish_use_subcommand -a replay -d 'Take the steps of saved runs again, and compare how they end'
+complete -c proskill -n '__fish_seen_subcommand_from replay' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from replay' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a run -d 'Execute a program on a robot, or on a simulated one'
 complete -c proskill -n '__fish_seen_subcommand_from run' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l main -d 'The skill that is the mission, where several could be' -x
-complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Who performs the actions (JSON); by default they are simulated' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Who performs the actions (JSON): a program or a simulation; the default is a simulation' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l script -d 'What happens in a simulation (JSON): results, events, interrupts' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time, so many times faster (10x), or time that jumps to what comes next (the default of a simulation)' -x -a 'real simulated Nx'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l seed -d 'What is drawn in a simulation; the same seed, the same run (default 0)' -x
@@ -83,6 +88,13 @@ complete -c proskill -n '__fish_seen_subcommand_from run' -l record -d 'Record t
 complete -c proskill -n '__fish_seen_subcommand_from run' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a stubs -d 'Write a typed function for each action of a program, to be filled in'
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -l language -d 'The language of the functions' -x
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a verify -d 'Verify the properties of a program'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l property -d 'Verify only this property, or all whose names begin with this word and a dot; may be repeated' -x -a '(__proskill_properties)'
@@ -112,7 +124,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l fraclib -d 'Dire
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l keep -d 'Run the tools in this new directory, and keep their files' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l difference -d 'both: write a report of differences to this file (default proskill-difference.md)' -r
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l jobs -d 'Threads to explore with; this version uses one' -x
-complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs stubborn-sets inclusion extrapolation'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets inclusion extrapolation'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l runs -d 'Which runs without end count for your properties. fair: time goes on, and actions without a time limit end; all: every run, as in Tina' -x -a 'fair all'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l expanded -d 'Verify the expanded model, with one state per step of a skill'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l sv-automata -d 'exact: detect every forbidden move of a state variable; paper: poll, as the paper does' -x -a 'exact paper'

@@ -1,6 +1,6 @@
 #include "dap/source.h"
 
-#include "ide/verdicts/simulation.h"
+#include "ide/verdicts/simulated_run.h"
 
 #include <algorithm>
 
@@ -33,10 +33,9 @@ private:
 
 class Simulated : public StepSource {
 public:
-  Simulated(std::unique_ptr<const analysis::Program> of, std::unique_ptr<const codegen::Model> with,
-            verify::Simulation started)
-      : program(std::move(of)), model(std::move(with)), simulation(std::move(started)) {
-    whole.initial = simulation.initial();
+  Simulated(std::unique_ptr<const analysis::Program> of, ide::SimulatedRun started)
+      : program(std::move(of)), run(std::move(started)) {
+    whole.initial = run.trace().initial;
     for (const auto& file : program->files) paths.push_back(oneSpelling(file.path));
   }
 
@@ -44,22 +43,16 @@ public:
   [[nodiscard]] bool isSimulation() const override { return true; }
 
   [[nodiscard]] std::vector<Step> choices() const override {
-    const ide::Trace all{{}, ide::inWords(simulation.choices(), *model, dates.back())};
+    const ide::Trace all{{}, run.choices()};
     auto read = readTrace(report::traceJson(*program, all), {});
     return read ? std::move(read->steps) : std::vector<Step>();
   }
 
-  void take(std::size_t choice) override {
-    dates.push_back(ide::inWords(simulation.choices(), *model, dates.back()).at(choice).date);
-    simulation.take(choice);
-  }
-
-  void undo() override {
-    if (simulation.undo()) dates.pop_back();
-  }
+  void take(std::size_t choice) override { run.take(choice); }
+  void undo() override { run.undo(); }
 
   [[nodiscard]] bool hasLine(const std::filesystem::path& path, unsigned line) const override {
-    return std::ranges::any_of(model->provenance.origins, [&](const fiacre::Origin& origin) {
+    return std::ranges::any_of(run.of().provenance.origins, [&](const fiacre::Origin& origin) {
       if (origin.begin == origin.end || origin.description.empty() || paths[origin.file] != path)
         return false;
       return program->files[origin.file].document.lines().position(origin.begin).line + 1 == line;
@@ -68,10 +61,8 @@ public:
 
 private:
   std::unique_ptr<const analysis::Program> program;
-  std::unique_ptr<const codegen::Model> model;
-  verify::Simulation simulation;
+  ide::SimulatedRun run;
   Trace whole;
-  std::vector<syntax::Rational> dates{{}};  ///< of the steps that were taken, and of the start
   std::vector<std::filesystem::path> paths; ///< canonical, by file
 };
 
@@ -88,11 +79,9 @@ std::expected<std::unique_ptr<StepSource>, std::string> simulated(analysis::Prog
   options.mainSkill = mainSkill;
   auto made = codegen::generate(*program, options);
   if (!made) return std::unexpected(made.error().message);
-  auto model = std::make_unique<const codegen::Model>(std::move(*made));
-  auto started = verify::Simulation::start(model->fiacre, model->provenance);
-  if (!started)
-    return std::unexpected("this model cannot be simulated: " + started.error().message);
-  return std::make_unique<Simulated>(std::move(program), std::move(model), std::move(*started));
+  auto run = ide::SimulatedRun::start(std::move(*made));
+  if (!run) return std::unexpected(run.error());
+  return std::make_unique<Simulated>(std::move(program), std::move(*run));
 }
 
 } // namespace proskill::dap

@@ -1,6 +1,7 @@
 #include "codegen/model.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
+#include "report/simulation_json.h"
 #include "report/text/source_place.h"
 #include "report/verify_report.h"
 #include "view/panel_data.h"
@@ -120,6 +121,19 @@ public:
     return std::unexpected("the program has no file of this name");
   }
 
+  Answer simulate(const OrderedJson& params) override {
+    const auto asked = report::readChosenRun(params);
+    if (!asked) return std::unexpected(asked.error());
+    const auto now = current();
+    if (!now->error.empty()) return std::unexpected("the program has errors: " + now->error);
+    const std::lock_guard lock(simulating);
+    if (auto failed = begin(now); !failed.empty()) return std::unexpected(failed);
+    const auto missing = simulated->run.follow(asked->steps);
+    return report::simulationJson(now->program, simulated->run, *asked, missing);
+  }
+
+  [[nodiscard]] bool canSimulate() const override { return !ide::isFiacre(options.file); }
+
   void verify() override {
     asked = true;
     cancelled = true;
@@ -129,6 +143,23 @@ public:
   [[nodiscard]] bool canVerify() const override { return true; }
 
 private:
+  /// A run of what was loaded; it goes on as long as the text is this one.
+  struct Simulated {
+    std::shared_ptr<const Loaded> loaded;
+    ide::SimulatedRun run;
+  };
+
+  /// Why there is no run; empty: there is one. \pre `simulating` is held
+  std::string begin(const std::shared_ptr<const Loaded>& now) {
+    if (simulated && simulated->loaded == now) return "";
+    auto model = modelOf(*now);
+    if (!model) return model.error().message;
+    auto run = ide::SimulatedRun::start(std::move(*model));
+    if (!run) return run.error();
+    simulated.emplace(now, std::move(*run));
+    return "";
+  }
+
   std::shared_ptr<const Loaded> current() {
     const std::lock_guard lock(mutex);
     return loaded;
@@ -240,6 +271,8 @@ private:
 
   ViewOptions options;
   EventFeed& news;
+  std::mutex simulating; ///< of what follows
+  std::optional<Simulated> simulated;
   std::mutex mutex; ///< of what follows, up to `progress`
   std::shared_ptr<const Loaded> loaded;
   OrderedJson report; ///< the last one; null: there is none yet

@@ -28,6 +28,9 @@ public:
   [[nodiscard]] virtual Answer trace(const std::string& name) = 0;
   [[nodiscard]] virtual Answer picture(const PictureParams& params) = 0;
   [[nodiscard]] virtual Answer source(const std::string& uri) = 0;
+  /// A run with these steps, as report/simulation_json.h has it.
+  [[nodiscard]] virtual Answer simulate(const OrderedJson& params) = 0;
+  [[nodiscard]] virtual bool canSimulate() const = 0;
   /// Begins anew.
   virtual void verify() = 0;
   [[nodiscard]] virtual bool canVerify() const = 0;

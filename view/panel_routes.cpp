@@ -67,10 +67,12 @@ PanelData::Answer call(std::string_view method, const OrderedJson& params, Panel
                          {"save", false},
                          {"open", false},
                          {"verify", data.canVerify()},
+                         {"simulate", data.canSimulate()},
                          {"follow", false}}},
                        {"program", data.program()}};
   if (method == "trace") return data.trace(text("name"));
   if (method == "source") return data.source(text("uri"));
+  if (method == "simulate") return data.simulate(params);
   if (method == "verify") {
     data.verify();
     return OrderedJson();

@@ -2,12 +2,24 @@
 #include "report/ordered_json.h"
 #include "view/panel_data.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
 namespace proskill::view {
 
 namespace {
+
+/// Whether all went as the program says in a recorded run.
+bool isGoodRun(const OrderedJson& recording) {
+  static const std::set<std::string> kBad{"undershoot", "overshoot", "alarm", "fault"};
+  const auto steps = recording.find("steps");
+  return steps == recording.end() || std::ranges::none_of(*steps, [](const OrderedJson& step) {
+           const auto remark = step.is_object() ? step.find("remark") : step.end();
+           return remark != step.end() && remark->is_string() &&
+                  kBad.contains(remark->get<std::string>());
+         });
+}
 
 /// One trace as a report of one property.
 OrderedJson asReport(const std::string& file, OrderedJson trace) {
@@ -22,7 +34,8 @@ OrderedJson asReport(const std::string& file, OrderedJson trace) {
                        {"subject", ""},
                        {"description", text("description", name)},
                        {"verdict", verdict},
-                       {"good", verdict == "reachable" || verdict == "holds"},
+                       {"good", verdict == "reachable" || verdict == "holds" ||
+                                    (verdict == "recorded" && isGoodRun(trace))},
                        {"severity", "error"},
                        {"location", nullptr},
                        {"trace", std::move(trace)}};
@@ -70,6 +83,11 @@ public:
     if (!text) return std::unexpected(uri + " cannot be read: " + text.error());
     return OrderedJson{{"uri", uri}, {"text", std::move(*text)}};
   }
+
+  Answer simulate(const OrderedJson&) override {
+    return std::unexpected("simulations need the program: open it instead");
+  }
+  [[nodiscard]] bool canSimulate() const override { return false; }
 
   void verify() override {}
   [[nodiscard]] bool canVerify() const override { return false; }

@@ -1,6 +1,6 @@
 // Bundles the extension into dist/, and puts beside it what the .vsix carries.
-//   node build.mjs [--server PROGRAM]
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+//   node build.mjs [--server PROGRAM [--target linux-arm64 --root FOLDER]]
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import * as esbuild from 'esbuild';
 import { carry } from './server.mjs';
@@ -38,10 +38,16 @@ put(join(tree, 'LICENSE'), 'LICENSE');
 writeFileSync(join(here, 'CHANGELOG.md'),
   readFileSync(join(tree, 'CHANGELOG.md'), 'utf8').replace(/\[([^\]]*)\]\((?!https?:)[^)]*\)/g, '$1'));
 
-const at = process.argv.indexOf('--server');
-if (at > 0) {
-  carry(process.argv[at + 1], join(here, 'server/linux-x64'));
-  put(join(tree, 'docs/diagnostics.md'), 'server/linux-x64/docs/diagnostics.md');
+const option = (name) => {
+  const at = process.argv.indexOf(name);
+  return at > 0 ? process.argv[at + 1] : null;
+};
+const server = option('--server');
+const target = option('--target') ?? 'linux-x64';
+if (server) {
+  rmSync(join(here, 'server'), { recursive: true, force: true });
+  carry(server, join(here, 'server', target), target, option('--root'));
+  put(join(tree, 'docs/diagnostics.md'), `server/${target}/docs/diagnostics.md`);
 } else if (!existsSync(join(here, 'server'))) {
   console.log('without a server; it will be looked for in the path');
 }

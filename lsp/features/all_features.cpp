@@ -9,7 +9,7 @@ Registry allFeatures() {
   Registry registry;
   for (auto add : {addActions, addAutomaton, addCompletion, addDiagnostics, addExplain,
                    addFormatting, addHierarchy, addHints, addHover, addLenses, addModel,
-                   addNavigation, addRename, addStructure, addSymbols, addTokens})
+                   addNavigation, addRename, addSimulation, addStructure, addSymbols, addTokens})
     add(registry);
   addFiacre(registry);
   return registry;

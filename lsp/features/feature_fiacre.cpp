@@ -191,6 +191,7 @@ const std::map<std::string, Handler, std::less<>>& handlers() {
       {"proskill/automaton", noProgram},
       {"proskill/explain", noProgram},
       {"proskill/model", noProgram},
+      {"proskill/simulate", nullptr},
       {"proskill/tests", noProgram},
       {"proskill/trace", nullptr},
       {"proskill/verify", nullptr},

@@ -65,6 +65,7 @@ void addStructure(Registry& registry);
 void addTokens(Registry& registry);
 void addNavigation(Registry& registry);
 void addRename(Registry& registry);
+void addSimulation(Registry& registry);
 void addSymbols(Registry& registry);
 
 [[nodiscard]] Registry allFeatures();

@@ -75,6 +75,15 @@ Actor actorNamed(const analysis::Program& program, std::string_view name) {
   return {program.stateVariables.find(name) ? "sv" : "environment", nullptr};
 }
 
+} // namespace
+
+Json stepsJson(const analysis::Program& program, const OrderedJson& steps,
+               const Converter& convert) {
+  Json all = Json::array();
+  for (const auto& step : steps) all.push_back(stepJson(step, program, convert));
+  return all;
+}
+
 Json actorsJson(const analysis::Program& program, const OrderedJson& steps) {
   Json actors = Json::array();
   std::vector<std::string> known;
@@ -88,7 +97,6 @@ Json actorsJson(const analysis::Program& program, const OrderedJson& steps) {
   return actors;
 }
 
-/// `takeoff.status` is the skill's, all that bears a variable's name is the program's own.
 Json variablesJson(const analysis::Program& program, const OrderedJson& initial) {
   Json variables = Json::array();
   for (const auto& [name, value] : initial.items())
@@ -96,8 +104,6 @@ Json variablesJson(const analysis::Program& program, const OrderedJson& initial)
         {{"name", name}, {"kind", program.stateVariables.find(name) ? "sv" : "status"}});
   return variables;
 }
-
-} // namespace
 
 Json textsJson(const analysis::Program& program, const ide::OpenTexts& open) {
   const Converter convert(program, open, syntax::Encoding::Utf8);
@@ -188,8 +194,6 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
   const auto& all = verified.verdicts->properties;
   const auto& property = *std::ranges::find(all, name, &ide::PropertyVerdict::name);
   const auto trace = OrderedJson::parse(verified.traces.at(name));
-  Json steps = Json::array();
-  for (const auto& step : trace.at("steps")) steps.push_back(stepJson(step, program, convert));
   return {{"name", name},
           {"description", property.description},
           {"verdict", ide::toString(property.verdict)},
@@ -201,7 +205,7 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
           {"initial", trace.at("initial")},
           {"variables", variablesJson(program, trace.at("initial"))},
           {"actors", actorsJson(program, trace.at("steps"))},
-          {"steps", std::move(steps)},
+          {"steps", stepsJson(program, trace.at("steps"), convert)},
           {"loop", trace.contains("loop") ? Json(trace.at("loop")) : Json()}};
 }
 

@@ -2,6 +2,7 @@
 
 #include "lsp/protocol/convert.h"
 #include "lsp/verification/verified.h"
+#include "report/ordered_json.h"
 #include "worker/run_worker.h"
 
 /// The shapes of docs/lsp.md for verdicts and traces.
@@ -17,6 +18,14 @@ namespace proskill::lsp {
 [[nodiscard]] Json countsJson(const std::vector<ide::PropertyVerdict>& properties);
 [[nodiscard]] Json explorationSummary(const verify::Exploration& exploration);
 [[nodiscard]] Json progressJson(const worker::WorkerProgress& progress);
+
+/// Steps of a trace, in the form of reports, as `proskill/trace` has them.
+[[nodiscard]] Json stepsJson(const analysis::Program& program, const OrderedJson& steps,
+                             const Converter& convert);
+/// Who acts in such steps, in the order in which they come.
+[[nodiscard]] Json actorsJson(const analysis::Program& program, const OrderedJson& steps);
+/// `takeoff.status` is the skill's, all that bears a variable's name is the program's own.
+[[nodiscard]] Json variablesJson(const analysis::Program& program, const OrderedJson& initial);
 
 /// `proskill/trace`. \pre there is a trace of that name
 [[nodiscard]] Json traceOf(const Verified& verified, const std::string& name, bool stale,

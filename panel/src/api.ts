@@ -57,6 +57,10 @@ export interface Step {
   causes?: number[];
   transitions: string[];
   origins?: number[];
+  /** of a recorded run: this is no step of the model, but something that is said of the run: `fault`, `undershoot` … */
+  remark?: string;
+  /** Of a run that was chosen: it came as late as it could. */
+  late?: boolean;
 }
 export type ActorKind = 'skill' | 'branch' | 'watchdog' | 'event' | 'environment' | 'variable' | 'process';
 export interface Actor {
@@ -187,12 +191,39 @@ export interface PictureParams {
   fold?: string[];
 }
 
+/** A step of a run that somebody chose, as it is found again, also after edits. */
+export interface ChosenStep {
+  actor: string;
+  description: string;
+  transitions: string[];
+  late?: boolean;
+}
+/** A run as it is saved and asked for: a trace has all of it but what it expects. */
+export interface ChosenRun {
+  main?: string;
+  steps: ChosenStep[];
+  /** values behind the last step */
+  expect?: { [variable: string]: string };
+}
+/** Where a chosen run is. */
+export interface Simulation {
+  main: string;
+  /** the steps that were possible */
+  trace: Trace;
+  /** what may come next, the likeliest first; empty: nothing is possible any more */
+  choices: Step[];
+  /** the first of the steps that is not possible where it was */
+  missing: { index: number; why: string } | null;
+  /** of what the run expects */
+  unmet: { variable: string; expected: string; actual: string }[];
+}
+
 // ---- what the panel asks its host ------------------------------------------------------------
 
 export interface Hello {
   contract: typeof contractVersion;
   /** `all`: with a list of verdicts and the source; else one view, for a host that has the rest */
-  layout: 'all' | 'trace' | 'automaton';
+  layout: 'all' | 'trace' | 'automaton' | 'simulation';
   can: {
     /** The panel shows the source itself, by `source`. */
     source: boolean;
@@ -202,6 +233,8 @@ export interface Hello {
     open: boolean;
     /** `verify` begins a verification. */
     verify: boolean;
+    /** `simulate` takes steps that the user chooses. */
+    simulate: boolean;
     /** `caret` is sent when the caret moves. */
     follow: boolean;
   };
@@ -223,6 +256,8 @@ export interface Requests {
   /** The host shows what it has read, by `show`. */
   open: [Record<string, never>, null];
   verify: [Record<string, never>, null];
+  /** The host keeps nothing of it: all steps are sent each time. */
+  simulate: [ChosenRun, Simulation];
 }
 export type Method = keyof Requests;
 
@@ -251,6 +286,8 @@ export interface Remembered {
   pinned?: string[];
   /** conditions whose value is shown at each step */
   watches?: string[];
+  /** of the simulation */
+  run?: ChosenRun;
 }
 
 // ---- what the host tells the panel -----------------------------------------------------------
@@ -263,6 +300,8 @@ export interface Show {
   given?: Trace;
   /** of the trace */
   step?: number;
+  /** to replay and to go on with */
+  run?: ChosenRun;
   /** The node at this place, once. */
   at?: Location;
 }

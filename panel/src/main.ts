@@ -2,6 +2,7 @@ import './style/base.css';
 import './style/app.css';
 import './style/trace.css';
 import './style/automaton.css';
+import './style/simulation.css';
 import './style/print.css';
 import { chooseHost } from './host/choose.ts';
 import { start } from './view/app.ts';

@@ -138,6 +138,15 @@ test('a skill has a bar from its start to when its status says that it ended', (
   assert.deepEqual(branch.bars.map((bar) => [bar.from, bar.to, bar.tone]), [[7, 9, 'success']]);
 });
 
+test('what is said of a recorded run ends no bar', () => {
+  const recorded = trace({ 'a.status': 'no_status' }, ['a: starts @0', 'a: undershoot: took less time than its interval says @1',
+    'a: succeeds with `done` @1 a.status=no_status>success']);
+  recorded.steps[1]!.remark = 'undershoot';
+  const lane = lanesOf(recorded).find((it) => it.name === 'a')!;
+  assert.deepEqual(lane.bars.map((bar) => [bar.from, bar.to, bar.tone]), [[0, 2, 'success']]);
+  assert.deepEqual(lane.marks, [0, 1, 2]);
+});
+
 test('a call that is refused is no run', () => {
   const lanes = lanesOf(trace({ 'a.status': 'no_status' }, ['a: is refused: its precondition does not hold @0']));
   assert.deepEqual(lanes[0]!.bars, []);

@@ -86,3 +86,17 @@ TEST_CASE("what is taken back can be chosen otherwise") {
   run.simulation.take(0);
   CHECK(run.names().empty());
 }
+
+TEST_CASE(
+    "a step can be taken as late as it may come, and just before a date that it does not reach") {
+  auto model = oneOf({2, 9}, {1, 5});
+  Run run(model);
+  const auto scale = run.simulation.choices()[0].scale;
+  CHECK(run.simulation.take(1, verify::When::Late) == 5 * scale);
+  auto open = oneOf({.lower = 2, .upper = 5, .upperOpen = true}, {9, 9});
+  Run other(open);
+  CHECK(other.simulation.take(0, verify::When::Late) == 5 * scale - 1);
+  auto unbounded = oneOf({2, std::nullopt}, {9, std::nullopt});
+  Run third(unbounded);
+  CHECK(third.simulation.take(0, verify::When::Late) == 2 * scale);
+}

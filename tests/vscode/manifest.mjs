@@ -88,6 +88,21 @@ async function files() {
   return named.length;
 }
 
+/** What the marketplace shows, and wants to have. */
+function metadata() {
+  const { publisher, displayName, description, version, license, categories, keywords, icon, galleryBanner, pricing, engines } = manifest;
+  for (const [name, value] of Object.entries({ publisher, displayName, version, license, icon, pricing, engine: engines?.vscode }))
+    wanted(typeof value === 'string' && value !== '', `package.json has no ${name}`);
+  wanted(description?.length > 40 && description.length < 200, 'the description is not a sentence that a list can show');
+  wanted(categories?.length > 0 && keywords?.length > 3 && keywords.length <= 30, 'categories or keywords are missing, or more than 30');
+  wanted(/^#[0-9a-f]{6}$/.test(galleryBanner?.color ?? '') && /^(dark|light)$/.test(galleryBanner?.theme ?? ''), 'the banner has no colour, or no theme');
+  const picture = readFileSync(join(extension, icon));
+  wanted(picture.readUInt32BE(16) >= 128 && picture.readUInt32BE(20) >= 128, 'the icon is smaller than 128 by 128');
+  for (const [file, words] of [['README.md', '# ProSkill'], ['CHANGELOG.md', '# Changelog'], ['LICENSE', 'MIT']])
+    wanted(read(file).includes(words), `${file} does not say ${words}`);
+  wanted(!/!\[[^\]]*\]\((?!https:)/.test(read('README.md')), 'README.md shows a picture that the marketplace cannot find');
+}
+
 function walkthroughs() {
   for (const { steps } of contributes.walkthroughs)
     for (const { id, title, description, media } of steps)
@@ -100,6 +115,7 @@ const count = settings();
 debuggers();
 walkthroughs();
 const named = await files();
+metadata();
 for (const complaint of complaints) console.log(complaint);
 console.log(`${known.size} commands, ${count} settings, ${named} files, ${complaints.length} complaints`);
 process.exit(complaints.length ? 1 : 0);

@@ -9,6 +9,7 @@ import { currentText, isVerified } from './places';
 import { Programs } from './programs';
 import * as protocol from './protocol';
 import { showReferences } from './show_references';
+import { Simulations } from './simulation';
 import { Status } from './status';
 import { Testing } from './testing';
 import { TraceView } from './trace/trace';
@@ -27,9 +28,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   server.explaining = (code) => explanations.open(code);
   const automaton = new AutomatonPreview(server, programs, typing, context);
   const trace = new TraceView(server, programs, typing, context, fiacre);
+  const simulations = new Simulations(server, programs, typing, context);
   const debugging = new Debugging(server, programs);
   context.subscriptions.push(
-    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, debugging);
+    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, simulations, debugging);
 
   /** An error of a command is a message to the user, and never a stack of calls. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {
@@ -54,7 +56,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     const { uri, name } = subjectOf(...args);
     return trace.open(uri, name);
   });
-  command('proskill.openTraceFile', (file) => trace.openFile(file instanceof vscode.Uri ? file : undefined));
+  command('proskill.openTraceFile', (file) => openTraceFile(trace, simulations, file instanceof vscode.Uri ? file : undefined));
+  command('proskill.simulate', (...args) => simulations.open(subjectOf(...args).uri));
   command('proskill.nextStep', () => trace.go(1));
   command('proskill.previousStep', () => trace.go(-1));
   command('proskill.showModel', (...args) => fiacre.open(subjectOf(...args).uri));
@@ -77,7 +80,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     }));
   context.subscriptions.push(
     vscode.window.registerWebviewPanelSerializer('proskill.trace', trace),
-    vscode.window.registerWebviewPanelSerializer('proskill.automaton', automaton));
+    vscode.window.registerWebviewPanelSerializer('proskill.automaton', automaton),
+    vscode.window.registerWebviewPanelSerializer('proskill.simulation', simulations));
   await server.start();
 }
 
@@ -101,6 +105,12 @@ function soonInView(server: Client, editor: vscode.TextEditor): void {
   scrolled = setTimeout(() => tellInView(server, editor), 200);
 }
 
+/** A trace to look at, or a run to replay. */
+async function openTraceFile(trace: TraceView, simulations: Simulations, file?: vscode.Uri): Promise<void> {
+  const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { 'Trace or run': ['json'] }, openLabel: 'Open' }))?.[0];
+  if (chosen && !(await simulations.openFile(chosen))) await trace.openFile(chosen);
+}
+
 async function newProgram(): Promise<void> {
   const document = await vscode.workspace.openTextDocument({ language: 'proskill', content: '' });
   await vscode.window.showTextDocument(document);
@@ -111,6 +121,7 @@ async function statusMenu(server: Client): Promise<void> {
     { label: '$(play) Verify the program', command: 'proskill.verify' },
     { label: '$(type-hierarchy) Show the automaton', command: 'proskill.showAutomaton' },
     { label: '$(list-ordered) Open a trace', command: 'proskill.openTrace' },
+    { label: '$(run-all) Simulate: choose what happens next', command: 'proskill.simulate' },
     { label: '$(debug-alt) Replay a trace in the debugger', command: 'proskill.debugTrace' },
     { label: '$(beaker) Show the properties', command: 'workbench.view.testing.focus' },
     { label: '$(code) Show the Fiacre model', command: 'proskill.showModel' },

@@ -8,7 +8,7 @@ import { save } from './save';
 import type { panel } from './protocol';
 import type { Typing } from './typing';
 
-export type Layout = 'trace' | 'automaton';
+export type Layout = 'trace' | 'automaton' | 'simulation';
 
 /** What a panel comes back with when the window is loaded again. */
 export interface SavedPanel {
@@ -17,7 +17,7 @@ export interface SavedPanel {
 }
 export const savedPanel = (memory: vscode.Memento, layout: Layout): SavedPanel | undefined => memory.get(`panel.${layout}`);
 
-const kTitles: Record<Layout, string> = { trace: 'ProSkill trace', automaton: 'ProSkill automaton' };
+const kTitles: Record<Layout, string> = { trace: 'ProSkill trace', automaton: 'ProSkill automaton', simulation: 'ProSkill simulation' };
 
 /** The host of one panel: it answers what the panel asks (panel/src/api.ts), and tells it news. */
 export class PanelHost implements vscode.Disposable {
@@ -118,6 +118,7 @@ export class PanelHost implements vscode.Disposable {
       case 'hello': return this.hello();
       case 'trace': return this.trace(params);
       case 'picture': return this.picture(params);
+      case 'simulate': return this.client.running.sendRequest(protocol.simulate, { textDocument: { uri: this.uri.toString() }, ...(params as panel.ChosenRun) });
       case 'save': return save(params);
       case 'open': return vscode.commands.executeCommand('proskill.openTraceFile');
       case 'verify': return vscode.commands.executeCommand('proskill.verify', this.uri.toString());
@@ -130,7 +131,7 @@ export class PanelHost implements vscode.Disposable {
     return {
       contract: 1,
       layout: this.layout,
-      can: { source: false, save: true, open: true, verify: vscode.workspace.isTrusted, follow: this.layout === 'automaton' },
+      can: { source: false, save: true, open: true, verify: vscode.workspace.isTrusted, simulate: this.layout === 'simulation', follow: this.layout === 'automaton' },
       program: await this.program(),
       ...(this.show && { show: this.show }),
       ...(this.remembered && { remembered: this.remembered }),

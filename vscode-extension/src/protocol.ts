@@ -107,6 +107,8 @@ export const tests = new RequestType<
 export const verify = new RequestType<VerifyParams, VerifyResult, void>('proskill/verify');
 export const trace = new RequestType<
   { textDocument: TextDocumentIdentifier; name: string }, Trace, void>('proskill/trace');
+export const simulate = new RequestType<
+  { textDocument: TextDocumentIdentifier } & panel.ChosenRun, panel.Simulation, void>('proskill/simulate');
 export const explain = new RequestType<
   { code: string }, { code: string; title: string; markdown: string; plain: string }, void>('proskill/explain');
 export const verdicts = new NotificationType<Verdicts>('proskill/verdicts');

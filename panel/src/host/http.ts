@@ -1,5 +1,5 @@
-import type { Hello, Host, Method, News, NewsOf, Picture, Program, Requests, Trace } from '../api.ts';
-import { open, traceOf } from '../model/parse.ts';
+import type { Hello, Host, Method, News, NewsOf, Picture, Program, Requests, Simulation, Trace } from '../api.ts';
+import { open, stepOf, traceOf } from '../model/parse.ts';
 import { pictureOf } from './pictures.ts';
 
 interface Answer {
@@ -70,9 +70,14 @@ export function programOf(value: unknown): Program {
 function convert(method: Method, result: unknown): unknown {
   if (method === 'picture') return pictureOf(result as Picture);
   if (method === 'trace') return traceOf(result as { [key: string]: unknown });
+  if (method === 'simulate') return simulationOf(result as Simulation);
   if (method !== 'hello') return result;
   const hello = result as Hello & { program: unknown; show?: { given?: unknown } };
   if (hello.program) hello.program = programOf(hello.program);
   if (hello.show?.given) hello.show.given = traceOf(hello.show.given as { [key: string]: unknown } & Trace);
   return hello;
+}
+
+function simulationOf(value: Simulation): Simulation {
+  return { ...value, trace: traceOf(value.trace as unknown as { [key: string]: unknown }), choices: value.choices.map(stepOf) };
 }

@@ -38,13 +38,14 @@ export class ReportHost implements Host {
       case 'picture': return this.picture(params as PictureParams);
       case 'save':
       case 'open':
+      case 'simulate':
       case 'verify': return fail('a report cannot do this');
     }
   }
 
   private hello(): Hello {
     return {
-      contract: 1, layout: 'all', can: { source: true, save: false, open: false, verify: false, follow: false },
+      contract: 1, layout: 'all', can: { source: true, save: false, open: false, verify: false, simulate: false, follow: false },
       program: programOf(this.report.report),
     };
   }

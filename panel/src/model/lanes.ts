@@ -45,7 +45,8 @@ function skillLane(trace: Trace, name: string, kind: ActorKind): Lane {
     const status = step.changes.find((change) => change.variable === variable)?.after;
     const mine = step.actor === name;
     if (mine) lane.marks.push(index);
-    const ended = mine || status ? endOf(mine ? step.description : '', status, hasStatus) : null;
+    const isStep = step.remark === undefined;
+    const ended = isStep && (mine || status) ? endOf(mine ? step.description : '', status, hasStatus) : null;
     if (running && ended) {
       Object.assign(running, { to: index, open: false, tone: ended });
       running = null;

@@ -20,7 +20,7 @@ export function locationOf(value: unknown): Location | null {
   return { uri: file, range: { start: at(begin), end: at(end) } };
 }
 
-function stepOf(value: unknown, index: number): Step {
+export function stepOf(value: unknown, index: number): Step {
   if (!isObject(value) || typeof value['actor'] !== 'string' || !isObject(value['date']) || !isObject(value['earliest']))
     throw new Error(`step ${index + 1} is not one of a trace`);
   return { changes: [], transitions: [], ...value, location: locationOf(value['location']) } as unknown as Step;

@@ -1,16 +1,18 @@
 import type { Hello, Host, Location, NewsOf, Program, Remembered, Show, Trace, Verdict } from '../api.ts';
+import { runOf } from '../model/chosen_run.ts';
 import { open } from '../model/parse.ts';
 import { AutomatonView } from './automaton_view.ts';
 import { h, plural } from './dom.ts';
 import { button, enable } from './icons.ts';
 import { Saver } from './save.ts';
+import { SimulationView } from './simulation_view.ts';
 import { SourceView } from './source_view.ts';
 import { splitter } from './splitter.ts';
 import { followTheme, inVsCode, switchTheme } from './theme.ts';
 import { TraceView } from './trace_view.ts';
 import { markOf, VerdictsView } from './verdicts_view.ts';
 
-type Tab = 'trace' | 'automaton';
+type Tab = 'trace' | 'automaton' | 'simulation';
 
 /** Asks the host what there is, and shows it. */
 export async function start(root: HTMLElement, host: Host): Promise<void> {
@@ -28,6 +30,7 @@ class App {
   private readonly source: SourceView | null;
   private readonly trace: TraceView;
   private readonly automaton: AutomatonView;
+  private readonly simulation: SimulationView | null;
   private readonly tabs = new Map<Tab, { tab: HTMLButtonElement; panel: HTMLElement }>();
   private readonly title = h('h1', {}, 'ProSkill');
   private readonly state = h('span', { class: 'state', role: 'status' });
@@ -53,10 +56,12 @@ class App {
       stepped: (byUser) => this.stepped(byUser), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
       watches: (watches) => this.remember({ watches }),
     });
+    this.simulation = hello.can.simulate && (hello.layout === 'all' || hello.layout === 'simulation')
+      ? new SimulationView(this.host, saver, { openFile: () => this.openFile(), remember: (run) => this.remember({ run }), stepped: () => undefined }) : null;
     this.trace.pin(this.remembered.pinned ?? []);
     this.trace.remember(this.remembered.watches ?? []);
     this.again = button({ icon: 'again', title: 'Verify again', onclick: () => void this.host.request('verify', {}).catch((error: Error) => this.say(error.message)) });
-    followTheme(() => void this.automaton.load(true));
+    followTheme(() => { void this.automaton.load(true); this.simulation?.redraw(); });
     this.draw();
     this.host.onNews((...news) => this.news(news));
     void this.begin();
@@ -85,6 +90,7 @@ class App {
       return this.root.replaceChildren(this.trace.element, this.toast);
     }
     if (layout === 'automaton') return this.root.replaceChildren(this.automaton.element, this.toast);
+    if (layout === 'simulation') return this.root.replaceChildren(this.simulation?.element ?? h('div', { class: 'empty' }, 'This cannot be simulated.'), this.toast);
     const main = h('main', {}, this.tabList());
     for (const { panel } of this.tabs.values()) main.append(panel);
     const body = h('div', { class: 'app-body' }, this.verdicts.element, main);
@@ -105,12 +111,15 @@ class App {
     };
     add('trace', 'Trace', this.trace.element);
     add('automaton', 'Automata', this.automaton.element);
+    if (this.simulation) add('simulation', 'Simulation', h('div', { class: 'empty' }));
     return list;
   }
 
   private tabKey(event: KeyboardEvent): void {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-    const other = this.tabs.get('trace')!.panel.hidden ? 'trace' : 'automaton';
+    const names = [...this.tabs.keys()];
+    const at = names.findIndex((name) => !this.tabs.get(name)!.panel.hidden);
+    const other = names[(at + (event.key === 'ArrowRight' ? 1 : names.length - 1)) % names.length]!;
     this.select(other);
     this.tabs.get(other)!.tab.focus();
   }
@@ -121,25 +130,32 @@ class App {
       tab.tabIndex = key === name ? 0 : -1;
       panel.hidden = key !== name;
     }
+    if (name !== 'simulation' || !this.simulation) return;
+    const { panel } = this.tabs.get(name) ?? {};
+    if (panel && !panel.contains(this.simulation.element)) panel.replaceChildren(this.simulation.element);
+    void this.simulation.begin(this.remembered.run);
   }
 
   /** What the host asks for, else what was seen last, else the first finding. */
   private async begin(): Promise<void> {
-    const { picture, trace, step } = this.remembered; // what follows has something to remember, too
+    const { picture, trace, step, run } = this.remembered; // what follows has something to remember, too
     if (this.hello.program) this.take(this.hello.program);
     if (this.hello.show) await this.show(this.hello.show);
     else {
       if (picture) await this.show({ picture });
       if (trace && !(await this.reopen(trace, step))) this.wanted = { trace, ...(step !== undefined && { step }) };
     }
+    if (this.hello.layout === 'simulation') await this.simulation?.begin(run);
     if (this.hello.layout === 'trace' && document.hasFocus() && document.activeElement === document.body) this.trace.focus();
     await this.showFirst();
   }
 
-  /** Where nothing was chosen yet, what a reader looks for: the first violated property, the program's own before those of every program. */
+  /** Where nothing was chosen yet, what a reader looks for: the only trace, or the first violated property, the program's own before those of every program. */
   private async showFirst(): Promise<void> {
-    const violated = this.program?.verdicts.filter((verdict) => markOf(verdict) === 'error' && verdict.steps !== null) ?? [];
-    const first = violated.find(({ kind }) => kind === 'property') ?? violated[0];
+    const verdicts = this.program?.verdicts ?? [];
+    const violated = verdicts.filter((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
+    const only = verdicts.length === 1 && verdicts[0]!.steps !== null ? verdicts[0] : undefined;
+    const first = violated.find(({ kind }) => kind === 'property') ?? violated[0] ?? only;
     if (this.hello.layout === 'all' && this.trace.name === null && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true);
   }
 
@@ -147,6 +163,10 @@ class App {
     if (show.picture) {
       this.select('automaton');
       await this.automaton.show(show.picture.kind, show.picture.name);
+    }
+    if (show.run) {
+      this.select('simulation');
+      await this.simulation?.open(show.run);
     }
     if (show.at) this.automaton.goTo(show.at);
     if (show.given) {
@@ -225,6 +245,7 @@ class App {
     this.trace.setOthers(program.verdicts);
     this.trace.markStale(this.isStale(program));
     if (program.pictures.length > 0) this.automaton.setProgram(program);
+    this.simulation?.setProgram(program);
     void this.source?.setProgram(program);
     if (program.state === 'done' && !program.stale) {
       if (this.wanted) void this.reopen(this.wanted.trace, this.wanted.step);
@@ -256,7 +277,9 @@ class App {
       case 'program': return this.take(news[1]);
       case 'show': return void this.show(news[1]);
       case 'caret': return this.automaton.follows(news[1]);
-      case 'edited': return void this.automaton.load(true);
+      case 'edited':
+        void this.automaton.load(true);
+        return void this.simulation?.replay();
       case 'gone':
         this.state.textContent = 'proskill view has ended; what is here stays';
         this.state.className = 'state failed';
@@ -272,7 +295,10 @@ class App {
   private async read(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
-      const { traces, program } = open(await file.text());
+      const text = await file.text();
+      const run = this.simulation && runOf(text);
+      if (run) return await this.show({ run });
+      const { traces, program } = open(text);
       for (const trace of traces) this.opened.set(trace.name, trace);
       if (program) this.take({ ...program, pictures: this.program?.pictures ?? [], files: this.program?.files ?? [] });
       const first = program?.verdicts.find((it) => !it.good && it.steps !== null)?.name;

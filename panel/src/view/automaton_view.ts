@@ -32,6 +32,9 @@ export class AutomatonView {
   private pictures: PictureName[] = [];
   /** counts requests, so that a late answer does not replace a newer one */
   private asked = 0;
+  /** places that can be taken by a click, by the parts that show them */
+  private offers: { places: readonly (Location | null)[]; taken: (indices: number[]) => void } | null = null;
+  private offered = new Map<string, number[]>();
 
   constructor(private readonly host: Host, private readonly saver: Saver, private readonly changed: (picture: PictureName) => void) {
     this.stage = new Stage((id, twice) => this.click(id, twice));
@@ -108,6 +111,7 @@ export class AutomatonView {
     if (this.selected && !this.parts.has(this.selected)) this.selected = null;
     this.select(this.selected, false);
     this.markCaret(false);
+    this.markOffers();
     this.search();
     this.forbidden.element.hidden = picture.kind !== 'sv';
     this.foldMenu.hidden = (picture.foldable ?? []).length === 0;
@@ -138,6 +142,8 @@ export class AutomatonView {
   }
 
   private click(id: string | null, twice: boolean): void {
+    const offered = id && this.offered.get(id);
+    if (offered) return twice ? undefined : this.offers!.taken(offered);
     if (id && twice && this.toggleFold(id)) return;
     this.select(id, true);
     if (id) this.reveal(id, twice);
@@ -170,6 +176,36 @@ export class AutomatonView {
     if (!part) return;
     this.select(part.id, false);
     this.stage.reveal(part.id);
+  }
+
+  /** What may be done at these places is done by a click on the part that shows it. Whether any is shown. */
+  offer(places: readonly (Location | null)[], taken: (indices: number[]) => void): boolean {
+    this.offers = { places, taken };
+    this.markOffers();
+    return this.offered.size > 0;
+  }
+
+  private markOffers(): void {
+    this.offered = new Map();
+    if (!this.picture || !this.offers) return;
+    this.offers.places.forEach((place, index) => {
+      const part = place && partAt(this.picture!, place);
+      if (part && part.type !== 'cluster') this.offered.set(part.id, [...(this.offered.get(part.id) ?? []), index]);
+    });
+    this.stage.ring('offered', [...this.offered.keys()]);
+    for (const part of this.parts.values()) this.stage.group(part.id)?.classList.toggle('offered', this.offered.has(part.id));
+  }
+
+  /** Marks the part that shows one of the places. */
+  point(index: number | null): void {
+    const at = [...this.offered].find(([, indices]) => index !== null && indices.includes(index))?.[0];
+    this.stage.ring('selected', at ? [at] : []);
+  }
+
+  /** The picture of a skill, where there is one that is not shown. */
+  showOf(name: string): void {
+    const found = ['body', 'skill'].map((kind) => this.pictures.find((it) => it.kind === kind && it.name === name)).find(Boolean);
+    if (this.follow.on && found && (found.kind !== this.wanted?.kind || found.name !== this.wanted?.name)) void this.show(found.kind, found.name);
   }
 
   private markCaret(move: boolean): void {

@@ -52,7 +52,8 @@ export class StepList {
   private current = -1;
   private readonly draw = onceAFrame(() => this.drawNow());
 
-  constructor(private readonly events: StepListEvents) {
+  /** `prefix`: of the steps' ids, where a page has several lists. */
+  constructor(private readonly events: StepListEvents, private readonly prefix: string) {
     this.element = h('div', {
       class: 'steps', tabindex: 0, role: 'listbox', 'aria-label': 'Steps of the trace', onscroll: () => this.draw(),
       onkeydown: (event: KeyboardEvent) => this.key(event),
@@ -157,7 +158,7 @@ export class StepList {
       out.push(element);
     }
     this.space.replaceChildren(...out);
-    const active = this.rowOf.has(this.current) ? `step-${this.current}` : null;
+    const active = this.rowOf.has(this.current) ? `${this.prefix}-${this.current}` : null;
     if (active && document.getElementById(active)) this.element.setAttribute('aria-activedescendant', active);
     else this.element.removeAttribute('aria-activedescendant');
   }
@@ -194,7 +195,7 @@ export class StepList {
     const classes = ['row', 'step', !matters(step) && 'aside', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
       this.inLoop(index) && 'in-loop', trace.loop === index && 'loop-start', `hue-${this.hueOf(step.actor)}`];
     return h('div', {
-      class: classes.filter(Boolean).join(' '), id: `step-${index}`, role: 'option', 'aria-selected': String(index === this.current),
+      class: classes.filter(Boolean).join(' '), id: `${this.prefix}-${index}`, role: 'option', 'aria-selected': String(index === this.current),
       'aria-posinset': this.positions.get(index) ?? 1, 'aria-setsize': steps.length,
       'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.description}${step.why ? `, why: ${step.why}` : ''}${matters(step) ? '' : '; it does not matter here'}`,
       onclick: () => this.choose(index), ondblclick: () => this.events.enter(index),

@@ -60,8 +60,8 @@ export class TraceView {
   name: string | null = null;
   current = -1;
 
-  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents) {
-    this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) });
+  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents, ids = 'step') {
+    this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) }, ids);
     this.values = new ValuesView({
       pinned: (names) => events.pinned(names), filter: (name) => this.toggleVariable(name),
       watch: (text) => this.watch(text), unwatch: (text) => this.setWatches(this.watchTexts.filter((it) => it !== text)),
@@ -166,7 +166,7 @@ export class TraceView {
    * Another trace of the same property, after another verification. The step stays: the one that does the same, else the nearest.
    * So does what is in view; the source goes nowhere.
    */
-  renew(trace: Trace): void {
+  renew(trace: Trace, tells = true): void {
     const former = this.given ? { trace: this.given, index: this.current } : this.former;
     if (!former) return this.show(trace);
     const found = continuation(former.trace, former.index, trace);
@@ -186,7 +186,7 @@ export class TraceView {
     this.lanes.renew(this.trace!);
     this.refresh(found.index);
     this.moveTo(found.index, false);
-    if (isNew) this.head.say(found.same
+    if (isNew && tells) this.head.say(found.same
       ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`);
   }
 

@@ -50,6 +50,20 @@ def traces(client, types, uri, verdicts):
             types.check(client.result('proskill/trace', about(uri, name=verdict['name'])), 'Trace')
 
 
+def simulations(client, types, uri):
+    """The first steps that are offered, the last of them late; then one that there is not."""
+    steps = []
+    for _ in range(6):
+        now = client.result('proskill/simulate', about(uri, steps=steps, expect={'nobody': 'x'}))
+        types.check(now, 'Simulation')
+        if not now['choices']:
+            break
+        steps.append({**now['choices'][0], 'late': True})
+    missing = client.result('proskill/simulate', about(uri, steps=[{'actor': 'nobody', 'description': 'does this'}]))
+    types.check(missing, 'Simulation')
+    assert missing['missing']['index'] == 0
+
+
 def verdicts(client, types, uri):
     result = client.result('proskill/verify', about(uri))
     types.check(result, 'VerifyResult')
@@ -65,6 +79,7 @@ def main():
         client.open(uri, text)
         pictures(client, types, uri)
         models(client, types, uri)
+        simulations(client, types, uri)
         verdicts(client, types, uri)
         types.check(client.result('proskill/tests', about(uri)), 'Tests')
     client.open('untitled:endless', ENDLESS)

@@ -2,7 +2,10 @@
 import { scenarios as automaton } from './automaton.mjs';
 import { scenarios as debugging } from './debugger.mjs';
 import { scenarios as editing } from './editing.mjs';
+import { scenarios as first } from './first.mjs';
+import { scenarios as large } from './large.mjs';
 import { scenarios as picture } from './picture.mjs';
+import { scenarios as simulation } from './simulation.mjs';
 import { scenarios as testing } from './testing.mjs';
 import { scenarios as traces } from './traces.mjs';
 import { scenarios as trust } from './trust.mjs';
@@ -11,5 +14,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...typing, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...typing, ...large, ...simulation, ...first, ...debugging, ...walkthrough,
 };

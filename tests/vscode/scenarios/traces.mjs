@@ -13,7 +13,7 @@ const steps = (frame) => frame.locator('.step');
 const count = (frame) => frame.locator('.count').textContent();
 
 async function openFromFile({ editor, root }, name) {
-  await editor.command('ProSkill: Open Trace from File');
+  await editor.command('ProSkill: Open Trace or Run from File');
   const input = editor.quickInput().locator('input.input');
   await expect('the dialog in a folder', async () => (await input.inputValue()).startsWith(root));
   await editor.quickInput().locator('.monaco-list-row[aria-label=".."]').waitFor();

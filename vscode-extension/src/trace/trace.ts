@@ -38,10 +38,8 @@ export class TraceView implements vscode.Disposable {
   }
 
   /** A trace of a file, such as one that the view has saved. */
-  async openFile(file?: vscode.Uri): Promise<void> {
-    const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { Trace: ['json'] }, openLabel: 'Open trace' }))?.[0];
-    if (!chosen) return;
-    const read = await readTrace(chosen);
+  async openFile(file: vscode.Uri): Promise<void> {
+    const read = await readTrace(file);
     if (read) await this.show(read.program, { given: read.trace, step: 0 });
   }
 

@@ -1,0 +1,15 @@
+import type { Simulation, Trace } from '../api.ts';
+import { Values } from './values.ts';
+
+/** What a variable is behind the last step. */
+export function lastValues(trace: Trace): { [variable: string]: string } {
+  return Object.fromEntries(new Values(trace).at(trace.steps.length - 1));
+}
+
+/** The run as a test: a trace that every program reads, with the values that it is to end with. */
+export function testOf(simulation: Simulation, program: string): string {
+  const { trace, main } = simulation;
+  const moved = new Set(trace.steps.flatMap((step) => step.changes.map(({ variable }) => variable)));
+  const expect = Object.fromEntries(Object.entries(lastValues(trace)).filter(([variable]) => moved.has(variable)));
+  return JSON.stringify({ version: 1, ...trace, program, main, expect }, null, 2) + '\n';
+}
