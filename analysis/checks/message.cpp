@@ -34,7 +34,7 @@ bool takes(char letter, TypeKind kind) {
 
 std::string_view takenBy(char letter) {
   switch (letter) {
-  case 'd': return "a whole number";
+  case 'd': return "an integer";
   case 'f': return "a number";
   default: return "a string or a value that has a name";
   }

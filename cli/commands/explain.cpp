@@ -98,8 +98,9 @@ void printMarkdown() {
          " a test compares. -->\n\n"
          "What `proskill check` and the editors report, by code. `proskill explain CODE` "
          "prints one of these.\n"
-         "Each program below raises its code. Of an error there is no model and no verdict; a "
-         "warning says that\nsomething is probably not meant; a hint is no finding.\n";
+         "Each program below raises its code. A program with errors has no model and no verdict. A "
+         "warning reports\nsomething that is probably not intended. A hint does not count as a "
+         "finding.\n";
   for (const syntax::CodeInfo& code : syntax::allCodes()) {
     std::cout << "\n## " << code.id << ": " << titleOf(code) << "\n\n"
               << "*" << report::words(code.severity) << "* — " << paragraphOf(code) << '\n';

@@ -87,7 +87,7 @@ void readPairs(Builder& builder, const Node& list, StateVariable& variable) {
       variable.transitions.push_back({names[0], names[1], part->range});
     } else if (!reported && !isDamaged(*part)) {
       builder.report(Code::MalformedValue, part->range, ":transitions",
-                     "pairs of values here, such as `(Good Low)`");
+                     "pairs of values, such as `(Good Low)`");
       reported = true;
     }
   }

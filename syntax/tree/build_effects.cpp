@@ -14,7 +14,7 @@ Effect effectOf(Builder& builder, const Node& node) {
     Offset end = effect.variable.range.end;
     effect.value.range = {end, end};
     builder.report(Code::MalformedEffects, node.range,
-                   fmt::format("`{}` is given no value", effect.variable.text));
+                   fmt::format("`{}` has no value", effect.variable.text));
     return effect;
   }
   effect.value = expressionOf(builder, *value);
@@ -27,13 +27,13 @@ void readOne(Builder& builder, const Node& node, Effects& effects) {
     effects.items.push_back(effectOf(builder, node));
   else if (!isDamaged(node))
     builder.report(Code::MalformedEffects, node.range,
-                   fmt::format("`{}` is none", builder.quoted(node)));
+                   fmt::format("`{}` is not an effect", builder.quoted(node)));
 }
 
 /// `(a X) (b Y)`, where a list of the two was meant.
 void reportUnlisted(Builder& builder, Range range) {
   auto& diagnostic =
-      builder.report(Code::MalformedEffects, range, "several stand in parentheses of their own");
+      builder.report(Code::MalformedEffects, range, "several effects need parentheses around them");
   diagnostic.fixes.push_back(
       {"put them in parentheses", {0, range}, fmt::format("({})", builder.textOf(range))});
 }

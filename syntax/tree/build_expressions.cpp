@@ -137,14 +137,14 @@ std::string_view hintFor(std::string_view head) {
   if (head == "=<") return "write `<=`";
   if (head == "->" || head == "implies") return "write `(=> a b)` for an implication";
   if (head == "<->" || head == "iff") return "write `(<=> a b)` for an equivalence";
-  return "it begins with no operator and no name";
+  return "it must begin with an operator or a name";
 }
 
 void reportNoCondition(Builder& builder, const Node& node) {
   if (isDamaged(node)) return;
   if (node.kind != NodeKind::List) {
     builder.report(Code::MalformedCondition, node.range,
-                   fmt::format("`{}` cannot stand here", builder.quoted(node)));
+                   fmt::format("`{}` is not allowed here", builder.quoted(node)));
     return;
   }
   Parts parts(node);

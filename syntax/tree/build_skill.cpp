@@ -187,7 +187,7 @@ void reportNoOutcome(Builder& builder, const Node& node) {
     builder.report(Code::MalformedOutcome, node.range, "the tag before the parenthesis is missing");
   else
     builder.report(Code::MalformedOutcome, node.range,
-                   fmt::format("`{}` is none", builder.quoted(node)));
+                   fmt::format("`{}` is not an outcome", builder.quoted(node)));
 }
 
 List<Outcome> outcomesOf(Builder& builder, Field& field) {

@@ -29,7 +29,7 @@ bool isClauseWord(std::string_view word) {
 
 void reportClauseWord(Builder& builder, Range range, std::string_view word) {
   builder.report(Code::MalformedStatement, range,
-                 fmt::format("`{}` stands directly in its `{}`, without parentheses", word,
+                 fmt::format("write `{}` directly in its `{}`, without parentheses", word,
                              word == "until" ? "do" : "if"));
 }
 
@@ -41,7 +41,7 @@ void reportNoStatement(Builder& builder, const Node& node) {
     if (!head)
       builder.report(Code::EmptyForm, node.range);
     else if (!isDamaged(*head))
-      builder.report(Code::MalformedStatement, node.range, "it begins with no name");
+      builder.report(Code::MalformedStatement, node.range, "it must begin with a name");
   } else if (isClauseWord(text)) {
     reportClauseWord(builder, node.range, text);
   } else if (node.kind == NodeKind::Symbol) {
@@ -51,7 +51,7 @@ void reportNoStatement(Builder& builder, const Node& node) {
         {"put it in parentheses", {0, node.range}, fmt::format("({})", text)});
   } else {
     builder.report(Code::MalformedStatement, node.range,
-                   fmt::format("`{}` cannot stand alone", text));
+                   fmt::format("`{}` cannot be used alone", text));
   }
 }
 
@@ -121,7 +121,7 @@ void readDuration(Builder& builder, Parts& parts, Statement& statement) {
   if (const Node* number = parts.take(NodeKind::Number)) {
     statement.duration = instant(builder, *number);
     if (statement.duration.lower < Rational{})
-      builder.report(Code::MalformedInterval, number->range, "no duration is negative");
+      builder.report(Code::MalformedInterval, number->range, "a duration cannot be negative");
   } else if (auto interval = takeInterval(builder, parts)) {
     statement.duration = *interval;
   }
@@ -317,8 +317,8 @@ Block blockOf(Builder& builder, const Node& list) {
   if (looksLikeOneStatement(list)) {
     // Its words are no statements each; one mistake, one report.
     if (!isDamaged(*parts.peek())) {
-      auto& diagnostic = builder.report(Code::MalformedStatement, list.range,
-                                        "a list of statements is needed here");
+      auto& diagnostic =
+          builder.report(Code::MalformedStatement, list.range, "expected a list of statements");
       diagnostic.fixes.push_back(
           {"put it in parentheses", {0, list.range}, fmt::format("({})", builder.textOf(list))});
     }

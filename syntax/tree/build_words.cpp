@@ -111,7 +111,7 @@ std::string_view readInterval(const Builder& builder, const Node& node, Interval
   if (!right) return "the closing bracket is missing";
   interval.upperOpen = !upper || builder.textOf(*right) == "[";
   if (interval.lower < Rational{} || (upper && *interval.upper < Rational{}))
-    return "no duration is negative";
+    return "a duration cannot be negative";
   return {};
 }
 

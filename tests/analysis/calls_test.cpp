@@ -17,7 +17,7 @@ TEST_CASE("a call gives each input once") {
   CHECK(findings(mission("(survey speed 3)")) == "PS0208 speed");
   CHECK(findings(mission("(takeoff 3.0)")) == "PS0123 3.0");
   CHECK(diagnose(mission("(takeoff)"))[0].message ==
-        "the call of `takeoff` lacks `height` and `duration`");
+        "the call of `takeoff` needs `height` and `duration`");
 }
 
 TEST_CASE("arguments have the types of their inputs") {
@@ -89,7 +89,7 @@ TEST_CASE("skills do not call themselves") {
   const auto found = diagnose("(defskill a :body ((b))) (defskill b :body ((c)))"
                               "(defskill c :body ((a)))");
   REQUIRE(found.size() == 1);
-  CHECK(found[0].message == "`a` ends up calling itself");
+  CHECK(found[0].message == "`a` calls itself, directly or through other skills");
   REQUIRE(found[0].related.size() == 2);
   CHECK(found[0].related[0].message == "`a` calls `b` here");
   CHECK(found[0].related[1].message == "`b` calls `c` here");

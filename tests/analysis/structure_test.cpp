@@ -15,7 +15,7 @@ TEST_CASE("a state variable is an enumeration or a natural") {
   CHECK(findings("(defsv s :max 1)") == "PS0401 s");
   CHECK(findings("(defsv s :states (A B) :init A :min 0)") == "PS0403 :min");
   CHECK(findings("(defsv s :init 0 :min 0 :max 1 :transitions :all)") == "PS0403 :transitions");
-  CHECK(diagnose("(defsv s :max 1)")[0].message == "state variable `s` lacks `:init` and `:min`");
+  CHECK(diagnose("(defsv s :max 1)")[0].message == "state variable `s` needs `:init` and `:min`");
 }
 
 TEST_CASE("a skill is basic or composite") {

@@ -115,7 +115,7 @@ TEST_CASE("a mark over several lines is drawn at both ends") {
   const Finished result = check("(defsv n :init 1 :min 0 :max 3)\n"
                                 "(defskill m :body ((^ (+ n\n"
                                 "                         1))))\n");
-  CHECK(result.out == "error[PS0301]: a condition is needed here, and this is a natural\n"
+  CHECK(result.out == "error[PS0301]: expected a condition, found a natural\n"
                       " --> main.proskill:2:23\n"
                       "  |\n"
                       "2 | (defskill m :body ((^ (+ n\n"

@@ -40,7 +40,7 @@ TEST_CASE("the codes about Fiacre are raised by their examples") {
 TEST_CASE("a mistake in Fiacre is told at the name that it is about") {
   CHECK(found("process P is\nstates a\nfrom a x := 1; to a\n"
               "component m is par * in P end\nm") ==
-        "`x`: process P, state a: `x` is no variable, and cannot be assigned to\n");
+        "`x`: process P, state a: `x` is not a variable and cannot be assigned to\n");
   CHECK(found("process P is\nstates a\nfrom a to b\ncomponent m is par * in P end\nm") ==
         "`b`: process P, state a: the state `b` is not declared\n");
 }
@@ -54,8 +54,7 @@ TEST_CASE("a port that nobody else has is told where it is declared, and the mod
   const auto read = ide::readFiacre("m.fcr", text);
   REQUIRE(read.diagnostics.size() == 1);
   const auto& warning = read.diagnostics[0];
-  CHECK(warning.message ==
-        "only P has the port `go`: it is passed alone, whenever its process can");
+  CHECK(warning.message == "only P has the port `go`: it is taken alone, whenever its process can");
   CHECK(warning.severity == syntax::Severity::Warning);
   CHECK(warning.location.range.begin == text.rfind("go: sync par"));
   REQUIRE_FALSE(read.hasErrors());

@@ -181,7 +181,7 @@ TEST_CASE("control characters are named") {
   auto document = Document::parse("(defsv a :init 1\0 :min 0 :max 2)"s);
   REQUIRE(test::codesOf(document) == "PS0002");
   CHECK(document.diagnostics()[0].message ==
-        "a control character (U+0000) has no place in a program");
+        "control character (U+0000) is not allowed in a program");
 }
 
 TEST_CASE("a byte order mark and the line ends of other systems are tolerated") {
