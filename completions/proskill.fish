@@ -11,7 +11,7 @@ end
 
 complete -c proskill -f
 complete -c proskill -n __fish_use_subcommand -l version -d 'show the version'
-complete -c proskill -n __fish_use_subcommand -a check -d 'Find mistakes in programs'
+complete -c proskill -n __fish_use_subcommand -a check -d 'Find errors in programs'
 complete -c proskill -n '__fish_seen_subcommand_from check' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from check' -l fragment -d 'The files are parts of programs: names defined elsewhere are only hints'
 complete -c proskill -n '__fish_seen_subcommand_from check' -l style -d 'Report hints on style too'
@@ -22,7 +22,7 @@ complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complet
 complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a conform -d 'Decide whether a recorded run is a run of the model that is verified'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -s h -l help -d 'Print this help message and exit'
-complete -c proskill -n '__fish_seen_subcommand_from conform' -l tolerance -d 'How far the times of actions may be off their intervals (default 0)' -x
+complete -c proskill -n '__fish_seen_subcommand_from conform' -l tolerance -d 'Tolerance on the intervals of actions, in seconds (default 0)' -x
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -ka '(__fish_complete_suffix .fcr)'
@@ -70,7 +70,7 @@ complete -c proskill -n '__fish_seen_subcommand_from lsp' -l port -d 'Wait for o
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l log -d 'Append one line per request to this file' -r
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l debounce -d 'Wait this long after the last edit before reporting (default 50)' -x
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l stdio -d 'Use standard input and output, as by default'
-complete -c proskill -n __fish_use_subcommand -a replay -d 'Take the steps of saved runs again, and compare how they end'
+complete -c proskill -n __fish_use_subcommand -a replay -d 'Replay saved runs, and compare how they end'
 complete -c proskill -n '__fish_seen_subcommand_from replay' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from replay' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_complete_suffix .proskill)'
@@ -78,11 +78,11 @@ complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_comple
 complete -c proskill -n __fish_use_subcommand -a run -d 'Execute a program on a robot, or on a simulated one'
 complete -c proskill -n '__fish_seen_subcommand_from run' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l main -d 'The skill that is the mission, where several could be' -x
-complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Who performs the actions (JSON): a program or a simulation; the default is a simulation' -r
-complete -c proskill -n '__fish_seen_subcommand_from run' -l script -d 'What happens in a simulation (JSON): results, events, interrupts' -r
-complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time, so many times faster (10x), or time that jumps to what comes next (the default of a simulation)' -x -a 'real simulated Nx'
-complete -c proskill -n '__fish_seen_subcommand_from run' -l seed -d 'What is drawn in a simulation; the same seed, the same run (default 0)' -x
-complete -c proskill -n '__fish_seen_subcommand_from run' -l until -d 'End the run after this time (a simulation: 1d): seconds, or with m, h, d' -x
+complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Platform that performs the actions (JSON): a program or a simulation (default: a simulation)' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l script -d 'Script of a simulation (JSON): results, events, interrupts' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time, N times real time (10x), or simulated: time jumps to the next step (default of a simulation)' -x -a 'real simulated Nx'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l seed -d 'Seed of a simulation (default 0); the same seed gives the same run' -x
+complete -c proskill -n '__fish_seen_subcommand_from run' -l until -d 'End the run after this time, in seconds or with m, h, d (a simulation: 1d)' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l format -d 'How to print what happens' -x -a 'text json'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l record -d 'Record the run in this file, as a trace that `proskill view` opens' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'

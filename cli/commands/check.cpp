@@ -203,7 +203,7 @@ int runCheck(const CheckArguments& arguments) {
 
 void addCheck(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<CheckArguments>();
-  auto* command = app.add_subcommand("check", "Find mistakes in programs");
+  auto* command = app.add_subcommand("check", "Find errors in programs");
   command
       ->add_option("file", arguments->files, "Root files of programs, or models in Fiacre (.fcr)")
       ->required();

@@ -66,7 +66,7 @@ Layout layOut(const std::string& file, std::string text) {
   if (edits.empty()) return {std::move(document), {}};
   const auto result = syntax::applyEdits(document.text(), edits);
   if (!syntax::sameTokens(document, syntax::Document::parse(result)))
-    throw std::logic_error("laying out `" + file + "` would change more than white space");
+    throw std::logic_error("formatting `" + file + "` would change more than white space");
   return {std::move(document), std::move(edits)};
 }
 

@@ -74,22 +74,24 @@ void addConform(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<ConformArguments>();
   auto* command = app.add_subcommand(
       "conform", "Decide whether a recorded run is a run of the model that is verified");
-  command->add_option("recording", arguments->recording, "What `proskill run --record` wrote")
+  command
+      ->add_option("recording", arguments->recording,
+                   "Recording written by `proskill run --record`")
       ->required();
   command->add_option("file", arguments->file, "Root file of the program")->required();
   show(command
            ->add_option("--tolerance", arguments->tolerance,
-                        "How far the times of actions may be off their intervals (default 0)")
+                        "Tolerance on the intervals of actions, in seconds (default 0)")
            ->check(positiveSeconds()),
        group::kSubject, "SECONDS");
   addColour(*command, arguments->colour);
   showBelow(*command,
             {"proskill conform run.json mission.proskill",
              "proskill conform --tolerance 0.01 run.json mission.proskill"},
-            {{kDone, "it is one"},
-             {kFound, "no run of the model has these steps at these times"},
+            {{kDone, "the recording is a run of the model"},
+             {kFound, "it is not: no run of the model has these steps at these times"},
              {kFailed, "the command line, a file or the program is wrong"},
-             {kInconclusive, "it could not be decided"}});
+             {kInconclusive, "not decided"}});
   command->callback([arguments, &exitCode] { exitCode = runConform(*arguments); });
 }
 

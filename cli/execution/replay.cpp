@@ -83,12 +83,11 @@ int runReplay(const ReplayArguments& arguments) {
 
 void addReplay(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<ReplayArguments>();
-  auto* command =
-      app.add_subcommand("replay", "Take the steps of saved runs again, and compare how they end");
+  auto* command = app.add_subcommand("replay", "Replay saved runs, and compare how they end");
   command->add_option("file", arguments->file, "Root file of the program")->required();
   command
       ->add_option("runs", arguments->runs,
-                   "Runs that the simulation of `proskill view` or VS Code saved")
+                   "Runs saved by the simulation of `proskill view` or VS Code")
       ->required();
   addColour(*command, arguments->colour);
   showBelow(*command, {"proskill replay mission.proskill tests/*.run.json"},

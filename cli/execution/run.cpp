@@ -201,14 +201,14 @@ void addRun(CLI::App& app, int& exitCode) {
   auto& command =
       addCommand<RunArguments>(app, "run", "Execute a program on a robot, or on a simulated one",
                                addRunOptions, runRun, exitCode);
-  showBelow(command,
-            {"proskill run mission.proskill",
-             "proskill run --seed 7 --record run.json mission.proskill",
-             "proskill run --clock 10x --script script.json mission.proskill"},
-            {{kDone, "the mission succeeded, and all went as the program says"},
-             {kFound, "the mission did not succeed, or something happened that should not have"},
-             {kFailed, "the command line, a file or the program is wrong"},
-             {kInconclusive, "the run ended before the mission did"}});
+  showBelow(
+      command,
+      {"proskill run mission.proskill", "proskill run --seed 7 --record run.json mission.proskill",
+       "proskill run --clock 10x --script script.json mission.proskill"},
+      {{kDone, "the mission succeeded, and nothing unexpected happened"},
+       {kFound, "the mission did not succeed, or something happened that the program forbids"},
+       {kFailed, "the command line, a file or the program is wrong"},
+       {kInconclusive, "the run ended before the mission did"}});
 }
 
 } // namespace proskill::cli

@@ -44,11 +44,11 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
   addMainSkill(command, arguments.mainSkill);
   show(command.add_option(
            "--platform", arguments.platform,
-           "Who performs the actions (JSON): a program or a simulation; the default is a "
-           "simulation"),
+           "Platform that performs the actions (JSON): a program or a simulation (default: a "
+           "simulation)"),
        group::kSubject, "FILE");
   show(command.add_option("--script", arguments.script,
-                          "What happens in a simulation (JSON): results, events, interrupts"),
+                          "Script of a simulation (JSON): results, events, interrupts"),
        group::kSubject, "FILE");
   const auto isClock = [](const std::string& word) {
     return word == "simulated" || clockFactor(word)
@@ -57,21 +57,22 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
   };
   show(command
            .add_option("--clock", arguments.clock,
-                       "Real time, so many times faster (10x), or time that jumps to what comes "
-                       "next (the default of a simulation)")
+                       "Real time, N times real time (10x), or simulated: time jumps to the next "
+                       "step (default of a simulation)")
            ->check(CLI::Validator(isClock, "")),
        group::kSubject, "real|simulated|Nx");
   show(command.add_option("--seed", arguments.seed,
-                          "What is drawn in a simulation; the same seed, the same run (default 0)"),
+                          "Seed of a simulation (default 0); the same seed gives the same run"),
        group::kSubject, "SEED");
   const auto setUntil = [&arguments](const std::string& word) {
     arguments.until = lengthOfTime(word);
     if (!arguments.until)
-      throw CLI::ValidationError("--until", "`" + word + "` is no time like 90, 5m, 2h or 1d");
+      throw CLI::ValidationError("--until",
+                                 "`" + word + "` is not a time such as 90, 5m, 2h or 1d");
   };
   show(command.add_option_function<std::string>(
            "--until", setUntil,
-           "End the run after this time (a simulation: 1d): seconds, or with m, h, d"),
+           "End the run after this time, in seconds or with m, h, d (a simulation: 1d)"),
        group::kLimits, "TIME");
   addChoice<RunFormat>(command, "--format", arguments.format,
                        {{"text", RunFormat::Text}, {"json", RunFormat::Json}},

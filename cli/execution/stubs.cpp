@@ -77,7 +77,7 @@ void addStubOptions(CLI::App& command, StubArguments& arguments) {
   addChoice<StubLanguage>(command, "--language", arguments.language,
                           {{"python", StubLanguage::Python}}, "The language of the functions");
   command.add_option("file", arguments.file, "Root file of the program")->required();
-  command.add_option("directory", arguments.directory, "Where they are written")->required();
+  command.add_option("directory", arguments.directory, "Output directory")->required();
   addMainSkill(command, arguments.mainSkill);
   addColour(command, arguments.colour);
 }
@@ -91,7 +91,7 @@ void addStubs(CLI::App& app, int& exitCode) {
   showBelow(command,
             {"proskill stubs mission.proskill robot",
              "proskill run --platform robot/platform.json mission.proskill"},
-            {{kDone, "they are written; what was yours is as it was"},
+            {{kDone, "the functions were written; your own code was not changed"},
              {kFailed, "the command line, a file or the program is wrong; nothing was written"}});
 }
 

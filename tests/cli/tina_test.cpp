@@ -94,8 +94,9 @@ TEST_CASE("verify --backend tina says what is missing, and runs nothing") {
   CHECK_FALSE(std::filesystem::exists(scene.tools.path("ran")));
   const auto named =
       scene.verify({"--backend", "tina", "--selt", "/no/such/selt", "--cc", "no-such-cc"});
-  CHECK_THAT(named.err, Catch::Contains("`/no/such/selt` is no program that can be run") &&
-                            Catch::Contains("`cc` is missing: `no-such-cc` is no program"));
+  CHECK_THAT(named.err,
+             Catch::Contains("`/no/such/selt` is not an executable program") &&
+                 Catch::Contains("`cc` is missing: `no-such-cc` is not an executable program"));
 }
 
 TEST_CASE("verify --backend tina is for models in Fiacre, too") {
