@@ -65,7 +65,7 @@ Source sourceIn(const OrderedJson& report, const std::string& wanted,
     if (!trace) return std::unexpected(trace.error());
     return recorded(std::move(*trace));
   } catch (const OrderedJson::exception& error) {
-    return std::unexpected(fmt::format("this is no report of a verification: {}", error.what()));
+    return std::unexpected(fmt::format("not a report of a verification: {}", error.what()));
   }
 }
 
@@ -77,7 +77,7 @@ Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& di
         fmt::format("cannot read `{}`: {}", arguments.trace.string(), text.error()));
   auto json = OrderedJson::parse(*text, nullptr, false);
   if (!json.is_object())
-    return std::unexpected(fmt::format("`{}` is no JSON", arguments.trace.string()));
+    return std::unexpected(fmt::format("`{}` is not valid JSON", arguments.trace.string()));
   if (json.contains("properties")) return sourceIn(json, arguments.property, arguments.directory);
   auto trace = readTrace(json, arguments.directory);
   if (!trace) return std::unexpected(trace.error());

@@ -101,7 +101,7 @@ Adapter::Answer Adapter::dataBreakpointInfo(const Json& arguments) {
   const auto name = arguments.at("name").get<std::string>();
   const auto values = player->valuesAt(0);
   if (std::ranges::find(values, name, [](const auto& it) { return it.first; }) == values.end())
-    return Json{{"dataId", nullptr}, {"description", "this is no variable of the program"}};
+    return Json{{"dataId", nullptr}, {"description", "not a variable of the program"}};
   return Json{{"dataId", name},
               {"description", fmt::format("when `{}` changes", name)},
               {"accessTypes", Json::array({"write"})}};

@@ -89,7 +89,7 @@ std::expected<Trace, std::string> readTrace(const OrderedJson& json,
     for (const auto& step : whole.at("steps")) trace.steps.push_back(stepOf(step, base));
     return trace;
   } catch (const OrderedJson::exception& error) {
-    return std::unexpected(fmt::format("this is no trace: {}", error.what()));
+    return std::unexpected(fmt::format("not a trace: {}", error.what()));
   }
 }
 

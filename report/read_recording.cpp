@@ -76,12 +76,12 @@ readRecording(std::string_view text, const analysis::Program& program, std::stri
     const auto value = parsed(text);
     if (!value.is_object() || !value.contains("steps") || !value["steps"].is_array())
       return std::unexpected("it has no steps");
-    if (word(value, "verdict") != "recorded") return std::unexpected("it is no recorded run");
+    if (word(value, "verdict") != "recorded") return std::unexpected("it is not a recorded run");
     main = word(value, "main");
     runtime::RecordedRun run;
     run.environment = value.contains("environment") && value["environment"] == true;
     for (const auto& step : value["steps"]) {
-      if (!step.is_object()) return std::unexpected("a step is no object");
+      if (!step.is_object()) return std::unexpected("a step must be an object");
       if (!step.contains("remark")) run.steps.push_back(stepOf(step, program));
     }
     return run;

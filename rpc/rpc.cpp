@@ -79,14 +79,14 @@ std::string withWholeCharacters(std::string_view body) {
 }
 
 std::expected<Message, MalformedMessage> messageOf(const Json& json) {
-  if (!json.is_object()) return std::unexpected(malformed("the message is no object"));
+  if (!json.is_object()) return std::unexpected(malformed("the message must be an object"));
   auto id = memberOrNull(json, "id");
   if (memberOrNull(json, "jsonrpc") != "2.0")
     return std::unexpected(malformed("`jsonrpc` is not \"2.0\"", isIdentifier(id) ? id : Json()));
   auto method = memberOrNull(json, "method");
   if (method.is_string()) return call(json, std::move(id));
   if (!method.is_null() || !json.contains("id"))
-    return std::unexpected(malformed("`method` is no string", isIdentifier(id) ? id : Json()));
+    return std::unexpected(malformed("`method` must be a string", isIdentifier(id) ? id : Json()));
   Message message;
   message.kind = MessageKind::Response;
   message.id = std::move(id);
@@ -102,7 +102,8 @@ std::expected<Message, MalformedMessage> parseMessage(std::string_view body) {
   if (!json.is_discarded()) return messageOf(json);
   json = Json::parse(withWholeCharacters(body), nullptr, false);
   if (json.is_discarded())
-    return std::unexpected(MalformedMessage{{ErrorCode::ParseError, "the message is no JSON"}, {}});
+    return std::unexpected(
+        MalformedMessage{{ErrorCode::ParseError, "the message is not valid JSON"}, {}});
   auto message = messageOf(json);
   if (message) message->isRepaired = true;
   return message;

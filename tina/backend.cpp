@@ -109,7 +109,7 @@ private:
         outcome.result.answers[i].reason = "Fiacre has no words for this property";
       else if (questions[i].fair)
         outcome.result.answers[i].reason =
-            "Tina cannot leave out unfair runs; `--runs all` asks it about all of them";
+            "Tina cannot exclude unfair runs; with `--runs all` it considers all of them";
       else
         order.push_back(i);
     }
@@ -210,7 +210,7 @@ private:
       auto followed = guide.follow(k, steps);
       if (followed) {
         answer.trace = std::move(*followed);
-        if (!guide.judges(k)) answer.reason = "as far as selt tells it";
+        if (!guide.judges(k)) answer.reason = "as far as selt reports it";
         return std::nullopt;
       }
       why = followed.error();

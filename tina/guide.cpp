@@ -112,7 +112,8 @@ Guide::follow(std::size_t question, const std::vector<std::string>& transitions)
       steps.push_back(std::move(*parts));
       continue;
     }
-    if (unknown.empty()) unknown = stepWords(i, transitions[i]) + "is no transition of the model";
+    if (unknown.empty())
+      unknown = stepWords(i, transitions[i]) + "is not a transition of the model";
     // A step of an observer's alone is none of the model's.
     if (auto some = names.partsWithin(transitions[i]); !some.empty()) steps.push_back(some);
   }

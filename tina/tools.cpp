@@ -60,7 +60,7 @@ public:
     auto said = chosen.empty() ? environment("FRACLIB").value_or("") : chosen;
     if (!said.empty()) {
       if (fs::is_directory(said, error)) return fs::absolute(said);
-      missing.push_back(fmt::format("FRACLIB is missing: `{}` is no directory", said));
+      missing.push_back(fmt::format("FRACLIB is missing: `{}` is not a directory", said));
       return {};
     }
     const auto real = fs::weakly_canonical(frac, error).parent_path();
@@ -82,7 +82,7 @@ private:
   static std::string complaint(const std::string& name, const std::string& wanted,
                                std::string_view what) {
     if (!wanted.empty())
-      return fmt::format("`{}` is missing: `{}` is no program that can be run", name, wanted);
+      return fmt::format("`{}` is missing: `{}` is not an executable program", name, wanted);
     const auto variable = name == "cc" ? "CC" : "PROSKILL_" + upper(name);
     return fmt::format("`{}` is missing: {}. Name it with --{} or {}, or put it on the PATH", name,
                        what, name, variable);

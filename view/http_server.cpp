@@ -50,11 +50,11 @@ private:
 
   void takeHead(std::size_t length) {
     auto head = parseHead(std::string_view(bytes).substr(0, length - 4));
-    if (!head) return refuse(400, "this is no request");
+    if (!head) return refuse(400, "not a valid request");
     request = std::move(*head);
     bytes.erase(0, length);
     const auto size = bodySize(request);
-    if (!size) return refuse(413, "the request is too large, or does not tell its length");
+    if (!size) return refuse(413, "the request is too large, or has no length");
     const auto missing = *size - std::min(*size, bytes.size());
     asio::async_read(
         socket, asio::dynamic_buffer(bytes), asio::transfer_exactly(missing),

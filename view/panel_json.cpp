@@ -46,7 +46,7 @@ std::expected<PictureParams, std::string> readPictureParams(const OrderedJson& p
     if (params.value("format", "svg") == "dot") out.format = viz::Format::Dot;
     if (params.contains("fold")) out.fold = params["fold"].get<std::vector<std::string>>();
   } catch (const OrderedJson::exception&) {
-    return std::unexpected("these are no parameters of a picture");
+    return std::unexpected("not the parameters of a picture");
   }
   return out;
 }

@@ -123,7 +123,7 @@ private:
 std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file,
                                                                    const std::string& text) {
   auto json = OrderedJson::parse(text, nullptr, false);
-  if (json.is_discarded()) return std::unexpected("`" + file + "` is no JSON");
+  if (json.is_discarded()) return std::unexpected("`" + file + "` is not valid JSON");
   const bool trace = json.is_object() && json.contains("steps") && json["steps"].is_array();
   const bool report =
       json.is_object() && json.contains("properties") && json["properties"].is_array();
@@ -133,7 +133,7 @@ std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::st
     return std::make_unique<SavedReport>(file,
                                          trace ? asReport(file, std::move(json)) : std::move(json));
   } catch (const OrderedJson::exception&) {
-    return std::unexpected("`" + file + "` is no report of `proskill verify`");
+    return std::unexpected("`" + file + "` is not a report of `proskill verify`");
   }
 }
 

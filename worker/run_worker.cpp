@@ -75,7 +75,7 @@ private:
   }
 
   void understand(OrderedJson message) {
-    if (!message.is_object()) return fail("the process that verifies said what is no JSON object");
+    if (!message.is_object()) return fail("the verifying process sent an invalid message");
     if (message.contains("progress")) {
       if (progress) progress(progressOf(message["progress"]));
     } else if (message.contains("begin")) {

@@ -271,7 +271,7 @@ void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
   const bool ends = &skill == context.plan.mission || !context.plan.mission;
   if (ends && !context.isPerformed())
     addState(process, "ended", place(), sequence({wait({}), stay()}),
-             "The end. The loop tells it from a deadlock.");
+             "The end. The loop distinguishes it from a deadlock.");
   else
     process.states.push_back({"ended", place()});
 }

@@ -107,7 +107,7 @@ std::optional<std::string> misfit(Rational bound, std::int64_t perSecond) {
   if (!value || value->denominator == 1)
     return fmt::format("{} s is more than 2^31 of the model's units, which are {} s",
                        toString(bound), toString(Rational{1, perSecond}));
-  return fmt::format("{} s is no whole number of ticks at {} Hz; it would be at {} Hz",
+  return fmt::format("{} s is not a whole number of ticks at {} Hz; it would be at {} Hz",
                      toString(bound), perSecond, perSecond * value->denominator);
 }
 

@@ -183,7 +183,7 @@ void checkStructure(const Program& program, const Declarations& known, const Rep
   }
   const auto model = report.at("model");
   if (program.main.empty())
-    return model("its name is missing: that of a component stands at the end");
+    return model("its name is missing: the model must end with the name of a component");
   checkAlone(program.main, "main component", known, model);
   checkObservers(program, known, report);
 }

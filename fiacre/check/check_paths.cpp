@@ -127,7 +127,7 @@ Paths followOne(const Statement& s, Paths paths, const Report& report) {
   case StatementKind::Foreach:
     checkPlain(s.children[0], "a loop", report, [](auto) { return false; });
     return paths;
-  case StatementKind::Return: report("`return` stands outside of a function"); return kNone;
+  case StatementKind::Return: report("`return` is only allowed in a function"); return kNone;
   case StatementKind::Null:
   case StatementKind::Comment:
   case StatementKind::Assign:
@@ -143,7 +143,7 @@ Paths followOne(const Statement& s, Paths paths, const Report& report) {
 Paths follow(const Statement& s, Paths paths, const Report& report) {
   const auto here = report.from(s.origin);
   if (paths == kNone) {
-    if (!isNothing(s)) here("nothing reaches what stands behind `to` or `loop`");
+    if (!isNothing(s)) here("unreachable statement after `to` or `loop`");
     return kNone;
   }
   return followOne(s, paths, here);

@@ -72,7 +72,7 @@ private:
       const auto& pattern = s.values[i];
       const bool rest = pattern.kind == ExprKind::Name && pattern.name == "any";
       if (!rest) typing.expect(pattern, *type);
-      if (rest && i + 1 < s.values.size()) report("nothing is left behind the pattern `any`");
+      if (rest && i + 1 < s.values.size()) report("no value is left after the pattern `any`");
       if (std::find(s.values.begin() + 1, s.values.begin() + static_cast<std::ptrdiff_t>(i),
                     pattern) != s.values.begin() + static_cast<std::ptrdiff_t>(i))
         report(fmt::format("the pattern `{}` is there twice", printExpr(pattern)));

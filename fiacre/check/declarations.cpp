@@ -42,7 +42,7 @@ Declarations::Declarations(const Program& program) {
 }
 
 void Names::add(std::string_view name, std::string_view what) {
-  if (!isIdentifier(name)) return report(fmt::format("{} `{}` is no name", what, name));
+  if (!isIdentifier(name)) return report(fmt::format("{} `{}` is not a name", what, name));
   if (isKeyword(name)) report(fmt::format("{} `{}` is a reserved word", what, name));
   const auto [first, isNew] = seen.emplace(name, what);
   if (!isNew)

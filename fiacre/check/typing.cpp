@@ -113,7 +113,7 @@ std::optional<Type> Typing::target(const Expr& lvalue) const {
   while (root->kind == ExprKind::Index || root->kind == ExprKind::Field) root = &root->operands[0];
   const auto* symbol = root->kind == ExprKind::Name ? lookUp(*scope, root->name) : nullptr;
   if (!symbol) {
-    report(fmt::format("`{}` is no variable, and cannot be assigned to", printExpr(lvalue)));
+    report(fmt::format("`{}` is not a variable and cannot be assigned to", printExpr(lvalue)));
     return std::nullopt;
   }
   if (!symbol->writable)
@@ -269,7 +269,7 @@ std::optional<Type> Typing::inferIndex(const Expr& expr) const {
   const auto array = infer(expr.operands[0]);
   if (!array) return std::nullopt;
   if (array->kind != TypeKind::Array) {
-    report(fmt::format("`{}` is no array", printExpr(expr.operands[0])));
+    report(fmt::format("`{}` is not an array", printExpr(expr.operands[0])));
     return std::nullopt;
   }
   expect(expr.operands[1], {.kind = TypeKind::Range, .low = 0, .high = array->size - 1});

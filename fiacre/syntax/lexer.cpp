@@ -100,7 +100,7 @@ private:
 
   void skipUnknown() {
     const auto length = runOf(isUnknown);
-    problems.push_back({"this is no sign of Fiacre", offset(at), offset(at + length)});
+    problems.push_back({"unexpected character", offset(at), offset(at + length)});
     at += length;
   }
 

@@ -15,7 +15,7 @@ void shorten(std::vector<SyntaxProblem>& problems) {
   constexpr std::size_t most = 1000;
   if (problems.size() <= most) return;
   auto& last = problems[most];
-  last.message = fmt::format("there are {} more mistakes from here on", problems.size() - most);
+  last.message = fmt::format("{} more errors from here on", problems.size() - most);
   problems.resize(most + 1);
 }
 

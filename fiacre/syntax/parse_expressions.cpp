@@ -191,7 +191,7 @@ Expr Parser::lvalue() {
 std::optional<Expr> Parser::wholeExpr() {
   try {
     Expr result = expr();
-    if (peek().kind != TokenKind::End) fail("the text goes on behind the expression");
+    if (peek().kind != TokenKind::End) fail("unexpected text after the expression");
     if (parsed.problems.empty()) return result;
   } catch (const CannotRead&) {
     return std::nullopt;

@@ -179,7 +179,7 @@ Observable Parser::observableUpTo(std::string_view word) {
 
 Observable Parser::momentary(Ltl result, const Token& first) {
   if (isAtom(result)) return std::move(result.atom);
-  report("a formula of time stands where one of a moment is needed", first);
+  report("expected a condition on one moment, found a temporal formula", first);
   throw CannotRead();
 }
 

@@ -43,7 +43,7 @@ std::int64_t Parser::natural(std::string_view what) {
   const Token& first = peek();
   const auto number = value(constantExpr(kSum));
   if (!number) {
-    report(fmt::format("{} is no number known here", what), first);
+    report(fmt::format("{} is not a number known here", what), first);
     throw CannotRead();
   }
   return *number;
@@ -105,7 +105,7 @@ Type Parser::unions() {
 
 std::int64_t Parser::time() {
   const auto result = natural("the bound of time");
-  if (isAt(".")) fail("times are whole numbers: choose a smaller unit, and say which in a comment");
+  if (isAt(".")) fail("times must be integers: choose a smaller unit, and name it in a comment");
   return result;
 }
 
@@ -165,8 +165,7 @@ std::vector<Port> Parser::ports(bool probed) {
     expect(":");
     portType(port);
     if (accept("in")) port.interval = interval();
-    if (isAt("is") && !probed)
-      fail("a probe belongs to a port that a component declares behind `port`");
+    if (isAt("is") && !probed) fail("a probe must be declared after `port` in a component");
     if (const auto begin = peek().begin; accept("is")) {
       port.probe = observable();
       port.origin = origin(begin);

@@ -120,7 +120,7 @@ void addFixAll(const ActionContext& context, Actions& actions) {
     byCode.erase(same);
   }
   actions.push_back(
-      {"Fix all that one edit mends", ActionKind::SourceFixAll, context.view.owner, merged(all)});
+      {"Apply all automatic fixes", ActionKind::SourceFixAll, context.view.owner, merged(all)});
 }
 
 } // namespace proskill::ide

@@ -193,7 +193,7 @@ std::expected<RenamePlan, std::string> rename(const Snapshot& snapshot, const Vi
   if (symbol.kind == SymbolKind::Parameter && newName.starts_with('$')) newName.remove_prefix(1);
   if (!isName(newName))
     return std::unexpected(
-        fmt::format("`{}` is no name: a name is made of letters, digits and `_`, "
+        fmt::format("`{}` is not a name: a name consists of letters, digits and `_`, "
                     "and does not begin with a digit",
                     newName));
   if (newName == symbol.name) return RenamePlan{std::string(newName), {}};

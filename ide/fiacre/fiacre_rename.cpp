@@ -59,7 +59,7 @@ std::expected<Range, std::string> renameableInFiacre(std::string_view text, synt
 std::expected<std::vector<Range>, std::string>
 renameInFiacre(std::string_view text, syntax::Offset at, std::string_view newName) {
   if (!fiacre::isIdentifier(newName))
-    return std::unexpected(fmt::format("`{}` is no name: letters, digits and `_`", newName));
+    return std::unexpected(fmt::format("`{}` is not a name: use letters, digits and `_`", newName));
   if (fiacre::isKeyword(newName))
     return std::unexpected(fmt::format("`{}` means something to Fiacre", newName));
   const FiacreText read(text);

@@ -49,7 +49,7 @@ std::expected<viz::Request, rpc::RpcError> pictureNamed(const analysis::Program&
   const auto known =
       kind.is_string() ? viz::kindOf(kind.get_ref<const std::string&>()) : std::nullopt;
   if (!known) return std::unexpected(invalidParams("`kind` is sv, skill, body or calls"));
-  if (!name.is_string()) return std::unexpected(invalidParams("`name` is no string"));
+  if (!name.is_string()) return std::unexpected(invalidParams("`name` must be a string"));
   return viz::Request{*known, name.get<std::string>(), false};
 }
 

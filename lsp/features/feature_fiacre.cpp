@@ -148,8 +148,7 @@ Answer nothing(const Request& /*request*/) { return nullptr; }
 
 Answer noProgram(const Request& /*request*/) {
   return std::unexpected(
-      rpc::RpcError{rpc::ErrorCode::RequestFailed,
-                    "a model in Fiacre is no program: it is verified, and that is all"});
+      rpc::RpcError{rpc::ErrorCode::RequestFailed, "not supported for Fiacre models"});
 }
 
 bool isInFiacre(const Request& request) {

@@ -75,10 +75,10 @@ public:
   bool key(string_t& value) override {
     here = lastString();
     name = value;
-    if (depth == 1) return isKnown() || fail("there is no setting `{}`", name);
+    if (depth == 1) return isKnown() || fail("unknown setting `{}`", name);
     const syntax::CodeInfo* info = syntax::findCode(name);
     if (info) code = info->code;
-    return info || fail("`{}` is no code of a diagnostic", name);
+    return info || fail("`{}` is not the code of a diagnostic", name);
   }
 
   bool parse_error(std::size_t position, const std::string& /*token*/,
@@ -87,7 +87,7 @@ public:
     here = {end > 0 ? end - 1 : 0, end};
     std::string_view words = error.what();
     std::size_t reason = words.find(" - ");
-    return fail("this is no JSON: {}",
+    return fail("invalid JSON: {}",
                 reason == std::string_view::npos ? words : words.substr(reason + 3));
   }
 
@@ -98,12 +98,14 @@ private:
 
   /// A value that its key, or the place, is not for.
   bool otherValue() {
-    if (depth == 0) return fail("settings are a JSON object, such as {}", "`{\"style\": true}`");
+    if (depth == 0)
+      return fail("settings must be a JSON object, such as {}", "`{\"style\": true}`");
     if (depth == 2)
-      return fail("the severity of `{}` is `error`, `warning`, `hint` or `off`", name);
-    if (name == "style") return fail("`{}` is `true` or `false`", name);
-    if (name == "severity") return fail("`{}` is an object of codes with their severities", name);
-    return fail("`{}` is a string", name);
+      return fail("the severity of `{}` must be `error`, `warning`, `hint` or `off`", name);
+    if (name == "style") return fail("`{}` must be `true` or `false`", name);
+    if (name == "severity")
+      return fail("`{}` must be an object of codes with their severities", name);
+    return fail("`{}` must be a string", name);
   }
 
   template <class Word> bool fail(fmt::format_string<const Word&> words, const Word& word) {

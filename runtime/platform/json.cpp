@@ -32,20 +32,20 @@ Json parsedFile(std::string_view text) {
 
 void allowMembers(const Json& value, const std::vector<std::string>& known,
                   const std::string& where) {
-  if (!value.is_object()) throw Wrong{where + " is no object"};
+  if (!value.is_object()) throw Wrong{where + " must be an object"};
   for (const auto& [key, _] : value.items())
     if (std::ranges::find(known, key) == known.end()) throwUnknown("member", key, known);
 }
 
 const Json& listOf(const Json& value, const std::string& of) {
-  if (!value.is_array()) throw Wrong{"`" + of + "` is no list"};
+  if (!value.is_array()) throw Wrong{"`" + of + "` must be a list"};
   return value;
 }
 
 const Json::object_t& objectAt(const Json& file, const std::string& key) {
   static const Json::object_t none;
   if (!file.contains(key)) return none;
-  if (!file[key].is_object()) throw Wrong{"`" + key + "` is no object"};
+  if (!file[key].is_object()) throw Wrong{"`" + key + "` must be an object"};
   return file[key].get_ref<const Json::object_t&>();
 }
 
@@ -56,7 +56,7 @@ const std::string& stringAt(const Json& value, const std::string& key) {
 }
 
 Nanoseconds secondsOf(const Json& value, const std::string& of) {
-  if (!value.is_number()) throw Wrong{"`" + of + "` is no number of seconds"};
+  if (!value.is_number()) throw Wrong{"`" + of + "` must be a number of seconds"};
   const auto number = value.get<double>();
   if (!(number >= 0 && number <= 1e9)) throw Wrong{"`" + of + "` is not between 0 and 1e9 s"};
   return std::llround(number * static_cast<double>(kSecond));

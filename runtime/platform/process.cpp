@@ -286,7 +286,7 @@ private:
     sent(done.sent);
     lines.add(done.received);
     if (done.ended) return lose("");
-    if (outgoing.size() > kMostUnread) lose("the platform's program does not read what it is told");
+    if (outgoing.size() > kMostUnread) lose("the platform's program does not read its input");
   }
 
   void sent(std::size_t bytes) {

@@ -80,7 +80,7 @@ private:
     unsigned sum = 0;
     for (const auto& [result, weight] : objectAt(value, "results")) {
       if (!weight.is_number_unsigned() || weight.get<std::uint64_t>() > 1'000'000)
-        throw Wrong{"the weight of `" + result + "` is no natural number up to a million"};
+        throw Wrong{"the weight of `" + result + "` must be a natural number up to a million"};
       sum += action.weights[resultNamed(index, result)] = weight.get<unsigned>();
     }
     if (sum == 0) throw Wrong{"no result of `" + name + "` has a weight"};
@@ -137,7 +137,7 @@ void processSettings(const Json& file, ProcessSettings& settings) {
   if (!file.contains("restarts")) return;
   const auto& restarts = file["restarts"];
   if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
-    throw Wrong{"`restarts` is no natural number up to a million"};
+    throw Wrong{"`restarts` must be a natural number up to a million"};
   settings.restarts = restarts.get<unsigned>();
 }
 

@@ -58,10 +58,10 @@ TEST_CASE("settings that mean nothing are a mistake, and say which") {
   const TemporaryDirectory directory;
   directory.write("main.proskill", kIgnoring);
   for (const auto& [text, part] :
-       {std::pair{R"({"severity": {"PS9999": "off"}})", ":1:15: `PS9999` is no code"},
+       {std::pair{R"({"severity": {"PS9999": "off"}})", ":1:15: `PS9999` is not the code"},
         std::pair{R"({"severity": {"PS0708": "loud"}})", "`hint` or `off`"},
-        std::pair{"{\n  \"colour\": true\n}", ".proskill.json:2:3: there is no setting `colour`"},
-        std::pair{"{", ":1:1: this is no JSON"}}) {
+        std::pair{"{\n  \"colour\": true\n}", ".proskill.json:2:3: unknown setting `colour`"},
+        std::pair{"{", ":1:1: invalid JSON"}}) {
     directory.write(".proskill.json", text);
     const Finished result = check(directory);
     CHECK(result.exitCode == 2);

@@ -65,7 +65,7 @@ TEST_CASE("at runtime bounds are ticks, and a wait lasts the first of its interv
 
 TEST_CASE("a bound that is no whole number of ticks is an error that names a rate") {
   CHECK_THAT(test::errorOf(waiting("0.125"), kRuntime).message,
-             Contains("0.125 s is no whole number of ticks at 100 Hz; it would be at 200 Hz"));
+             Contains("0.125 s is not a whole number of ticks at 100 Hz; it would be at 200 Hz"));
   CHECK_THAT(test::errorOf(waiting("]1,1.01["), kRuntime).message,
              Contains("no tick lies within this interval"));
   CHECK(

@@ -199,7 +199,7 @@ TEST_CASE("what cannot be launched is an error with a reason") {
   CHECK(message({{"program", "/does/not/exist"}}).starts_with("cannot read"));
   CHECK(message({{"program", broken}}).starts_with("the program has errors"));
   CHECK(message({{"program", files.program}, {"property", "x"}}) == "no property is called `x`");
-  CHECK(message({{"trace", files.program}}).ends_with("is no JSON"));
+  CHECK(message({{"trace", files.program}}).ends_with("is not valid JSON"));
   CHECK(message({{"program", files.program}, {"property", "program.time_progress"}}) ==
         "`program.time_progress` holds: there is no trace to replay");
 }

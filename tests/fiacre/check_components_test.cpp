@@ -45,7 +45,7 @@ TEST_CASE("the components hang together") {
   CHECK(changed([](Program& p) {
           p.main.clear();
           p.properties = {};
-        }) == Found{"model: its name is missing: that of a component stands at the end"});
+        }) == Found{"model: its name is missing: the model must end with the name of a component"});
   CHECK(changed([](Program& p) {
           p.main = "nobody";
           p.properties = {};

@@ -38,7 +38,7 @@ TEST_CASE("names are declared once, are identifiers, and are not reserved") {
         }) == Found{": the type `record` is a reserved word"});
   CHECK(changed([](Program& p) {
           p.constants.push_back({"2nd", nat(), number(1)});
-        }) == Found{": the constant `2nd` is no name"});
+        }) == Found{": the constant `2nd` is not a name"});
   CHECK(changed([](Program& p) { p.processes.push_back(p.processes[1]); }) ==
         Found{": the process `stopper` is declared twice, first as the process"});
   CHECK(changed([](Program& p) { p.processes[0].states.push_back({"idle"}); }) ==
@@ -80,7 +80,7 @@ TEST_CASE("every name in an expression is declared") {
         Found{kIdle + "`nowhere` is neither a function nor a constructor"});
   CHECK(guard(field(index(name("cells"), number(0)), "off")) ==
         Found{kIdle + "`cells[0]` has no field `off`"});
-  CHECK(guard(index(name("n"), number(0))) == Found{kIdle + "`n` is no array"});
+  CHECK(guard(index(name("n"), number(0))) == Found{kIdle + "`n` is not an array"});
 }
 
 TEST_CASE("every expression has the type that its place wants") {
@@ -180,7 +180,7 @@ TEST_CASE("only variables and references are assigned to") {
   CHECK(whenIdle({assign(name("begin_at"), number(1)), to("busy")}) ==
         Found{kIdle + "`begin_at` is a parameter by value, and cannot be assigned to"});
   CHECK(whenIdle({assign(name("left"), number(1)), to("busy")}) ==
-        Found{kIdle + "`left` is no variable, and cannot be assigned to"});
+        Found{kIdle + "`left` is not a variable and cannot be assigned to"});
   CHECK(whenIdle({{.kind = StatementKind::Assign, .targets = {name("n")}, .values = {}},
                   to("busy")}) == Found{kIdle + "1 variables get 0 values"});
   CHECK(whenIdle({{.kind = StatementKind::Any, .targets = {name("n")}}, to("busy")}) == Found{});
@@ -216,9 +216,9 @@ TEST_CASE("a path ends in one to or loop, and nothing stands behind it") {
   CHECK(whenIdle({ifThen(truth(true), to("busy"))}) ==
         Found{kIdle + "a path ends in no `to` and no `loop`"});
   CHECK(whenIdle({to("busy"), tag("never")}) ==
-        Found{kIdle + "nothing reaches what stands behind `to` or `loop`"});
+        Found{kIdle + "unreachable statement after `to` or `loop`"});
   CHECK(whenIdle({ifElse(truth(true), to("busy"), to("idle")), to("busy")}) ==
-        Found{kIdle + "nothing reaches what stands behind `to` or `loop`"});
+        Found{kIdle + "unreachable statement after `to` or `loop`"});
   CHECK(whenIdle({{.kind = StatementKind::Loop}, comment("still here"), null()}) == Found{});
   CHECK(whenIdle({ifThen(truth(true), to("busy")), to("idle")}) == Found{});
 }
@@ -254,7 +254,7 @@ TEST_CASE("patterns of a case fit, and none is there twice") {
         Found{kIdle + "the pattern `Ready` is there twice"});
   CHECK(cases({number(1)}) == Found{kIdle + "`1` is of the type int, not cell_state"});
   CHECK(cases({name("any"), name("Done")}) ==
-        Found{kIdle + "nothing is left behind the pattern `any`"});
+        Found{kIdle + "no value is left after the pattern `any`"});
 }
 
 TEST_CASE("intervals are not empty") {
@@ -286,7 +286,7 @@ TEST_CASE("functions only compute, and always return what they say") {
         Found{"function f: a path returns nothing"});
   CHECK(function(sequence({wait(0, 0), give(truth(true))})) ==
         Found{"function f: a function does more than compute"});
-  CHECK(whenIdle({give(truth(true))}) == Found{kIdle + "`return` stands outside of a function"});
+  CHECK(whenIdle({give(truth(true))}) == Found{kIdle + "`return` is only allowed in a function"});
 }
 
 TEST_CASE("a problem knows where it comes from") {

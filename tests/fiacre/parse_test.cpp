@@ -222,7 +222,7 @@ assert p
 
 TEST_CASE("a probe stands where a component declares a port") {
   CHECK(problemsOf("process P [a: sync is main/1/state s] is states s") ==
-        "`is`: a probe belongs to a port that a component declares behind `port`\n");
+        "`is`: a probe must be declared after `port` in a component\n");
   CHECK(problemsOf("component C is par P end C o > C property p is absent x/1/state s") ==
         "`x`: the path begins with `x`, and the model is `C`\n");
 }
@@ -299,10 +299,10 @@ TEST_CASE("a mistake is told at its place, and the rest is read") {
   CHECK(problemsOf("const c: nat is\ntype t is bool") ==
         "`type`: an expression is missing: `type` means something to Fiacre\n");
   CHECK(problemsOf("process P is states s from s wait [0.5,1]; to s") ==
-        "`.`: times are whole numbers: choose a smaller unit, and say which in a comment\n");
+        "`.`: times must be integers: choose a smaller unit, and name it in a comment\n");
   CHECK(problemsOf("/* no end") == "`/*`: the comment has no end: `*/` is missing\n");
-  CHECK(problemsOf("type a is 0..n") == "`n`: the upper bound is no number known here\n");
-  CHECK(problemsOf("@@ type a is bool") == "`@@`: this is no sign of Fiacre\n");
+  CHECK(problemsOf("type a is 0..n") == "`n`: the upper bound is not a number known here\n");
+  CHECK(problemsOf("@@ type a is bool") == "`@@`: unexpected character\n");
   const auto parsed = fiacre::parse("process P is states s, t from s to; from t to s");
   CHECK(parsed.program.processes.at(0).transitions.size() == 1);
 }
@@ -310,8 +310,8 @@ TEST_CASE("a mistake is told at its place, and the rest is read") {
 TEST_CASE("of very many mistakes the first thousand are told") {
   const auto problems = fiacre::parse(repeated("@ ", 5000)).problems;
   REQUIRE(problems.size() == 1001);
-  CHECK(problems[999].message == "this is no sign of Fiacre");
-  CHECK(problems[1000].message == "there are 4000 more mistakes from here on");
+  CHECK(problems[999].message == "unexpected character");
+  CHECK(problems[1000].message == "4000 more errors from here on");
   CHECK(problems[1000].begin == 2000);
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("all findings of one kind, and all that one edit mends") {
   const auto* mended = "(defsv lamp :states (On Off) :init Off)\n"
                        "(defsv door :states (Open Closed) :init Open)\n";
   CHECK(after(text, "Fix all PS") == mended);
-  CHECK(after(text, "Fix all that one edit mends") == mended);
+  CHECK(after(text, "Apply all automatic fixes") == mended);
 }
 
 TEST_CASE("a finding that is no error can be ignored") {

@@ -260,7 +260,7 @@ TEST_CASE("renaming is refused where a name would mean something else, or nothin
   const std::string two = "process P is states ^a, b var x: nat from a x := 1; to b from b to a P";
   CHECK_THAT(renamed(two, "b"), Catch::Contains("refused"));
   CHECK(renamed(two, "from") == "refused: `from` means something to Fiacre");
-  CHECK_THAT(renamed(two, "1a"), Catch::Contains("is no name"));
+  CHECK_THAT(renamed(two, "1a"), Catch::Contains("is not a name"));
   CHECK_THAT(renamed("process P is states a var x: nat from a to a ^ P", "c"),
              Catch::Contains("no name here"));
   // A field that two records have: which of them is meant says the type alone.

@@ -107,7 +107,7 @@ TEST_CASE("a name of more programs than are kept is renamed in all of them") {
 TEST_CASE("what is no name, or stands where no name is, is refused") {
   const std::string text = "(defsv la^mp :states (On Off) :init On)";
   for (const auto* name : {"", "3d", "take-off", "élan", "a b", "$x", ":init", "skill.status"})
-    CHECK(refusal(text, name).contains("is no name"));
+    CHECK(refusal(text, name).contains("is not a name"));
   CHECK(refusal("(def^sv lamp :states (On) :init On)", "x") ==
         "there is no name of the program here");
   CHECK(refusal("; la^mp", "x") == "there is no name of the program here");

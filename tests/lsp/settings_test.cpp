@@ -59,21 +59,22 @@ TEST_CASE("the nearest file of settings is the one that holds") {
   auto inner = lsp::settingsFor(files, "/w/strict/main.proskill");
   CHECK_FALSE(inner.settings.style);
   REQUIRE(inner.mistake);
-  CHECK(inner.mistake->description == "`style` is `true` or `false`");
+  CHECK(inner.mistake->description == "`style` must be `true` or `false`");
   CHECK(lsp::settingsFor(files, "/v/main.proskill").file.empty());
 }
 
 TEST_CASE("a mistake in settings is told where it stands") {
   for (const auto& [text, place, words] :
        {std::tuple{R"({"style": true, "severity": {"PS0708": "loud"}})", R"("loud")",
-                   "the severity of `PS0708` is"},
-        std::tuple{R"({"severity": {"PS0708": 3}})", R"("PS0708")", "the severity of `PS0708` is"},
-        std::tuple{R"({"severity": {"PS9999": "off"}})", R"("PS9999")", "no code"},
-        std::tuple{R"({"a\"\\": 1})", R"("a\"\\")", "no setting"},
+                   "the severity of `PS0708` must be"},
+        std::tuple{R"({"severity": {"PS0708": 3}})", R"("PS0708")",
+                   "the severity of `PS0708` must be"},
+        std::tuple{R"({"severity": {"PS9999": "off"}})", R"("PS9999")", "not the code"},
+        std::tuple{R"({"a\"\\": 1})", R"("a\"\\")", "unknown setting"},
         std::tuple{R"({"severity": "off"})", R"("severity")", "an object of codes"},
         std::tuple{R"({"style": {}})", R"("style")", "`true` or `false`"},
-        std::tuple{R"({"style": true,})", "}", "no JSON"}, std::tuple{R"([])", "", "a JSON object"},
-        std::tuple{"", "", "no JSON"}}) {
+        std::tuple{R"({"style": true,})", "}", "invalid JSON"},
+        std::tuple{R"([])", "", "a JSON object"}, std::tuple{"", "", "invalid JSON"}}) {
     INFO(text);
     auto settings = lsp::parseSettings(text);
     REQUIRE_FALSE(settings);

@@ -306,9 +306,9 @@ TEST_CASE("what is missing is said, each with how to get it") {
   const auto partly = find({.frac = "frac-2.8", .fraclib = "/no/lib"});
   REQUIRE_FALSE(partly.has_value());
   CHECK(partly.error().size() == 4);
-  CHECK(partly.error()[0] == "`frac` is missing: `frac-2.8` is no program that can be run");
+  CHECK(partly.error()[0] == "`frac` is missing: `frac-2.8` is not an executable program");
   CHECK_THAT(partly.error()[1], Catch::Contains("--sift or --tina") &&
                                     Catch::Contains("https://projects.laas.fr/tina/"));
   CHECK_THAT(partly.error()[2], Catch::Contains("Name it with --ktzio or PROSKILL_KTZIO"));
-  CHECK(partly.error()[3] == "FRACLIB is missing: `/no/lib` is no directory");
+  CHECK(partly.error()[3] == "FRACLIB is missing: `/no/lib` is not a directory");
 }

@@ -107,7 +107,7 @@ private:
     for (const auto& from : process.transitions) {
       auto state = std::ranges::find(process.states, from.state, &fiacre::State::name);
       if (state == process.states.end())
-        unsupported("`from " + from.state + "` is no state of `" + process.name + "`");
+        unsupported("`from " + from.state + "` is not a state of `" + process.name + "`");
       auto location = static_cast<std::uint32_t>(state - process.states.begin());
       types.checkLimits();
       auto all = pathsOf(from, location, context, expressions);

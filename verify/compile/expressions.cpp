@@ -26,7 +26,7 @@ Expressions::Expressions(const fiacre::Program& of, const Types& known, System& 
 
 NodeId Expressions::scalar(const Expr& expr, const Scope& scope, const Type* expected) {
   Value all = value(expr, scope, expected);
-  if (all.parts.size() != 1) unsupported("a value of several parts stands where one is needed");
+  if (all.parts.size() != 1) unsupported("expected a single value, found one with several parts");
   return all.parts[0];
 }
 
@@ -188,7 +188,7 @@ Value Expressions::fitted(Value value, const Type& type, const std::string& what
 
 Value Expressions::index(const Expr& expr, const Scope& scope) {
   Value array = value(expr.operands.at(0), scope);
-  if (array.type->kind != TypeKind::Array) unsupported("what is indexed is no array");
+  if (array.type->kind != TypeKind::Array) unsupported("the indexed value is not an array");
   const Type& element = types.resolve(array.type->element.at(0));
   NodeId at = indexNode(expr, scope, array.type->size);
   const auto size = static_cast<std::ptrdiff_t>(types.scalars(element));
@@ -212,7 +212,7 @@ namespace {
 /// Where a field stands within a record, and its type.
 std::pair<std::size_t, const Type*> fieldOf(const Types& types, const Type& record,
                                             const std::string& name) {
-  if (record.kind != TypeKind::Record) unsupported("`." + name + "` of what is no record");
+  if (record.kind != TypeKind::Record) unsupported("`." + name + "`: the value is not a record");
   std::size_t offset = 0;
   for (const auto& member : record.members) {
     const Type& type = types.resolve(member.type.at(0));
@@ -272,7 +272,7 @@ const Type& Expressions::typeOf(const Expr& lvalue, const Scope& scope) {
 Expressions::Target Expressions::target(const Expr& lvalue, const Scope& scope) {
   if (lvalue.kind == ExprKind::Name) {
     auto found = scope.find(lvalue.name);
-    if (found == scope.end()) unsupported("`" + lvalue.name + "` is no variable");
+    if (found == scope.end()) unsupported("`" + lvalue.name + "` is not a variable");
     return {found->second.type, &found->second, {{maker.number(1), 0}}};
   }
   Target whole = target(lvalue.operands.at(0), scope);
@@ -303,7 +303,8 @@ void Expressions::assign(const Expr& lvalue, const Value& source, const Scope& s
   for (const auto& [condition, offset] : place.offsets)
     for (std::size_t i = 0; i < size; ++i) {
       const NodeId old = place.root->parts.at(offset + i);
-      if (system.nodes[old].op != NodeOp::Cell) unsupported("what is assigned to is no variable");
+      if (system.nodes[old].op != NodeOp::Cell)
+        unsupported("the target of the assignment is not a variable");
       write(system.nodes[old].a, old, condition, source.parts[i], assignments, first);
     }
 }

@@ -43,7 +43,7 @@ const Statement& Expressions::assignmentOf(const Expr& target, std::int64_t valu
 Value Expressions::call(const Expr& expr, const Scope& scope) {
   auto function = std::ranges::find(program.functions, expr.name, &fiacre::Function::name);
   if (function == program.functions.end())
-    unsupported("`" + expr.name + "` is no function of the model");
+    unsupported("`" + expr.name + "` is not a function of the model");
   if (function->parameters.size() != expr.operands.size())
     unsupported("`" + expr.name + "` is called with the wrong number of arguments");
   if (++depth > kDeepestCall) unsupported("`" + expr.name + "` calls itself too deeply");

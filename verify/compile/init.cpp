@@ -66,7 +66,7 @@ void InitRunner::enter(const Statement& statement) {
   if (!process) unsupported("a component has no states", statement.origin);
   const auto state = std::ranges::find(process->states, statement.name, &fiacre::State::name);
   if (state == process->states.end())
-    unsupported("`" + statement.name + "` is no state of this process", statement.origin);
+    unsupported("`" + statement.name + "` is not a state of this process", statement.origin);
   system.cells[system.instances[instance].location].initial = state - process->states.begin();
 }
 

@@ -160,7 +160,7 @@ NodeId PathWriter::beforePath(NodeId value, const PathDraft& draft) {
 void PathWriter::send(const Statement& statement, PathDraft& draft) {
   synchronise(statement, draft);
   if (!statement.values.empty() && draft.branched)
-    unsupported("a value is sent behind a `while` on the same path: send it in a state of its own",
+    unsupported("a value is sent after a `while` on the same path: send it in a state of its own",
                 statement.origin);
   const auto& types = context.valuesOf(statement.name);
   for (std::size_t i = 0; i < statement.values.size(); ++i) {
@@ -225,7 +225,7 @@ void PathWriter::synchronise(const Statement& statement, PathDraft& draft) {
   if (draft.path.port != kNone) unsupported("two ports on one path", statement.origin);
   auto port = context.ports.find(statement.name);
   if (port == context.ports.end())
-    unsupported("`" + statement.name + "` is no port of this process", statement.origin);
+    unsupported("`" + statement.name + "` is not a port of this process", statement.origin);
   draft.path.port = port->second;
 }
 
@@ -238,7 +238,7 @@ void PathWriter::end(const Statement& statement, PathDraft& draft) {
   const auto& states = context.process->states;
   auto state = std::ranges::find(states, statement.name, &fiacre::State::name);
   if (state == states.end())
-    unsupported("`" + statement.name + "` is no state of this process", statement.origin);
+    unsupported("`" + statement.name + "` is not a state of this process", statement.origin);
   auto number = static_cast<std::uint32_t>(state - states.begin());
   auto& instruction = addInstruction(draft, InstructionKind::To);
   instruction.first = static_cast<std::uint32_t>(draft.path.assignments.size());

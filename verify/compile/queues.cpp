@@ -19,7 +19,7 @@ const Type kTruth{.kind = TypeKind::Bool};
 
 Value Expressions::queue(const Expr& expr, const Scope& scope, const Type* expected) {
   Value made = value(expr, scope, expected);
-  if (made.type->kind != TypeKind::Queue) unsupported("what is asked is no queue");
+  if (made.type->kind != TypeKind::Queue) unsupported("the value is not a queue");
   return made;
 }
 

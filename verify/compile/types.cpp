@@ -103,7 +103,7 @@ Types::Bounds Types::bounds(const Type& scalar) const {
   case TypeKind::Record:
   case TypeKind::Array:
   case TypeKind::Queue:
-  case TypeKind::Named: unsupported("a value of several parts stands where one number is needed");
+  case TypeKind::Named: unsupported("expected one number, found a value with several parts");
   }
   std::unreachable();
 }

@@ -26,7 +26,8 @@ Value Expressions::bare(const Type& type, std::int64_t number) {
 Value Expressions::construct(const Expr& expr, const Scope& scope, const Type* expected) {
   const Type* type = expected ? &types.resolve(*expected) : nullptr;
   if (!type || !types.constructor(*type, expr.name)) type = types.unionWith(expr.name);
-  if (!type) unsupported("`" + expr.name + "` is no function and no constructor of the model");
+  if (!type)
+    unsupported("`" + expr.name + "` is neither a function nor a constructor of the model");
   const auto number = types.constructor(*type, expr.name).value();
   const auto [offset, inner] = types.payload(*type, number);
   if (!inner || expr.operands.size() != 1)
@@ -41,7 +42,7 @@ Value Expressions::construct(const Expr& expr, const Scope& scope, const Type* e
 /// \pre `tested` is of a union that has the constructor, with a value
 Value Expressions::payloadOf(const Value& tested, const std::string& constructor) {
   const auto number = types.constructor(*tested.type, constructor);
-  if (!number) unsupported("`" + constructor + "` is no constructor of what is looked at");
+  if (!number) unsupported("`" + constructor + "` is not a constructor of the value");
   const auto [offset, type] = types.payload(*tested.type, *number);
   if (!type) unsupported("the constructor `" + constructor + "` has no value");
   const auto begin = tested.parts.begin() + static_cast<std::ptrdiff_t>(offset);

@@ -60,9 +60,9 @@ public:
       visited.push_back({mark.after, location});
     }
     if (monitor.locations[location].error) return {};
-    if (evidence.loop) return goesRound(location) ? "" : "what is repeated is no violation";
+    if (evidence.loop) return goesRound(location) ? "" : "the repeated steps are not a violation";
     if (!ended) return "something is still possible at the end";
-    return staysBad(location) ? "" : "the end is no violation";
+    return staysBad(location) ? "" : "the end is not a violation";
   }
 
 private:

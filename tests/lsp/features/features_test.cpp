@@ -89,7 +89,7 @@ TEST_CASE("a renaming carries the versions of the texts, and is refused with a r
                     {"newName", "3d"}};
   auto refused = session.ask("textDocument/rename", params);
   CHECK(refused["error"]["code"] == -32803);
-  CHECK(refused["error"]["message"].get<std::string>().contains("is no name"));
+  CHECK(refused["error"]["message"].get<std::string>().contains("is not a name"));
   Json nowhere = params;
   nowhere["position"]["character"] = 2;
   CHECK(session.ask("textDocument/prepareRename", nowhere)["error"]["code"] == -32803);

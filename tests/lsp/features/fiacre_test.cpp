@@ -79,7 +79,7 @@ TEST_CASE("what is wrong with a model is told, and nothing of programs") {
   REQUIRE(lenses.size() == 1);
   CHECK(lenses[0]["command"]["title"] == "verify");
   CHECK(session.ask("proskill/model", document)["error"]["message"].get<std::string>().find(
-            "no program") != std::string::npos);
+            "not supported for Fiacre") != std::string::npos);
 }
 
 TEST_CASE("of several `from` of one state the second is told, with the edit that joins them") {

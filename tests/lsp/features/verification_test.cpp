@@ -179,7 +179,7 @@ TEST_CASE("a process that verifies and fails is an error that is told, never a v
        {std::pair(withWorker({"/does/not/exist"}), "could not be started"),
         std::pair(withWorker({"/bin/false"}), "exit code 1"),
         std::pair(withShell("kill -9 $$"), "signal 9"),
-        std::pair(withShell("echo nonsense; exec sleep 1000"), "no JSON object"),
+        std::pair(withShell("echo nonsense; exec sleep 1000"), "invalid message"),
         std::pair(withShell("echo '{\"report\": {}}'; exec sleep 1000"), "unknown form"),
         std::pair(withShell("echo '{}'"), "without a report")}) {
     Session session(options);
