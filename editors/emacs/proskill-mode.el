@@ -182,7 +182,7 @@ PARTS are those of the form around it."
 
 (defun proskill--file ()
   (or (and (derived-mode-p 'proskill-mode) buffer-file-name)
-      (user-error "This is no ProSkill program")))
+      (user-error "Not a ProSkill program")))
 
 (define-compilation-mode proskill-verdicts-mode "Verdicts"
   "Verdicts of `proskill verify'; \\[next-error] goes through the steps of their traces."

@@ -255,7 +255,7 @@ test('a report of the command line is opened, its places counted from 0', () => 
 });
 
 test('what is no trace is refused with a reason', () => {
-  assert.throws(() => open('{'), /no JSON/);
+  assert.throws(() => open('{'), /not valid JSON/);
   assert.throws(() => open('[]'), /neither/);
   assert.throws(() => open('{"a": 1}'), /neither/);
   assert.throws(() => open('{"initial": {}, "steps": [{}]}'), /step 1/);
@@ -300,11 +300,11 @@ test('what is wrong with a watch is said', () => {
   assert.equal(wrong('battery)'), 'a `(` is missing');
   assert.equal(wrong(''), 'one condition is expected, as `(door Open)`');
   assert.equal(wrong('(battery Low) (battery Low)'), 'one condition is expected, as `(door Open)`');
-  assert.equal(wrong('(< battery 3)'), '`battery` is no number');
+  assert.equal(wrong('(< battery 3)'), '`battery` is not a number');
   assert.equal(wrong('(not (battery Low) (battery Low))'), '`not` takes one operand');
   assert.equal(wrong('(= battery)'), '`=` takes two operands');
-  assert.equal(wrong('(and (battery Low) level)'), '`level` is no condition');
-  assert.equal(wrong('()'), '`()` is no condition');
+  assert.equal(wrong('(and (battery Low) level)'), '`level` is not a condition');
+  assert.equal(wrong('()'), '`()` is not a condition');
   assert.equal(wrong('nobody'), 'there is no variable `nobody` in this trace');
 });
 

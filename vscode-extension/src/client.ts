@@ -39,7 +39,7 @@ export class Client implements vscode.Disposable {
   /** The client, where the server runs; an error that a user understands where not. */
   get running(): LanguageClient {
     if (this.current?.state === State.Running) return this.current;
-    throw new Error('The ProSkill server does not run. See the output "ProSkill".');
+    throw new Error('The ProSkill server is not running. See the output "ProSkill".');
   }
 
   get ready(): boolean {
@@ -103,7 +103,7 @@ export class Client implements vscode.Disposable {
     if (client !== this.current) return;
     this.current = undefined;
     if (this.restarts.again()) {
-      this.output.warn('the server has ended; it is started again');
+      this.output.warn('the server has ended; restarting it');
       void this.start();
     } else void this.giveUp();
   }
@@ -178,19 +178,19 @@ export class Client implements vscode.Disposable {
     const restart = 'Start it again';
     const show = 'Show its output';
     const chosen = await vscode.window.showErrorMessage(
-      'The ProSkill server has crashed more than five times in three minutes and is not started again. ' +
-        'Its output says what happened; please send it to us with the program that was open.',
+      'The ProSkill server has crashed more than five times in three minutes and was not restarted. ' +
+        'Please report the output and the program that was open.',
       restart, show);
     if (chosen === restart) await this.restart();
     if (chosen === show) this.output.show();
   }
 
   private async reportMissing(why: string): Promise<void> {
-    this.output.error(`no server can be run:\n${why}`);
+    this.output.error(`cannot start the server:\n${why}`);
     const settings = 'Open the setting';
     const again = 'Try again';
     const chosen = await vscode.window.showErrorMessage(
-      `ProSkill: no server can be run. Install the Debian package of ProSkill, or set "proskill.server.path". (${why.split('\n')[0]})`,
+      `ProSkill: cannot start the server. Install the Debian package of ProSkill, or set "proskill.server.path". (${why.split('\n')[0]})`,
       settings, again);
     if (chosen === settings)
       await vscode.commands.executeCommand('workbench.action.openSettings', 'proskill.server.path');

@@ -57,7 +57,7 @@ function versionOf({ command, env }: Program): Promise<string> {
 function inWords(complaint: string): string {
   if (/GLIBC_[\d.]+' not found/.test(complaint)) return `it needs a newer Linux: Ubuntu 22.04, Debian 12, or later. (${complaint})`;
   const missing = /error while loading shared libraries: ([^:]+)/.exec(complaint);
-  return missing ? `the library ${missing[1]} is missing; the package of your Linux that has it has to be installed. (${complaint})` : complaint;
+  return missing ? `the library ${missing[1]} is missing; install the package of your distribution that contains it. (${complaint})` : complaint;
 }
 
 /** The first server that can be run; an error tells of each that cannot. */
@@ -70,5 +70,5 @@ export async function findServer(extensionPath: string): Promise<Server> {
       failures.push(`${program.command}: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
-  throw new Error([...new Set(failures)].join('\n') || 'there is no `proskill` on the path');
+  throw new Error([...new Set(failures)].join('\n') || '`proskill` is not on the PATH');
 }

@@ -12,9 +12,9 @@ interface Look {
 
 const kOfLife: Record<Exclude<Life, 'running'>, Look> = {
   starting: { text: '$(loading~spin) ProSkill', tooltip: 'The server is starting' },
-  crashed: { text: '$(error) ProSkill: crashed', tooltip: 'The server has crashed too often; click to start it again', background: 'error' },
-  missing: { text: '$(error) ProSkill: no server', tooltip: 'No server can be run; click for what to do', background: 'error' },
-  stopped: { text: '$(circle-slash) ProSkill', tooltip: 'The server does not run' },
+  crashed: { text: '$(error) ProSkill: crashed', tooltip: 'The server crashed too often; click to restart it', background: 'error' },
+  missing: { text: '$(error) ProSkill: no server', tooltip: 'Cannot start the server; click for help', background: 'error' },
+  stopped: { text: '$(circle-slash) ProSkill', tooltip: 'The server is not running' },
 };
 
 /** How many verdicts are bad, in the words of the command line, or how many there are. */
@@ -111,6 +111,6 @@ export class Status implements vscode.Disposable {
     const program = this.current();
     const server = this.client.server;
     return [program ? `Program: ${program.label}${program.main ? `, mission ${program.main}` : ''}` : '',
-      program?.stale ? 'The verdicts are for an older text' : '', server?.version ?? ''];
+      program?.stale ? 'The verdicts are for an older version of the text' : '', server?.version ?? ''];
   }
 }

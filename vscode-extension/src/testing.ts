@@ -169,7 +169,7 @@ export class Testing implements vscode.Disposable {
 
   private async run(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
     if (!vscode.workspace.isTrusted) {
-      void vscode.window.showWarningMessage('ProSkill verifies nothing in a workspace that is not trusted.');
+      void vscode.window.showWarningMessage('ProSkill does not verify programs in an untrusted workspace.');
       return;
     }
     const run = this.controller.createTestRun(request, 'Verification');

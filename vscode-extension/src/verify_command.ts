@@ -9,7 +9,7 @@ import * as protocol from './protocol';
 export async function verify(client: Client, { uri, names }: Subject): Promise<void> {
   const program = uri ?? currentText().uri;
   if (!vscode.workspace.isTrusted)
-    throw new Error('Nothing is verified in a workspace that is not trusted. Trust it first: "Workspaces: Manage Workspace Trust".');
+    throw new Error('Programs are not verified in an untrusted workspace. Trust it first: "Workspaces: Manage Workspace Trust".');
   const title = `ProSkill: verifying ${names?.join(', ') ?? vscode.workspace.asRelativePath(program)}`;
   const result = await vscode.window.withProgress(
     { location: vscode.ProgressLocation.Notification, title, cancellable: true },

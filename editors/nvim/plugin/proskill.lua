@@ -8,7 +8,7 @@ local command = vim.api.nvim_create_user_command
 command('ProskillAutomaton', function(given)
   require('proskill.picture').show(given.args, given.bang)
 end, {
-  nargs = '?', bang = true, desc = 'Draw what stands at the cursor, or is named; with ! as DOT',
+  nargs = '?', bang = true, desc = 'Draw the definition at the cursor, or the one named; with ! as DOT',
   complete = function(begin) return require('proskill.picture').names(begin) end,
 })
 
@@ -28,7 +28,7 @@ end, {
 
 command('ProskillExplain', function(given)
   require('proskill.explain').show(given.args)
-end, { nargs = '?', desc = 'Explain a code, or what is told at the cursor' })
+end, { nargs = '?', desc = 'Explain a code, or the diagnostic at the cursor' })
 
 -- The code action of this name.
 vim.lsp.commands['proskill.explain'] = function(chosen)

@@ -85,7 +85,7 @@ export function open(text: string): Opened {
   try {
     value = JSON.parse(text);
   } catch {
-    throw new Error('this is no JSON');
+    throw new Error('not valid JSON');
   }
   if (!isObject(value)) throw new Error('this is neither a report nor a trace');
   if (Array.isArray(value['properties'])) return reportOf(value);

@@ -34,7 +34,7 @@ const written = (tree: Tree): string => (typeof tree === 'string' ? tree : `(${t
 
 function numberOf(tree: Tree, values: ValuesNow): number {
   const value = operand(tree, values);
-  if (!/^-?\d+(\.\d+)?$/.test(value)) throw new WatchError(`\`${written(tree)}\` is no number`);
+  if (!/^-?\d+(\.\d+)?$/.test(value)) throw new WatchError(`\`${written(tree)}\` is not a number`);
   return Number(value);
 }
 
@@ -59,11 +59,11 @@ const order = new Map<string, (a: number, b: number) => boolean>([
 /** All of it is looked at, also where a part decides: a misspelt name is told in any case. */
 function condition(tree: Tree, values: ValuesNow): boolean {
   if (typeof tree === 'string') {
-    if (tree !== 'true' && tree !== 'false') throw new WatchError(`\`${tree}\` is no condition`);
+    if (tree !== 'true' && tree !== 'false') throw new WatchError(`\`${tree}\` is not a condition`);
     return tree === 'true';
   }
   const [operator, ...operands] = tree;
-  if (typeof operator !== 'string') throw new WatchError(`\`${written(tree)}\` is no condition`);
+  if (typeof operator !== 'string') throw new WatchError(`\`${written(tree)}\` is not a condition`);
   const connect = logic.get(operator);
   const less = order.get(operator);
   if (!connect && !less && operator !== '=' && operator !== '/=') throw new WatchError(`there is no variable \`${operator}\` in this trace`);

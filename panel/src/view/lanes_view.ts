@@ -223,7 +223,7 @@ export class LanesView {
     const hueOf = bar?.tone === 'value' ? ` hue-${hue(bar.label, hues)}` : '';
     const out: SVGElement[] = [s('rect', {
       class: `lane-bar ${tone}${bar?.open ? ' open' : ''}${hueOf}`, x, y: 4, width, height: laneHeight - 8, rx: Math.min(3, width / 2),
-    }, width > 3 && s('title', {}, bar ? this.barTip(lane, bar.label, bar.from, bar.open ? null : bar.to, tone) : `${drawn.count} too short to be told apart`))];
+    }, width > 3 && s('title', {}, bar ? this.barTip(lane, bar.label, bar.from, bar.open ? null : bar.to, tone) : `${drawn.count} too short to show separately`))];
     const words = bar && (tone === 'value' ? bar.label : tone === 'failure' || tone === 'interrupted' ? tone : '');
     const left = Math.max(x, this.labelWidth);
     if (words && x + width - left > words.length * 6.4 + 10) out.push(s('text', { class: 'bar-label', x: left + 6, y: 16 }, words));

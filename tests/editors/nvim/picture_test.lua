@@ -85,6 +85,6 @@ return {
     drone(child)
     child:lua("show = require('proskill.picture').show; vim.cmd('enew'); show('', false)")
     child:wait('return #told > 0')
-    expect.contains(child:lua('return told[1]'), 'no ProSkill program')
+    expect.contains(child:lua('return told[1]'), 'not a ProSkill program')
   end },
 }

@@ -23,7 +23,7 @@ async function tracesOf(programs: Programs, uri: vscode.Uri): Promise<panel.Verd
 /** The property whose trace a person wants to see, of those that have one; what is bad comes first. */
 export async function chooseTrace(programs: Programs, uri: vscode.Uri, question: string): Promise<string | undefined> {
   const traces = await tracesOf(programs, uri);
-  if (!traces.length) throw new Error('There is no trace: verify the program first. A property that holds has none.');
+  if (!traces.length) throw new Error('No trace: verify the program first. A property that holds has no trace.');
   const section = (label: string, icon: string, of: (verdict: panel.Verdict) => boolean): Entry[] => {
     const entries = traces.filter(of).map(({ name, description, verdict, steps }) => ({
       label: `$(${icon}) ${name}`, description: `${verdict}, ${steps} ${steps === 1 ? 'step' : 'steps'}`, detail: description.replaceAll('`', ''), name,

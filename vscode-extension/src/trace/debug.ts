@@ -33,7 +33,7 @@ export class Debugging implements vscode.DebugConfigurationProvider, vscode.Debu
 
   createDebugAdapterDescriptor(): vscode.DebugAdapterDescriptor {
     const { server } = this.client;
-    if (!server) throw new Error('The ProSkill server does not run. See the output "ProSkill".');
+    if (!server) throw new Error('The ProSkill server is not running. See the output "ProSkill".');
     return new vscode.DebugAdapterExecutable(server.command, ['dap'], { env: server.env as { [name: string]: string } });
   }
 

@@ -19,7 +19,7 @@ export async function readTrace(file: vscode.Uri): Promise<Read | undefined> {
   try {
     ({ traces } = open(text));
   } catch (error) {
-    throw new Error(`${name} holds no trace: ${error instanceof Error ? error.message : String(error)}.`);
+    throw new Error(`${name} contains no trace: ${error instanceof Error ? error.message : String(error)}.`);
   }
   if (!traces.length) throw new Error(`${name} is a report without a trace.`);
   const trace = traces.length === 1 ? traces[0] : await choose(traces);

@@ -20,7 +20,7 @@ end
 function M.show(code)
   code = code ~= '' and code or code_here()
   if not code then
-    return message.info('nothing is told in this line')
+    return message.info('no diagnostic on this line')
   end
   local asked = client.ask(0, 'proskill/explain', { code = code }, function(problem, result)
     if problem then

@@ -113,7 +113,7 @@ end
 function M.show(name, dot)
   local buffer = vim.api.nvim_get_current_buf()
   if vim.bo[buffer].filetype ~= 'proskill' then
-    return message.error('this is no ProSkill program')
+    return message.error('not a ProSkill program')
   end
   local show = dot and show_dot or show_svg
   local server = client.of(buffer)

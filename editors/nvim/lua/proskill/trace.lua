@@ -313,7 +313,7 @@ end
 function M.show(name)
   local buffer = vim.api.nvim_get_current_buf()
   if vim.bo[buffer].filetype ~= 'proskill' then
-    return message.error('this is no ProSkill program')
+    return message.error('not a ProSkill program')
   end
   local last = verify.last and verify.last.buffer == buffer
     and verify.last.tick == vim.api.nvim_buf_get_changedtick(buffer) and verify.last.list

@@ -131,7 +131,7 @@ function M.run(names, all)
   end
   local buffer = vim.api.nvim_get_current_buf()
   if vim.bo[buffer].filetype ~= 'proskill' then
-    return message.error('this is no ProSkill program')
+    return message.error('not a ProSkill program')
   end
   local tick = vim.api.nvim_buf_get_changedtick(buffer)
   M.verdicts(buffer, names, function(verdicts, problem)
