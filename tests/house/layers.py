@@ -20,7 +20,7 @@ def words(cell):
 
 FOLDERS = {words(row[0])[0].rstrip("/"): set(words(row[2])) for row in table("Code map")}
 TOPS = {folder for folder in FOLDERS if "/" not in folder}
-OUTSIDE = {header: set(words(row[1])) for row in table("Who may use what")
+OUTSIDE = {header: set(words(row[1])) for row in table("Restricted headers")
            for header in words(row[0])}
 
 
