@@ -91,6 +91,9 @@ struct Signal {
   std::string name; ///< of the event or of the skill
   bool interrupts = false;
   std::string port;
+  /// Of an event, between two occurrences and from the start to the first, in units.
+  std::optional<fiacre::Interval> every;
+  fiacre::OriginId everyOrigin = 0;
 };
 
 /// Executed: what is wrong where a step passes an origin.

@@ -248,7 +248,8 @@ module.exports = grammar({
     transition_list: $ => form($, repeat(choice($._word, $.transition))),
     transition: $ => form($, leading($, ['from', 'to'], $.list)),
 
-    event: $ => definition($, 'defevent', $.effects_field),
+    event: $ => definition($, 'defevent', $.every_field, $.effects_field),
+    every_field: $ => keyed($, ':every', $.list),
 
     resource: $ => definition($, 'defresource', $.capacity_field),
     capacity_field: $ => keyed($, ':capacity', $.list),

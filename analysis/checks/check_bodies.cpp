@@ -91,7 +91,7 @@ private:
     case StatementKind::Printf: return checkMessage(context, body, statement);
     case StatementKind::Success: return outcome(SymbolKind::SuccessTag, statement.name);
     case StatementKind::Failure: return outcome(SymbolKind::FailureTag, statement.name);
-    case StatementKind::Emit: names.use(SymbolKind::Event, statement.name, Role::Mention); return;
+    case StatementKind::Emit: return emit(statement.name);
     case StatementKind::Unknown:
     case StatementKind::WaitTime:
     case StatementKind::Break:
@@ -100,6 +100,15 @@ private:
     case StatementKind::Parallel:
     case StatementKind::Choose: return;
     }
+  }
+
+  /// What has `:every` says itself when it comes.
+  void emit(const syntax::Name& name) {
+    names.use(SymbolKind::Event, name, Role::Mention);
+    const auto* event = context.program.events.find(name.text);
+    if (!event || !(*event)->every) return;
+    context.findings.report(Code::EmitsEvery, {body.file, name.range}, name.text)
+        .related(event->at((*event)->every->range), "says when it comes");
   }
 
   void outcome(SymbolKind kind, const syntax::Name& tag) {

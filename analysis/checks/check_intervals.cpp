@@ -32,9 +32,20 @@ void checkInterval(Context& context, FileId file, const Interval& interval) {
   }
 }
 
+/// An event that has to come at once, again and again, leaves no time for anything else.
+void checkEvery(Context& context, const Definition<syntax::Event>& event) {
+  const Interval& every = *event->every;
+  checkInterval(context, event.file, every);
+  if (every.upper && *every.upper == syntax::Rational{} && !every.range.empty())
+    context.findings.report(Code::EveryNoTime, event.at(every.range), event.name());
+}
+
 } // namespace
 
 void checkIntervals(Context& context) {
+  context.each(context.program.events, [&](const auto& event) {
+    if (event->every) checkEvery(context, event);
+  });
   context.each(context.program.skills, [&](const auto& skill) {
     if (skill->timeInterval) checkInterval(context, skill.file, *skill->timeInterval);
   });

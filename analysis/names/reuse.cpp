@@ -88,6 +88,11 @@ bool looksSame(const syntax::StateVariable& a, const syntax::StateVariable& b) {
          isSameNumber(a.max, b.max);
 }
 
+/// What others see of an event beside its name: whether it comes by itself.
+bool looksSame(const syntax::Event& a, const syntax::Event& b) {
+  return a.every.has_value() == b.every.has_value();
+}
+
 bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
   return a.name.text == b.name.text && a.type.text == b.type.text;
 }
@@ -105,6 +110,7 @@ bool looksSame(const Form* a, const Form* b) {
   if (const auto* skill = a->as<syntax::Skill>()) return looksSame(*skill, *b->as<syntax::Skill>());
   if (const auto* variable = a->as<syntax::StateVariable>())
     return looksSame(*variable, *b->as<syntax::StateVariable>());
+  if (const auto* event = a->as<syntax::Event>()) return looksSame(*event, *b->as<syntax::Event>());
   return !a->is<syntax::Include>();
 }
 

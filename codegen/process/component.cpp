@@ -100,6 +100,7 @@ private:
       program.processes.back().ports = component.ports;
       for (auto& port : program.processes.back().ports) port.interval.reset();
     }
+    for (auto& port : everyPorts(context)) component.ports.push_back(std::move(port));
     addActionPorts(component);
     for (auto& process : program.processes) bind(process, component);
     for (const auto& process : program.processes)

@@ -78,27 +78,106 @@ fiacre::Process basicEnvironment(Context& context) {
   return process;
 }
 
+class EventAutomaton {
+public:
+  EventAutomaton(Context& context, const analysis::Definition<syntax::Event>& event)
+      : context(context),
+        event(event),
+        actor{std::string(event.name()), event.file},
+        place(context.origins.of(actor, event->name.range)) {}
+
+  fiacre::Process make() {
+    process.name = context.names.process({"event", event.name(), "automata"});
+    process.origin = place;
+    process.comment = context.definitionOf(event);
+    if (context.isRuntime() && event->every)
+      addMeasured();
+    else if (context.isExpanded() && comesByItself(context, event.node()))
+      addDue();
+    else
+      addState(process, "start_", place, sequence({occurs(), to("start_")}));
+    return std::move(process);
+  }
+
+private:
+  Statement occurs() {
+    const auto words = context.origins.of(actor, event->name.range, "occurs");
+    return sequence({at(words, synchronise(context.names.event(event.name()))),
+                     effects(context, actor, event->effects)});
+  }
+
+  /// The time on a path of its own: what follows may test something.
+  void addDue() {
+    const auto words = context.origins.of(actor, event->every->range, "is due");
+    addState(process, "start_", place,
+             sequence({wait(context.times.interval(*event->every)), at(words, to("due"))}));
+    addState(process, "due", place, sequence({occurs(), to("start_")}));
+  }
+
+  /// The platform says when it comes, in ticks. One that comes a tick too early may go unnoticed,
+  /// but there is no false alarm.
+  void addMeasured() {
+    const auto ticks = context.times.interval(*event->every);
+    const auto least = std::max<std::int64_t>(0, ticks.lower - (ticks.lowerOpen ? 0 : 1));
+    const auto first = least > 0 ? "early" : "on_time";
+    if (least > 0)
+      addState(process, "early", place,
+               select({sequence({occurs(), warning("too early", "undershoot"), to("early")}),
+                       sequence({wait({.lower = least, .upper = least}), to("on_time")})}));
+    std::vector<Statement> all{sequence({occurs(), to(first)})};
+    if (ticks.upper) {
+      const auto rest = *ticks.upper - (ticks.upperOpen ? 1 : 0) + 1 - least;
+      all.push_back(sequence(
+          {wait({.lower = rest, .upper = rest}), warning("too late", "overshoot"), to("late")}));
+    }
+    addState(process, "on_time", place, select(std::move(all)));
+    if (ticks.upper) addState(process, "late", place, sequence({occurs(), to(first)}));
+  }
+
+  Statement warning(std::string_view what, std::string_view kind) {
+    const auto words =
+        context.origins.of(actor, event->every->range, fmt::format("comes {}", what));
+    return at(words, saying(fmt::format("WARNING: {}", kind),
+                            tag(context.names.tag({event.name(), kind}))));
+  }
+
+  Context& context;
+  const analysis::Definition<syntax::Event>& event;
+  Actor actor;
+  OriginId place;
+  fiacre::Process process;
+};
+
 } // namespace
 
+bool comesByItself(const Context& context, const syntax::Event& event) {
+  const bool isModel =
+      context.hasEnvironment() && (!context.isExecuted() || context.plan.environment);
+  return event.every && isModel;
+}
+
 fiacre::Process eventProcess(Context& context, const analysis::Definition<syntax::Event>& event) {
-  const Actor actor{std::string(event.name()), event.file};
-  fiacre::Process process;
-  process.name = context.names.process({"event", event.name(), "automata"});
-  process.origin = context.origins.of(actor, event->name.range);
-  process.comment = context.definitionOf(event);
-  const auto occurs = context.origins.of(actor, event->name.range, "occurs");
-  addState(process, "start_", process.origin,
-           sequence({at(occurs, synchronise(context.names.event(event.name()))),
-                     effects(context, actor, event->effects), to("start_")}));
-  return process;
+  return EventAutomaton(context, event).make();
 }
 
 std::vector<std::string> environmentPorts(Context& context) {
   std::vector<std::string> ports;
   for (const auto& event : context.program.events.all)
-    ports.push_back(context.names.event(event.name()));
+    if (!comesByItself(context, event.node())) ports.push_back(context.names.event(event.name()));
   for (const auto& skill : context.plan.skills)
     if (skill.skill().interrupt) ports.push_back(context.names.interruptPort(skill.name()));
+  return ports;
+}
+
+std::vector<fiacre::Port> everyPorts(Context& context) {
+  std::vector<fiacre::Port> ports;
+  for (const auto& event : context.program.events.all) {
+    if (!comesByItself(context, event.node())) continue;
+    auto& port = ports.emplace_back();
+    port.name = context.names.event(event.name());
+    port.interval = context.isExpanded() ? fiacre::Interval{.lower = 0, .upper = 0}
+                                         : context.times.interval(*event->every);
+  }
   return ports;
 }
 

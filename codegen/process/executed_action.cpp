@@ -1,5 +1,6 @@
 #include "codegen/process/executed_action.h"
 
+#include "codegen/process/environment.h"
 #include "fiacre/print/print.h"
 
 #include <algorithm>
@@ -82,7 +83,7 @@ void tellExecutor(Context& context, Model& model) {
   for (const auto& skill : context.plan.skills) {
     if (skill.skill().interrupt)
       model.signals.push_back(
-          {std::string(skill.name()), true, context.names.interruptPort(skill.name())});
+          {std::string(skill.name()), true, context.names.interruptPort(skill.name()), {}});
     const auto& interval = skill.skill().timeInterval;
     if (!skill.body || !interval) continue;
     model.measured.push_back(
@@ -90,8 +91,17 @@ void tellExecutor(Context& context, Model& model) {
          context.times.interval(*interval),
          context.origins.of(actorOf(skill), interval->range, "takes its time")});
   }
-  for (const auto& event : context.program.events.all)
-    model.signals.push_back({std::string(event.name()), false, context.names.event(event.name())});
+  for (const auto& event : context.program.events.all) {
+    auto& signal = model.signals.emplace_back();
+    signal.name = event.name();
+    signal.port = context.names.event(event.name());
+    if (!event->every) continue;
+    signal.every = context.times.interval(*event->every);
+    signal.everyOrigin =
+        context.origins.of({signal.name, event.file}, event->every->range, "comes");
+    if (comesByItself(context, event.node()))
+      model.drawnProcesses.push_back(context.names.process({"event", event.name(), "automata"}));
+  }
   if (context.plan.mission)
     model.missionProcess = context.names.process({"skill", context.plan.mission->name()});
   if (context.options.environment && context.plan.environment) {

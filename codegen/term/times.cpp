@@ -33,6 +33,8 @@ public:
       if (skill->timeInterval) all.push_back({*skill->timeInterval, skill.file, Use::Bound});
       if (skill->body) addWaits(*skill->body, skill.file);
     }
+    for (const auto& event : program.events.all)
+      if (event->every) all.push_back({*event->every, event.file, Use::Bound});
     for (const auto& environment : program.environments.all)
       addWaits(environment->body, environment.file);
     for (const auto& property : program.properties.all) addBounds(property);

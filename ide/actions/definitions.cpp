@@ -10,11 +10,11 @@ namespace proskill::ide {
 
 namespace {
 
-constexpr std::array<std::string_view, 20> kOrder{
-    ":states",        ":init",          ":min",       ":max",          ":transitions",
-    ":capacity",      ":effects",       ":input",     ":precondition", ":start",
-    ":invariant",     ":time_interval", ":resources", ":action",       ":interrupt",
-    ":interruptible", ":success",       ":failure",   ":monitor",      ":body"};
+constexpr std::array<std::string_view, 21> kOrder{
+    ":states",        ":init",      ":min",    ":max",          ":transitions",   ":capacity",
+    ":every",         ":effects",   ":input",  ":precondition", ":start",         ":invariant",
+    ":time_interval", ":resources", ":action", ":interrupt",    ":interruptible", ":success",
+    ":failure",       ":monitor",   ":body"};
 
 std::size_t rankOf(const syntax::FieldUse& field) {
   return static_cast<std::size_t>(std::ranges::find(kOrder, field.keyword.text) - kOrder.begin());

@@ -45,6 +45,7 @@ constexpr std::array kFieldValues{
     FieldValue{":max", Slot::Nothing},
     FieldValue{":transitions", Slot::Transitions},
     FieldValue{":capacity", Slot::Nothing},
+    FieldValue{":every", Slot::Interval},
     FieldValue{":effects", Slot::Effects},
     FieldValue{":guard", Slot::Condition},
     FieldValue{":postcondition", Slot::Condition},

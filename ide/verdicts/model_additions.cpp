@@ -140,13 +140,20 @@ std::string joined(const std::vector<fiacre::Port>& ports) {
   return all.empty() ? "none" : all;
 }
 
+bool contains(const std::vector<fiacre::Port>& ports, const std::string& name) {
+  return std::ranges::find(ports, name, &fiacre::Port::name) != ports.end();
+}
+
 void checkInterface(Addition& addition, const Interface& environment,
-                    const fiacre::Component& main) {
+                    const std::vector<fiacre::Port>& offered, const fiacre::Component& main) {
   for (const auto& port : environment.ports)
-    if (std::ranges::find(main.ports, port.name, &fiacre::Port::name) == main.ports.end())
-      addition.complainAt(port.name, NameKind::Port, environment.place,
-                          fmt::format("the program has no event or interrupt `{}`: there are {}",
-                                      port.name, joined(main.ports)));
+    if (!contains(offered, port.name))
+      addition.complainAt(
+          port.name, NameKind::Port, environment.place,
+          contains(main.ports, port.name)
+              ? fmt::format("`{}` has `:every` and comes by itself", port.name)
+              : fmt::format("the program has no event or interrupt `{}`: there are {}", port.name,
+                            joined(offered)));
   for (const auto& parameter : environment.parameters) {
     if (std::ranges::find(main.variables, parameter.name, &fiacre::Variable::name) ==
         main.variables.end())
@@ -171,17 +178,14 @@ fiacre::Instance instanceOf(const Interface& environment) {
 
 /// Takes part in what the environment has no port for, and never does: without it, that would
 /// happen whenever it could.
-void forbidOthers(fiacre::Program& model, const Interface& environment) {
+void forbidOthers(fiacre::Program& model, const Interface& environment,
+                  const std::vector<fiacre::Port>& offered) {
   auto& main = model.components.back();
   fiacre::Process never{.name = "not_in_environment",
                         .comment = "What the environment does not name never happens.",
                         .states = {{"never", 0}}};
-  for (const auto& port : main.ports)
-    if (std::ranges::find(environment.ports, port.name, &fiacre::Port::name) ==
-        environment.ports.end()) {
-      never.ports.push_back(port);
-      never.ports.back().interval.reset();
-    }
+  for (const auto& port : offered)
+    if (!contains(environment.ports, port.name)) never.ports.push_back(port);
   if (never.ports.empty()) return;
   fiacre::Instance instance{.process = never.name};
   for (const auto& port : never.ports) instance.ports.push_back(port.name);
@@ -225,13 +229,16 @@ bool isEnvironment(const fiacre::Process& process) {
   return process.name.starts_with("environment_") || process.name.starts_with("basic_environment_");
 }
 
-/// Its process and its instance are the last ones.
-void removeEnvironment(codegen::Model& model) {
-  if (model.fiacre.processes.empty() || !isEnvironment(model.fiacre.processes.back())) return;
+/// Its process and its instance are the last ones. \return the ports that it took
+std::vector<fiacre::Port> removeEnvironment(codegen::Model& model) {
+  auto& processes = model.fiacre.processes;
+  if (processes.empty() || !isEnvironment(processes.back())) return {};
   auto& instances = model.fiacre.components.back().instances;
   dropChecks(model, static_cast<std::uint32_t>(instances.size()));
+  auto ports = std::move(processes.back().ports);
   instances.pop_back();
-  model.fiacre.processes.pop_back();
+  processes.pop_back();
+  return ports;
 }
 
 // --- Properties
@@ -359,13 +366,14 @@ std::vector<Diagnostic> replaceEnvironment(codegen::Model& model, analysis::Prog
   if (!environment) return addition.diagnostics;
   auto& fiacre = model.fiacre;
   auto& main = fiacre.components.back();
-  checkInterface(addition, *environment, main);
+  const auto offered = removeEnvironment(model);
+  checkInterface(addition, *environment, offered, main);
   if (!addition.diagnostics.empty()) return addition.diagnostics;
-  removeEnvironment(model);
   main.instances.push_back(instanceOf(*environment));
   // What it says happens when it says so.
-  for (auto& port : main.ports) port.interval = fiacre::Interval{.lower = 0, .upper = 0};
-  forbidOthers(fiacre, *environment);
+  for (auto& port : main.ports)
+    if (contains(offered, port.name)) port.interval = fiacre::Interval{.lower = 0, .upper = 0};
+  forbidOthers(fiacre, *environment, offered);
   auto& read = addition.parsed.program;
   append(fiacre.constants, read.constants);
   append(fiacre.types, read.types);

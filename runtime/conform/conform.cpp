@@ -188,6 +188,11 @@ private:
           result.assumption =
               fmt::format("`{}` has run for {}; its interval promises at most {}", what.actor,
                           secondsText(step.date - since), secondsText(*interval.upper));
+        } else if (model.isOfEvent[id]) {
+          result.why = fmt::format("`{}` has not come", what.actor);
+          result.assumption =
+              fmt::format("`{}` has not come for {}; its `:every` promises at most {}", what.actor,
+                          secondsText(step.date - since), secondsText(*interval.upper));
         } else {
           result.why = fmt::format("before this `{}` {}", what.actor, what.description);
         }
@@ -209,6 +214,10 @@ private:
         if (model.isOfAction[id])
           result.assumption =
               fmt::format("`{}` took {}; its interval promises at least {}", step.what.actor,
+                          secondsText(age), secondsText(interval.lower));
+        else if (model.isOfEvent[id])
+          result.assumption =
+              fmt::format("`{}` came after {}; its `:every` promises at least {}", step.what.actor,
                           secondsText(age), secondsText(interval.lower));
         return;
       }

@@ -49,6 +49,7 @@ private:
     const bool isEnd = is(actions) && transition.port == verify::kNone && isInRun(transition);
     const bool isResult = isEnd && !isBreak(transition);
     made.isOfAction.push_back(isResult);
+    made.isOfEvent.push_back(transition.parts.size() == 1 && transition.port != verify::kNone);
     auto& interval = transition.interval;
     interval.lower *= scale;
     if (interval.upper) *interval.upper *= scale;

@@ -14,6 +14,7 @@ struct OfflineModel {
   verify::System system;
   std::vector<bool> isHidden;   ///< by transition: recordings do not have it
   std::vector<bool> isOfAction; ///< by transition: an action's result
+  std::vector<bool> isOfEvent;  ///< by transition: an event that comes by itself
   bool environmentIsHidden = false;
   /// Transitions that may pass an origin, by its words.
   std::map<std::string, std::vector<verify::TransitionId>> byOrigin;

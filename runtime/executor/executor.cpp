@@ -190,7 +190,10 @@ private:
 
   void signal(std::uint32_t index) {
     const auto& of = executable.model.signals[index];
-    if (const auto step = machine.at(executable.signalPorts[index])) return take(*step, date);
+    if (const auto step = machine.at(executable.signalPorts[index])) {
+      watch.occur(index, date, [&](const Remark& remark) { tell(remark); });
+      return take(*step, date);
+    }
     tell({.kind = RemarkKind::Note,
           .date = date,
           .subject = of.name,

@@ -5,7 +5,13 @@
 namespace proskill::runtime {
 
 Stopwatch::Stopwatch(const Executable& of)
-    : executable(of), actions(of.actions.size()), stretches(of.stretches.size()) {}
+    : executable(of),
+      actions(of.actions.size()),
+      stretches(of.stretches.size()),
+      events(of.everySpans.size()) {
+  for (std::size_t i = 0; i < events.size(); ++i)
+    events[i].isRunning = of.everySpans[i].has_value();
+}
 
 void Stopwatch::start(std::uint32_t action, Nanoseconds date) {
   actions[action] = {.isRunning = true, .begin = date};
@@ -21,6 +27,8 @@ std::optional<Nanoseconds> Stopwatch::nextOvershoot() const {
   for (std::size_t i = 0; i < actions.size(); ++i) look(actions[i], executable.actions[i].span);
   for (std::size_t i = 0; i < stretches.size(); ++i)
     look(stretches[i], executable.stretches[i].span);
+  for (std::size_t i = 0; i < events.size(); ++i)
+    if (events[i].isRunning) look(events[i], *executable.everySpans[i]);
   return first;
 }
 
@@ -32,6 +40,14 @@ Stopwatch::Subject Stopwatch::ofAction(std::uint32_t action) const {
 Stopwatch::Subject Stopwatch::ofStretch(std::uint32_t stretch) const {
   const auto& of = executable.model.measured[stretch];
   return {of.skill, executable.stretches[stretch].span, of.origin};
+}
+
+Stopwatch::Subject Stopwatch::ofEvent(std::uint32_t signal) const {
+  static const Span none;
+  const auto& of = executable.model.signals[signal];
+  const auto& span = executable.everySpans[signal];
+  return {of.name, span ? *span : none, of.everyOrigin, "comes sooner than its `:every` says",
+          "comes later than its `:every` says"};
 }
 
 } // namespace proskill::runtime

@@ -4,7 +4,8 @@
 
 namespace proskill::runtime {
 
-/// Measures what has a time interval: actions and runs of composite skills.
+/// Measures what has a time interval: actions, runs of composite skills, and events that somebody
+/// reports.
 class Stopwatch {
 public:
   explicit Stopwatch(const Executable& of);
@@ -28,11 +29,19 @@ public:
 
   /// The first date at which something has taken too long.
   [[nodiscard]] std::optional<Nanoseconds> nextOvershoot() const;
+  /// Somebody reports an event: has it come too early, or late? It is measured to the next one.
+  template <class Tell> void occur(std::uint32_t signal, Nanoseconds date, Tell&& tell) {
+    if (!events[signal].isRunning) return;
+    finish(events[signal], ofEvent(signal), date, tell);
+    events[signal] = {.isRunning = true, .begin = date};
+  }
   template <class Tell> void tellOvershoots(Nanoseconds date, Tell&& tell) {
     for (std::uint32_t i = 0; i < actions.size(); ++i)
       tellOvershoot(actions[i], ofAction(i), date, tell);
     for (std::uint32_t i = 0; i < stretches.size(); ++i)
       tellOvershoot(stretches[i], ofStretch(i), date, tell);
+    for (std::uint32_t i = 0; i < events.size(); ++i)
+      tellOvershoot(events[i], ofEvent(i), date, tell);
   }
 
 private:
@@ -45,10 +54,13 @@ private:
     std::string_view name;
     const Span& span;
     fiacre::OriginId origin = 0;
+    std::string_view early = "took less time than its interval says";
+    std::string_view late = "takes more time than its interval says";
   };
 
   [[nodiscard]] Subject ofAction(std::uint32_t action) const;
   [[nodiscard]] Subject ofStretch(std::uint32_t stretch) const;
+  [[nodiscard]] Subject ofEvent(std::uint32_t signal) const;
   [[nodiscard]] bool runs(std::uint32_t stretch, std::int64_t location) const {
     const auto& of = executable.stretches[stretch];
     return location != of.idle && location != of.ended;
@@ -63,7 +75,7 @@ private:
     tell(Remark{.kind = RemarkKind::Undershoot,
                 .date = date,
                 .subject = subject.name,
-                .text = "took less time than its interval says",
+                .text = subject.early,
                 .origin = subject.origin});
   }
 
@@ -76,13 +88,14 @@ private:
     tell(Remark{.kind = RemarkKind::Overshoot,
                 .date = date,
                 .subject = subject.name,
-                .text = "takes more time than its interval says",
+                .text = subject.late,
                 .origin = subject.origin});
   }
 
   const Executable& executable;
   std::vector<Measure> actions;
   std::vector<Measure> stretches;
+  std::vector<Measure> events; ///< by signal
 };
 
 } // namespace proskill::runtime

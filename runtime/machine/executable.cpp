@@ -35,7 +35,11 @@ public:
     findUnit();
     for (const auto& performed : made.model.performed) made.actions.push_back(actionOf(performed));
     for (const auto& measured : made.model.measured) made.stretches.push_back(stretchOf(measured));
-    for (const auto& signal : made.model.signals) made.signalPorts.push_back(portOf(signal.port));
+    for (const auto& signal : made.model.signals) {
+      made.signalPorts.push_back(portOf(signal.port));
+      auto& span = made.everySpans.emplace_back();
+      if (signal.every && !made.model.hasEnvironment) span = spanOf(*signal.every, made.unit);
+    }
     findMission();
     findRoles();
     made.isAlarm.assign(made.model.provenance.origins.size(), false);

@@ -65,11 +65,12 @@ struct Handling {
 struct Executable {
   codegen::Model model;
   verify::System system;
-  Nanoseconds unit = 0;                                  ///< of the model's time
-  std::vector<Action> actions;                           ///< by Model::performed
-  std::vector<Stretch> stretches;                        ///< by Model::measured
-  std::vector<std::uint32_t> signalPorts;                ///< by Model::signals
-  std::vector<Handling> handling;                        ///< by transition
+  Nanoseconds unit = 0;                        ///< of the model's time
+  std::vector<Action> actions;                 ///< by Model::performed
+  std::vector<Stretch> stretches;              ///< by Model::measured
+  std::vector<std::uint32_t> signalPorts;      ///< by Model::signals
+  std::vector<std::optional<Span>> everySpans; ///< by Model::signals, of those that are measured
+  std::vector<Handling> handling;              ///< by transition
   std::vector<std::vector<verify::TransitionId>> atPort; ///< those that are external, by port
   std::vector<bool> isAlarm;                             ///< by origin
   /// The mission's process and the location in which it has ended; kNone where there is none.

@@ -131,9 +131,10 @@ SimulationSettings defaultSettings(const Executable& executable) {
       action.weights.push_back(result.status == "success" ? kSuccessWeight : 1);
   }
   made.endings.resize(made.actions.size());
-  for (const auto& signal : executable.model.signals) {
-    const bool comes = !signal.interrupts && !executable.model.hasEnvironment;
-    made.signals.push_back(comes ? std::optional(Span{5 * kSecond, 60 * kSecond}) : std::nullopt);
+  for (std::size_t i = 0; i < executable.model.signals.size(); ++i) {
+    const bool comes = !executable.model.signals[i].interrupts && !executable.model.hasEnvironment;
+    const auto span = executable.everySpans[i].value_or(Span{5 * kSecond, 60 * kSecond});
+    made.signals.push_back(comes ? std::optional(span) : std::nullopt);
   }
   return made;
 }

@@ -30,8 +30,8 @@ struct SimulationSettings {
 };
 
 /// Actions take what their intervals say, or up to 10 s more than the least; successes are more
-/// likely than failures. Events come every 5 to 60 s where the program has no environment of its
-/// own, and nothing is interrupted.
+/// likely than failures. Events come as their `:every` says, else every 5 to 60 s, where the
+/// program has no environment of its own, and nothing is interrupted.
 [[nodiscard]] SimulationSettings defaultSettings(const Executable& executable);
 
 [[nodiscard]] std::unique_ptr<Platform> simulatedPlatform(SimulationSettings settings,

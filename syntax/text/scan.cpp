@@ -10,10 +10,10 @@ namespace proskill::syntax {
 namespace {
 
 // Keywords such as `:effects`, which stand at several depths, tell nothing.
-constexpr std::array<std::string_view, 17> kFields = {
+constexpr std::array<std::string_view, 18> kFields = {
     ":init",          ":min",       ":max",       ":states", ":transitions",   ":capacity",
     ":input",         ":start",     ":invariant", ":action", ":interrupt",     ":precondition",
-    ":time_interval", ":resources", ":monitor",   ":body",   ":interruptible",
+    ":time_interval", ":resources", ":monitor",   ":body",   ":interruptible", ":every",
 };
 
 std::string_view wordAt(std::string_view text, std::size_t at) {

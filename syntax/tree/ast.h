@@ -122,6 +122,7 @@ struct StateVariable {
 struct Event {
   Name name;
   List<FieldUse> fields;
+  std::optional<Interval> every; ///< between two occurrences, and from the start to the first
   Effects effects;
 };
 

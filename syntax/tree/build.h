@@ -72,6 +72,8 @@ Rational numberOf(const Builder& builder, const Node& number);
 Name contentOf(const Builder& builder, const Node& string);
 /// The interval that comes next, a node of that kind; nothing, and reported, where it is malformed.
 std::optional<Interval> takeInterval(Builder& builder, Parts& parts);
+/// The interval that a field has and nothing else; nothing, and reported, where it has none.
+std::optional<Interval> intervalOf(Builder& builder, Field& field);
 
 /// Formulas may be temporal; conditions and propositions may not.
 enum class Context : std::uint8_t { Condition, Proposition, Formula };

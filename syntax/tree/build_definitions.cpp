@@ -11,7 +11,7 @@ namespace {
 Keywords fieldsOf(NodeKind definition) {
   switch (definition) {
   case NodeKind::StateVariable: return {":states", ":init", ":transitions", ":min", ":max"};
-  case NodeKind::Event: return {":effects"};
+  case NodeKind::Event: return {":every", ":effects"};
   case NodeKind::Resource: return {":capacity"};
   case NodeKind::Environment: return {":body"};
   default:
@@ -127,10 +127,13 @@ StateVariable stateVariableOf(Builder& builder, Definition& definition) {
 }
 
 Event eventOf(Builder& builder, Definition& definition) {
-  Event event{definition.name, definition.uses, {}};
+  Event event{definition.name, definition.uses, {}, {}};
   event.effects.range = {definition.name.range.end, definition.name.range.end};
   for (Field& field : definition.fields)
-    event.effects = takeEffects(builder, field.values, field.use.keyword);
+    if (field.kind == NodeKind::EveryField)
+      event.every = intervalOf(builder, field);
+    else
+      event.effects = takeEffects(builder, field.values, field.use.keyword);
   return event;
 }
 

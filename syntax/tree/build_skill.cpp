@@ -254,17 +254,6 @@ const Node* valueOfKind(Builder& builder, Field& field, NodeKind kind, std::stri
   return nullptr;
 }
 
-void readTimeInterval(Builder& builder, Field& field, Skill& skill) {
-  constexpr auto kNeeds = "an interval of seconds, such as `[1,3]`";
-  const Node* next = field.values.peek();
-  if (!next || next->kind != NodeKind::Interval) {
-    valueOfKind(builder, field, NodeKind::Interval, kNeeds);
-    return;
-  }
-  skill.timeInterval = takeInterval(builder, field.values);
-  builder.reportSurplus(field.values, "the interval");
-}
-
 void readMonitor(Builder& builder, Field& field, Skill& skill) {
   constexpr auto kNeeds = "`t` or `always`";
   const Node* value = valueOfKind(builder, field, NodeKind::Symbol, kNeeds);
@@ -318,7 +307,7 @@ void readField(Builder& builder, Field& field, Skill& skill) {
   case NodeKind::StartField:
     skill.start = takeEffects(builder, field.values, field.use.keyword);
     return;
-  case NodeKind::TimeIntervalField: return readTimeInterval(builder, field, skill);
+  case NodeKind::TimeIntervalField: skill.timeInterval = intervalOf(builder, field); return;
   case NodeKind::ActionField: skill.action = actionOf(builder, field); return;
   case NodeKind::InterruptField: skill.interrupt = interruptOf(builder, field); return;
   case NodeKind::InterruptibleField: return readInterruptible(builder, field, skill);

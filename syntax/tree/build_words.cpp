@@ -134,4 +134,17 @@ std::optional<Interval> takeInterval(Builder& builder, Parts& parts) {
   return std::nullopt;
 }
 
+std::optional<Interval> intervalOf(Builder& builder, Field& field) {
+  constexpr auto kNeeds = "an interval of seconds, such as `[1,3]`";
+  const Node* next = field.values.peek();
+  if (!next || next->kind != NodeKind::Interval) {
+    if (const Node* value = onlyValue(builder, field, kNeeds))
+      reportMalformed(builder, field, *value, kNeeds);
+    return std::nullopt;
+  }
+  auto interval = takeInterval(builder, field.values);
+  builder.reportSurplus(field.values, "the interval");
+  return interval;
+}
+
 } // namespace proskill::syntax

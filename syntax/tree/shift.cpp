@@ -27,7 +27,7 @@ auto members(CasePattern& x) { return std::tie(x.status, x.tags, x.range); }
 auto members(Arm& x) { return std::tie(x.keyword, x.condition, x.pattern, x.body); }
 auto members(UnknownForm& x) { return std::tie(x.head, x.name); }
 auto members(Include& x) { return std::tie(x.path); }
-auto members(Event& x) { return std::tie(x.name, x.fields, x.effects); }
+auto members(Event& x) { return std::tie(x.name, x.fields, x.every, x.effects); }
 auto members(Resource& x) { return std::tie(x.name, x.fields, x.capacity); }
 auto members(Environment& x) { return std::tie(x.name, x.fields, x.body); }
 auto members(ReadForm& x) { return std::tie(x.range, x.keyword, x.node); }

@@ -187,3 +187,18 @@ TEST_CASE("properties observe, programs do not") {
   CHECK(findings(mission("(^ (running survey))")) == "PS0310 running");
   CHECK(findings(mission("(^ (at up))")) == "PS0310 at");
 }
+
+TEST_CASE("an event that comes by itself leaves time between, and nobody emits it") {
+  const std::string set = " :effects (level 1))";
+  const auto every = [&](const std::string& interval) {
+    return findings(kWorld + "(defevent beat :every " + interval + set);
+  };
+  CHECK(every("[1,5]") == "");
+  CHECK(every("[0,5]") == "");
+  CHECK(every("]0,...[") == "");
+  CHECK(every("[0,0]") == "PS0416 [0,0]");
+  CHECK(every("[5,1]") == "PS0410 [5,1]");
+  CHECK(every("[5,5[") == "PS0411 [5,5[");
+  CHECK(findings(kWorld + "(defevent beat :every [1,5]" + set +
+                 "(defenvironment e :body ((emit beat) (emit drained)))") == "PS0438 beat");
+}

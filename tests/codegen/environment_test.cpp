@@ -119,4 +119,56 @@ TEST_CASE("in a library a monitor and the most general caller share the skills")
   CHECK(found.at("program.time_progress") == "holds");
 }
 
+TEST_CASE("an event with a time between its occurrences comes by itself") {
+  const std::string beat = "(defsv n :init 0 :min 0 :max 9) (defevent beat :every INTERVAL "
+                           ":effects (n (+ n 1))) (defskill m :success done :body (";
+  const auto found = [&](const std::string& interval, const std::string& body,
+                         const std::string& rest) {
+    auto text = beat + body + "))" + rest;
+    return test::verdictsOf(text.replace(text.find("INTERVAL"), 8, interval));
+  };
+  const std::string early = "(defproperty early (absent (= n 2) :for [0,4]))"
+                            "(defproperty at_four (absent (= n 2) :for [0,4[))"
+                            "(defproperty twice (present (= n 2) :within [0,10]))";
+  for (const std::string world : {"", "(defenvironment w :body ((^ 100)))"}) {
+    auto verdicts = found("[2,5]", "(^ 100)", early + world);
+    CHECK(verdicts.at("early") == "violated");
+    CHECK(verdicts.at("at_four") == "holds");
+    CHECK(verdicts.at("twice") == "holds");
+    verdicts = found("]2,...[", "(^ 100)", early + world);
+    CHECK(verdicts.at("early") == "holds");
+    CHECK(verdicts.at("twice") == "violated");
+  }
+}
+
+TEST_CASE("only an event that has to come saves the time") {
+  const auto verdict = [](const std::string& every) {
+    return test::verdictsOf("(defsv door :states (Closed Open) :init Closed)"
+                            "(defevent opens " +
+                            every +
+                            " :effects (door Open))"
+                            "(defskill look :precondition (open (door Open)) :action (look))"
+                            "(defskill m :body ((^ 5) (while (= look.status no_status) (look))))")
+        .at("program.time_progress");
+  };
+  CHECK(verdict("") == "violated");
+  CHECK(verdict(":every [5,6]") == "violated");
+  CHECK(verdict(":every [5,...[") == "violated");
+  CHECK(verdict(":every [5,5]") == "holds");
+  CHECK(verdict(":every [1,4]") == "holds");
+}
+
+TEST_CASE("the time between two occurrences is that of the port, or of a state of its own") {
+  const std::string text = "(defsv door :states (Closed Open) :init Closed)"
+                           "(defevent opens :every [2,5[ :effects (door Open))"
+                           "(defevent closes :effects (door Closed))";
+  const auto compact = test::printed(test::modelOf(text));
+  CHECK_THAT(compact, Contains("port closes: sync, opens: sync in [2,5["));
+  CHECK_THAT(compact, Contains("process basic_environment_test [closes: sync] is"));
+  const auto model = test::modelOf(text, {.edition = codegen::Edition::Expanded});
+  CHECK(test::printedState(model, "event_opens_automata", "start_") ==
+        "from start_\n    wait [2,5[;\n    to due\n");
+  CHECK_THAT(test::printed(model), Contains("opens: sync in [0,0]"));
+}
+
 } // namespace proskill::test::environment_test

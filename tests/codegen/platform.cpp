@@ -80,14 +80,16 @@ private:
   }
 
   fiacre::Interval durationOf(const syntax::Skill& skill) const {
+    return skill.timeInterval ? inTicks(*skill.timeInterval) : fiacre::Interval{};
+  }
+
+  fiacre::Interval inTicks(const syntax::Interval& given) const {
     fiacre::Interval interval;
-    if (!skill.timeInterval) return interval;
-    const auto& given = *skill.timeInterval;
-    const auto inTicks = [&](syntax::Rational seconds) {
+    const auto ticksOf = [&](syntax::Rational seconds) {
       return seconds.numerator * ticks / seconds.denominator;
     };
-    interval.lower = inTicks(given.lower) + (given.lowerOpen ? 1 : 0);
-    if (given.upper) interval.upper = inTicks(*given.upper) - (given.upperOpen ? 1 : 0);
+    interval.lower = ticksOf(given.lower) + (given.lowerOpen ? 1 : 0);
+    if (given.upper) interval.upper = ticksOf(*given.upper) - (given.upperOpen ? 1 : 0);
     return interval;
   }
 
@@ -131,12 +133,36 @@ private:
     std::vector<Statement> choices;
     for (const auto& event : program.eventPorts) {
       component().ports.push_back(event.port);
+      if (const auto* every = everyOf(event.port.name)) {
+        component().ports.back().interval = fiacre::Interval{.lower = 0, .upper = 0};
+        addEvery(event.port.name, *every);
+        continue;
+      }
       choices.push_back(synchronise(event.port.name));
     }
     if (!choices.empty())
       environment.transitions = {
           {"start_", sequence({select(std::move(choices)), to("start_")}), ""}};
     program.processes.push_back(std::move(environment));
+  }
+
+  /// Of the event whose port it is; null where it comes at any time.
+  const syntax::Interval* everyOf(std::string_view port) const {
+    for (const auto& event : source.events.all) {
+      const bool isIt = port.starts_with(event.name()) &&
+                        port.find_first_not_of('_', event.name().size()) == std::string_view::npos;
+      if (isIt && event->every) return &*event->every;
+    }
+    return nullptr;
+  }
+
+  void addEvery(const std::string& port, const syntax::Interval& every) {
+    Process process;
+    process.name = port + "_platform";
+    process.states = {{"waits", 0}, {"due", 0}};
+    process.transitions = {{"waits", sequence({wait(inTicks(every)), to("due")}), ""},
+                           {"due", sequence({synchronise(port), to("waits")}), ""}};
+    program.processes.push_back(std::move(process));
   }
 
   /// Every process gets what it names, anew.

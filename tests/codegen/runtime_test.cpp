@@ -155,4 +155,16 @@ TEST_CASE("every wait of a runtime model is punctual") {
     for (const auto& from : process.transitions) visit(visit, from.statement);
 }
 
+TEST_CASE("the platform reports an event with a time, and one that is early or late is told of") {
+  const auto model = test::modelOf("(defsv door :states (Closed Open) :init Closed)"
+                                   "(defevent opens :every [1,3] :effects (door Open))",
+                                   {.edition = codegen::Edition::Runtime});
+  const auto early = test::printedState(model, "event_opens_automata", "early");
+  CHECK_THAT(early, Contains("wait [99,99];\n        to on_time"));
+  CHECK_THAT(early, Contains("#opens_undershoot"));
+  const auto onTime = test::printedState(model, "event_opens_automata", "on_time");
+  CHECK_THAT(onTime, Contains("wait [202,202];"));
+  CHECK_THAT(onTime, Contains("#opens_overshoot;\n        to late"));
+}
+
 } // namespace proskill::test::runtime_test

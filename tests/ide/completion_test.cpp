@@ -114,7 +114,7 @@ TEST_CASE("the fields that are not there yet") {
   CHECK(labelsIn("(defsv lamp ^") == Labels{":states", ":init", ":transitions", ":min", ":max"});
   CHECK(labelsIn("(defsv lamp :states (A B) ^)") == Labels{":init", ":transitions"});
   CHECK(labelsIn("(defsv lamp :min 0 :i^") == Labels{":init", ":max"});
-  CHECK(labelsIn("(defevent e ^)") == Labels{":effects"});
+  CHECK(labelsIn("(defevent e ^)") == Labels{":every", ":effects"});
   CHECK(labelsIn("(defresource r :^)") == Labels{":capacity"});
   CHECK(labelsIn("(defenvironment e ^)") == Labels{":body"});
   CHECK(labelsIn("(defskill f :invariant (t (:guard (battery Low) ^") == Labels{":effects"});

@@ -166,6 +166,8 @@ private:
   void chooseUnit() {
     for (const auto& skill : script.skills)
       if (skill.node->timeInterval) note(*skill.node->timeInterval);
+    for (const auto* event : script.events)
+      if (event->every) note(*event->every);
     for (const auto& thread : script.threads)
       for (const auto& place : thread.places)
         if (place.statement && waitsForTime(*place.statement)) note(place.statement->duration);

@@ -71,6 +71,10 @@ struct Script {
   [[nodiscard]] int skill(std::string_view name) const; ///< nobody: it never runs
   [[nodiscard]] int variable(std::string_view name) const;
   [[nodiscard]] int event(std::string_view name) const;
+  /// Ages are of threads, then of skills, then of events.
+  [[nodiscard]] int clockOfEvent(int event) const {
+    return static_cast<int>(threads.size() + skills.size()) + event;
+  }
   [[nodiscard]] std::int64_t units(const syntax::Rational& seconds) const {
     return seconds.numerator * (unitsPerSecond / seconds.denominator);
   }

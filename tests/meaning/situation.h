@@ -78,7 +78,7 @@ struct Situation {
   std::vector<ThreadState> threads;
   std::vector<std::optional<Ending>> decided; ///< by skill: how a branch has ended it
   std::map<std::pair<int, int>, Outcome> own; ///< of thread and skill: the last call's outcome
-  std::vector<Age> ages;                      ///< of threads' statements, then of skills' runs
+  std::vector<Age> ages; ///< of threads' statements, skills' runs, events with `:every`
   friend auto operator<=>(const Situation&, const Situation&) = default;
 };
 

@@ -71,6 +71,7 @@ private:
   void ofEmit(int thread, const Place& place);
   void occur(Change& made, int event) const;
   /// Without an environment of its own, everything may happen at any time.
+  void ofEvents();
   void ofTheWorld();
   /// A composite skill notices an interrupt from outside where it waits for something.
   [[nodiscard]] bool takesInterrupts(int skill) const;

@@ -24,6 +24,7 @@ std::vector<Step> Steps::find() {
   for (int skill = 0; skill < static_cast<int>(script.skills.size()); ++skill) ofSkill(skill);
   for (int thread = 0; thread < static_cast<int>(script.threads.size()); ++thread) ofThread(thread);
   if (script.environment == kNobody) ofTheWorld();
+  ofEvents();
   ofTheEnd();
   return std::move(all);
 }
@@ -212,8 +213,22 @@ void Steps::occur(Change& made, int event) const {
   made.setEffects(script.events[event]->effects);
 }
 
+/// Those that say themselves how much time there is between two occurrences.
+void Steps::ofEvents() {
+  for (int event = 0; event < static_cast<int>(script.events.size()); ++event) {
+    const auto& every = script.events[event]->every;
+    if (!every) continue;
+    const int clock = script.clockOfEvent(event);
+    auto happens = change(within(*every, clock));
+    occur(happens, event);
+    happens.after().ages[clock] = {.counts = true};
+    add(std::move(happens));
+  }
+}
+
 void Steps::ofTheWorld() {
   for (int event = 0; event < static_cast<int>(script.events.size()); ++event) {
+    if (script.events[event]->every) continue;
     auto happens = change(When::anyTime());
     occur(happens, event);
     add(std::move(happens));
@@ -259,7 +274,10 @@ Situation beginning(const Script& script) {
   first.skills.resize(script.skills.size());
   first.decided.resize(script.skills.size());
   first.threads.resize(script.threads.size());
-  first.ages.resize(script.threads.size() + script.skills.size());
+  first.ages.resize(script.threads.size() + script.skills.size() + script.events.size());
+  for (std::size_t i = 0; i < script.events.size(); ++i)
+    first.ages[script.clockOfEvent(static_cast<int>(i))].counts =
+        script.events[i]->every.has_value();
   for (std::size_t i = 0; i < script.threads.size(); ++i)
     for (const int skill : script.threads[i].calls)
       if (script.skills[skill].isShared())

@@ -156,6 +156,7 @@ TEST_CASE("random programs use every field and every condition of the language")
                             ":max",
                             ":states",
                             ":transitions",
+                            ":every",
                             ":effects",
                             ":capacity",
                             ":input",

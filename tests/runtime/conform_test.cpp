@@ -53,11 +53,13 @@ std::string flight(const std::string& after) {
   return R"({"signals":[],"actions":{"fly":[{"result":"there","after":)" + after + "}]}}";
 }
 
-/// A platform on which everything is interrupted now and then, and events come often.
+/// A platform on which everything is interrupted now and then, and events come often, but
+/// for those that say themselves how often.
 std::string interruptions(const runtime::Executable& executable) {
   std::string interrupts;
   std::string events;
   for (const auto& signal : executable.model.signals) {
+    if (signal.every) continue;
     auto& to = signal.interrupts ? interrupts : events;
     to += fmt::format("{}\"{}\":[0.5,6]", to.empty() ? "" : ",", signal.name);
   }
@@ -147,4 +149,24 @@ TEST_CASE("every simulated run of a random program conforms to the model that is
   }
   CHECK(judgedRuns > count * 7 / 10);
   CHECK(steps > 5 * judgedRuns);
+}
+
+TEST_CASE("a run conforms only where events come as often as they say") {
+  const std::string text = "(defsv n :init 0 :min 0 :max 9)"
+                           "(defevent beat :every [2,3] :effects (n (+ n 1)))"
+                           "(defskill mission :success done :body ((^ 5.5) (success done)))";
+  const auto judgedBeats = [&](const std::string& second) {
+    const auto script =
+        R"({"signals":[{"at":2,"event":"beat"},{"at":)" + second + R"(,"event":"beat"}]})";
+    const auto executable = test::executableOf(text, false);
+    return judged(text, test::runOf(*executable, 0, script).recorded);
+  };
+  CHECK(judgedBeats("4").verdict == Conformance::Conforms);
+  CHECK(judgedBeats("5").verdict == Conformance::Conforms);
+  const auto early = judgedBeats("3.5");
+  CHECK(early.verdict == Conformance::Deviates);
+  CHECK(early.assumption == "`beat` came after 1.5 s; its `:every` promises at least 2 s");
+  const auto late = judgedBeats("5.25");
+  CHECK(late.verdict == Conformance::Deviates);
+  CHECK(late.why == "`beat` has not come");
 }

@@ -223,3 +223,29 @@ TEST_CASE("a clock that goes back does not take time back") {
   for (std::size_t i = 1; i < ran.steps.size(); ++i)
     CHECK(ran.steps[i - 1].date <= ran.steps[i].date);
 }
+
+TEST_CASE("an event comes as often as it says, or is told of") {
+  const auto run = [](const std::string& every, const std::string& script) {
+    return runOf("(defsv n :init 0 :min 0 :max 9) (defevent beat :every " + every +
+                     " :effects (n (+ n 1))) (defskill mission :success done"
+                     " :body ((^ (= n 3)) (success done)))",
+                 script);
+  };
+  const auto ran = run("[2,3]", "");
+  INFO(ran.text());
+  CHECK(ran.result.missionStatus == "success");
+  CHECK(ran.result.bad == 0);
+  CHECK(ran.result.date >= 6'000'000'000);
+  CHECK(ran.result.date <= 9'000'000'000);
+  const auto script = [](const std::string& third) {
+    return R"({"signals":[{"at":2,"event":"beat"},{"at":5,"event":"beat"},{"at":)" + third +
+           R"(,"event":"beat"}]})";
+  };
+  CHECK(run("[2,3]", script("7")).result.bad == 0);
+  const auto early = run("[2,3]", script("6.5"));
+  REQUIRE(early.told(RemarkKind::Undershoot));
+  CHECK(early.told(RemarkKind::Undershoot)->subject == "beat");
+  const auto late = run("[2,3]", script("8.5"));
+  REQUIRE(late.told(RemarkKind::Overshoot));
+  CHECK(late.told(RemarkKind::Overshoot)->date == 8'000'000'001);
+}

@@ -108,6 +108,9 @@ TEST_CASE("what does not belong into a definition is one diagnostic") {
   CHECK(codes("(defsv level :states (Good 3) :init Good)") == "PS0106");
   CHECK(codes("(defsv level :states (A B) :init A :transitions (A B))") == "PS0115");
   CHECK(codes("(defevent e :effects)") == "PS0114");
+  CHECK(codes("(defevent e :every [1,5] :effects (a B))") == "");
+  CHECK(codes("(defevent e :every 5 :effects (a B))") == "PS0115");
+  CHECK(codes("(defevent e :every :effects (a B))") == "PS0114");
   CHECK(codes("(defevent e :effects ())") == "PS0110");
   CHECK(codes("(defevent e :effects motion)") == "PS0120");
   CHECK(codes("some words (defevent e :effects (a B)) and more") == "PS0108 PS0108");

@@ -41,6 +41,7 @@
 (max_field keyword: _ @property)
 (states_field keyword: _ @property)
 (transitions_field keyword: _ @property)
+(every_field keyword: _ @property)
 (capacity_field keyword: _ @property)
 (input_field keyword: _ @property)
 (precondition_field keyword: _ @property)

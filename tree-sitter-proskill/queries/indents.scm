@@ -20,6 +20,7 @@
   (max_field)
   (states_field)
   (transitions_field)
+  (every_field)
   (capacity_field)
   (input_field)
   (precondition_field)

@@ -75,6 +75,8 @@ void checkTicks(Report& report) {
     if (skill->timeInterval) checkInterval(report, skill, *skill->timeInterval);
     if (skill->body) checkBody(report, skill, *skill->body);
   }
+  for (const auto& event : report.program.events.all)
+    if (event->every) checkInterval(report, event, *event->every);
 }
 
 } // namespace proskill::analysis::flow

@@ -31,7 +31,8 @@ public:
         reportUnless(isNamed(id) || isStarted(symbol.definition), Code::UnusedSkill, symbol);
         break;
       case SymbolKind::Event:
-        reportUnless(isNamed(id) || report.system().hasFreeEvents(), Code::UnusedEvent, symbol);
+        reportUnless(isNamed(id) || report.system().isFree(symbol.definition), Code::UnusedEvent,
+                     symbol);
         break;
       case SymbolKind::Property:
       case SymbolKind::Environment:

@@ -160,8 +160,9 @@ std::vector<VariableId> writesOf(const System& system, const Process& process) {
 void compileActions(const System& system, Process& process) {
   if (process.kind == ProcessKind::Events) {
     for (std::size_t event = 0; event < process.actions.size(); ++event)
-      process.actions[event].assignments =
-          system.resolver().assignments(system.program().events.all[event]->effects, process.slots);
+      if (system.isFree(event))
+        process.actions[event].assignments = system.resolver().assignments(
+            system.program().events.all[event]->effects, process.slots);
     return;
   }
   for (NodeId id = 0; id < process.graph->nodes.size(); ++id)

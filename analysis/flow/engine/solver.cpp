@@ -79,7 +79,8 @@ void Solver::prepare(ProcessId id) {
   rely[id] = closingOf(id, false);
   relyInside[id] = closingOf(id, true);
   for (NodeId node = 0; node < nodes; ++node) prepareCall(id, node);
-  if (process.kind == ProcessKind::Skill && model.hasFreeEvents() && model.skill(process).interrupt)
+  if (process.kind == ProcessKind::Skill && model.hasFreeInterrupts() &&
+      model.skill(process).interrupt)
     interrupted[id] = true;
 }
 

@@ -262,6 +262,12 @@ void System::chooseSlots() {
   }
 }
 
+bool System::hasFreeEvents() const {
+  if (hasFreeInterrupts()) return true;
+  return std::ranges::any_of(source.events.all,
+                             [](const auto& event) { return event->every.has_value(); });
+}
+
 IdSet System::readsOf(ProcessId id) const {
   const Process& process = processes[id];
   std::vector<VariableId> reads;

@@ -79,8 +79,14 @@ public:
   [[nodiscard]] bool hasTwoMeanings(ProcessId reader, VariableId variable) const;
   /// Skills that cannot be running while this one is; itself, where it is never called while it is.
   [[nodiscard]] const IdSet& exclusive(ProcessId id) const { return excluded[id]; }
-  /// Events happen at any time: no environment restricts them.
-  [[nodiscard]] bool hasFreeEvents() const { return source.environments.all.empty(); }
+  /// Interrupts from outside happen at any time, and so do all events: no environment restricts
+  /// them.
+  [[nodiscard]] bool hasFreeInterrupts() const { return source.environments.all.empty(); }
+  /// An event happens by itself: nothing says when, or its `:every` does.
+  [[nodiscard]] bool isFree(std::size_t event) const {
+    return hasFreeInterrupts() || source.events.all[event]->every;
+  }
+  [[nodiscard]] bool hasFreeEvents() const;
 
   [[nodiscard]] const syntax::Skill& skill(const Process& process) const {
     return source.skills.all[process.definition].node();

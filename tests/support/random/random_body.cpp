@@ -77,8 +77,8 @@ Form Bodies::simple(Place place) {
     return {"if", phrase.condition(), Form{"goto", place.labels->front()}};
   if (random.chance(25)) return wait(place);
   if (place.environment) {
-    if (!vocabulary.events.empty() && random.chance(80))
-      return {"emit", random.pick(vocabulary.events)};
+    if (!vocabulary.emitted.empty() && random.chance(80))
+      return {"emit", random.pick(vocabulary.emitted)};
     return interruptOf(place);
   }
   if (random.chance(50)) return callOrInterrupt(place);

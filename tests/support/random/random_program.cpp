@@ -20,8 +20,7 @@ public:
 
   std::vector<Form> write() {
     for (const auto& variable : words.variables) program.push_back(stateVariable(variable));
-    for (const auto& event : words.events)
-      program.push_back({"defevent", event, ":effects", phrase.effects()});
+    for (const auto& name : words.events) program.push_back(event(name));
     for (const auto& resource : words.resources) program.push_back(this->resource(resource));
     addSkills();
     if (random.chance(size.environment))
@@ -57,6 +56,14 @@ private:
         if (from != to && random.chance(60)) moves.add({from, to});
     if (moves.items.empty()) moves.add({variable.values[0], variable.values[1]});
     return moves;
+  }
+
+  Form event(const std::string& name) {
+    Form form{"defevent", name};
+    if (std::ranges::find(words.emitted, name) == words.emitted.end())
+      form.addAll({":every", phrase.every()});
+    form.addAll({":effects", phrase.effects()});
+    return form;
   }
 
   Form resource(const std::string& name) {

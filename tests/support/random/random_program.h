@@ -26,6 +26,7 @@ struct ProgramSize {
   unsigned environment = 20; ///< per cent of programs with a defenvironment
   unsigned library = 10;     ///< per cent of programs without a main skill
   unsigned scopes = 0;       ///< per cent of properties that have a scope or a time
+  unsigned every = 30;       ///< per cent of events that come by themselves
   unsigned labels = 0;       ///< per cent of tests, waits and interrupts with a label before them
 };
 

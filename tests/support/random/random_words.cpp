@@ -120,6 +120,8 @@ Words randomWords(RandomSource& random, const ProgramSize& size) {
   Namer events(random);
   for (std::size_t i = random.below(size.events + 1); i > 0; --i)
     words.events.push_back(events.draw("e"));
+  for (const auto& event : words.events)
+    if (!random.chance(size.every)) words.emitted.push_back(event);
   Namer resources(random);
   for (std::size_t i = random.below(size.resources + 1); i > 0; --i)
     words.resources.push_back(resources.draw("r"));
@@ -143,6 +145,12 @@ std::string Phrases::interval() {
   bool point = !lowerOpen && random.chance(15);
   std::string upper = point ? std::to_string(lower) : seconds(lower + 1);
   return text + upper + (!point && random.chance(20) ? "[" : "]");
+}
+
+std::string Phrases::every() {
+  std::string text = interval();
+  while (text == "[0,0]" || text == "[0 , 0]") text = interval();
+  return text;
 }
 
 std::string Phrases::literal(const std::string& type) {

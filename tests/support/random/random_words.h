@@ -32,6 +32,7 @@ struct SkillWords {
 struct Words {
   std::vector<VariableWords> variables;
   std::vector<std::string> events;
+  std::vector<std::string> emitted; ///< those that do not come by themselves
   std::vector<std::string> resources;
   std::vector<SkillWords>
       skills; ///< composites first, the main one the first; a skill calls those behind it
@@ -54,6 +55,8 @@ public:
   [[nodiscard]] Form effects();
   [[nodiscard]] std::string duration();
   [[nodiscard]] std::string interval();
+  /// An interval in which time can pass.
+  [[nodiscard]] std::string every();
   [[nodiscard]] std::string literal(const std::string& type);
 
 private:

@@ -42,6 +42,7 @@
 (max_field keyword: _ @attribute)
 (states_field keyword: _ @attribute)
 (transitions_field keyword: _ @attribute)
+(every_field keyword: _ @attribute)
 (capacity_field keyword: _ @attribute)
 (input_field keyword: _ @attribute)
 (precondition_field keyword: _ @attribute)
