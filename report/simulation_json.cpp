@@ -40,10 +40,10 @@ OrderedJson unmetJson(const std::vector<ide::UnmetValue>& values) {
 } // namespace
 
 std::expected<ChosenRun, std::string> readChosenRun(const OrderedJson& json) {
-  if (!json.is_object()) return std::unexpected("a run is a JSON object");
+  if (!json.is_object()) return std::unexpected("a run must be a JSON object");
   ChosenRun run{.name = textAt(json, "name"), .mainSkill = textAt(json, "main")};
   const auto steps = json.find("steps");
-  if (steps == json.end() || !steps->is_array()) return std::unexpected("a run has `steps`");
+  if (steps == json.end() || !steps->is_array()) return std::unexpected("a run must have `steps`");
   for (const auto& it : *steps) {
     if (it.is_object() && it.contains("remark")) continue;
     auto step = stepOf(it);
@@ -52,9 +52,10 @@ std::expected<ChosenRun, std::string> readChosenRun(const OrderedJson& json) {
   }
   const auto expected = json.find("expect");
   if (expected == json.end() || expected->is_null()) return run;
-  if (!expected->is_object()) return std::unexpected("`expect` has a value for each variable");
+  if (!expected->is_object())
+    return std::unexpected("`expect` must have a value for each variable");
   for (const auto& [variable, value] : expected->items()) {
-    if (!value.is_string()) return std::unexpected("a value in `expect` is a string");
+    if (!value.is_string()) return std::unexpected("a value in `expect` must be a string");
     run.expected[variable] = value.get<std::string>();
   }
   return run;

@@ -106,7 +106,7 @@ private:
       const auto& property = program.properties[questions[i].property];
       const auto kind = property.pattern.kind;
       if (kind == PatternKind::Progress || kind == PatternKind::NoError)
-        outcome.result.answers[i].reason = "Fiacre has no words for this property";
+        outcome.result.answers[i].reason = "Fiacre cannot express this property";
       else if (questions[i].fair)
         outcome.result.answers[i].reason =
             "Tina cannot exclude unfair runs; with `--runs all` it considers all of them";
@@ -152,7 +152,7 @@ private:
     if (saysUnfinished(done->out + done->err))
       return Stop{false, fmt::format("`{}` did not explore the whole graph", name)};
     if (!counts)
-      return Stop{false, fmt::format("what `{}` says of its graph is not understood", name)};
+      return Stop{false, fmt::format("the output of `{}` on its graph is not understood", name)};
     outcome.result.exploration = *counts;
     const auto most = options.limits.classes;
     if (most && counts->classes >= *most) return Stop{true, "the limit of classes was met"};

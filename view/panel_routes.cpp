@@ -96,7 +96,7 @@ std::optional<HttpResponse> callJson(std::string_view method, const HttpRequest&
   if (!request.header("content-type").starts_with("application/json"))
     return refuse(400, "requests are JSON");
   const auto params = OrderedJson::parse(request.body, nullptr, false);
-  if (!params.is_object()) return refuse(400, "parameters are a JSON object");
+  if (!params.is_object()) return refuse(400, "parameters must be a JSON object");
   try {
     if (method == "news") {
       news.after(params.value("after", std::size_t{0}), [reply](OrderedJson told) {
@@ -150,10 +150,10 @@ std::optional<HttpResponse> answerNow(const HttpRequest& request, const PanelAdd
     return refuse(403, "the address lacks the token that `proskill view` printed");
   path.remove_prefix(end + 1);
   if (path.starts_with("api/")) {
-    if (request.method != "POST") return refuse(405, "requests are sent by POST");
+    if (request.method != "POST") return refuse(405, "requests must use POST");
     return callJson(path.substr(4), request, data, news, reply);
   }
-  if (request.method != "GET" && request.method != "HEAD") return refuse(405, "only to be read");
+  if (request.method != "GET" && request.method != "HEAD") return refuse(405, "read-only");
   return file(path);
 }
 

@@ -78,7 +78,7 @@ public:
 
   /// Only what the traces speak of.
   Answer source(const std::string& uri) override {
-    if (!files.contains(uri)) return std::unexpected("the traces do not speak of this file");
+    if (!files.contains(uri)) return std::unexpected("the traces do not refer to this file");
     auto text = disk::DiskFileSystem().read(uri);
     if (!text) return std::unexpected(uri + " cannot be read: " + text.error());
     return OrderedJson{{"uri", uri}, {"text", std::move(*text)}};

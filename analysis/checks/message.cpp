@@ -36,7 +36,7 @@ std::string_view takenBy(char letter) {
   switch (letter) {
   case 'd': return "an integer";
   case 'f': return "a number";
-  default: return "a string or a value that has a name";
+  default: return "a string or a named value";
   }
 }
 

@@ -52,7 +52,7 @@ int exploreGraph(const std::string& target, verify::GraphKind kind, const codege
   const std::filesystem::path path(target);
   const bool isFile = target != "counts";
   if (isFile && path.extension() != ".aut" && path.extension() != ".txt")
-    return fail("`--graph` is for a file that ends in `.aut` or `.txt`, or for `counts`");
+    return fail("`--graph` needs a file that ends in `.aut` or `.txt`, or `counts`");
   auto graph = verify::stateGraph(model.fiacre, kind, options);
   if (!graph) return failUnsupported(graph.error());
   if (!graph->counts.complete) {

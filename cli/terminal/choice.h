@@ -28,7 +28,7 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen
   auto choose = [&chosen, choices, name](const std::string& word) {
     for (const auto& [known, value] : choices)
       if (known == word) return static_cast<void>(chosen = value);
-    throw CLI::ValidationError(name, "`" + word + "` is none of " + words(choices, ", "));
+    throw CLI::ValidationError(name, "`" + word + "` is not one of " + words(choices, ", "));
   };
   auto* option = command.add_option_function<std::string>(name, choose, help);
   return show(option, inGroup, words(choices, "|"));

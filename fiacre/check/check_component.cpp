@@ -58,7 +58,7 @@ private:
     const auto& given = instance.arguments[i];
     const bool reference = i < instance.references.size() && instance.references[i];
     if (reference != parameter.reference)
-      return report(fmt::format("`{}` of {} is passed by {}, not by {}", parameter.name,
+      return report(fmt::format("`{}` of {} must be passed by {}, not by {}", parameter.name,
                                 instance.process, parameter.reference ? "reference" : "value",
                                 reference ? "reference" : "value"));
     const Typing typing(around.known, around.scope, report);
@@ -140,7 +140,7 @@ void checkAlone(const std::string& name, std::string_view what, const Declaratio
   if (!made)
     report(fmt::format("there is no {} `{}`", what, name));
   else if (!made->ports.empty() || !made->parameters.empty())
-    report(fmt::format("the {} `{}` wants ports or arguments", what, name));
+    report(fmt::format("the {} `{}` needs ports or arguments", what, name));
 }
 
 void checkObservers(const Program& program, const Declarations& known, const Report& report) {
@@ -148,8 +148,9 @@ void checkObservers(const Program& program, const Declarations& known, const Rep
   for (const auto& [observer, model, origin] : program.observers) {
     const auto here = report.at("observer " + observer, origin);
     if (model != program.main)
-      here(fmt::format("`{}` is observed, and the model is `{}`", model, program.main));
-    if (!seen.insert(observer).second) here(fmt::format("`{}` is there already", observer));
+      here(fmt::format("`{}` is observed, but the model is `{}`", model, program.main));
+    if (!seen.insert(observer).second)
+      here(fmt::format("`{}` is already declared as an observer", observer));
     checkAlone(observer, "component", known, here);
   }
 }
@@ -171,7 +172,7 @@ void checkComponent(const Component& component, const Declarations& known, const
     checkNames(*component.init, around, report);
     checkInit(*component.init, report);
   }
-  if (component.instances.empty()) report("there is no instance");
+  if (component.instances.empty()) report("a component needs an instance");
   checkInstances(component.instances, around, report);
 }
 

@@ -82,11 +82,11 @@ void checkDeclarations(const Program& program, const Declarations& known, const 
 }
 
 void checkInterval(const Interval& interval, const Report& report) {
-  if (interval.lower < 0) report("a time is negative");
+  if (interval.lower < 0) report("a time must not be negative");
   if (!interval.upper) return;
   const bool point =
       interval.lower == *interval.upper && !interval.lowerOpen && !interval.upperOpen;
-  if (!point && interval.lower >= *interval.upper) report("an interval is empty");
+  if (!point && interval.lower >= *interval.upper) report("empty interval");
 }
 
 Scope scopeOf(const std::vector<Parameter>& parameters, const std::vector<Variable>& variables) {

@@ -74,7 +74,7 @@ bool isPlain(StatementKind kind) {
 template <class Allowed>
 void checkPlain(const Statement& s, std::string_view where, const Report& report, Allowed allowed) {
   if (!isPlain(s.kind) && !allowed(s.kind))
-    report.from(s.origin)(fmt::format("{} does more than compute", where));
+    report.from(s.origin)(fmt::format("{} may only compute", where));
   for (const auto& child : s.children) checkPlain(child, where, report, allowed);
 }
 
@@ -179,7 +179,7 @@ bool alwaysReturns(const Statement& s) {
 } // namespace
 
 void checkPaths(const Statement& statement, const Report& report) {
-  if (follow(statement, kStart, report) != kNone) report("a path ends in no `to` and no `loop`");
+  if (follow(statement, kStart, report) != kNone) report("a path must end with `to` or `loop`");
 }
 
 void checkInit(const Statement& statement, const Report& report) {
@@ -190,7 +190,7 @@ void checkInit(const Statement& statement, const Report& report) {
 void checkReturns(const Statement& body, const Report& report) {
   checkPlain(body, "a function", report,
              [](StatementKind kind) { return kind == StatementKind::Return; });
-  if (!alwaysReturns(body)) report("a path returns nothing");
+  if (!alwaysReturns(body)) report("a path ends without `return`");
 }
 
 } // namespace proskill::fiacre

@@ -12,7 +12,7 @@ void addPorts(CheckContext& around, const std::vector<Port>& ports) {
 }
 
 void checkStates(const Process& process, const Report& report) {
-  if (process.states.empty()) report("there is no state");
+  if (process.states.empty()) report("a process needs a state");
   Names declared(report);
   std::set<std::string_view> states;
   for (const auto& state : process.states) {
@@ -24,8 +24,8 @@ void checkStates(const Process& process, const Report& report) {
     if (!states.contains(from.state))
       report(fmt::format("the state `{}` is not declared", from.state));
     if (!described.insert(from.state).second)
-      report.from(from.origin)(fmt::format(
-          "the state `{}` has two `from`: make one of them, with `select`", from.state));
+      report.from(from.origin)(
+          fmt::format("the state `{}` has two `from`: join them with `select`", from.state));
   }
 }
 

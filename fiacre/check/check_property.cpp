@@ -47,7 +47,7 @@ public:
     if (pattern.within) checkInterval(*pattern.within, report);
     if (pattern.forInterval) checkInterval(*pattern.forInterval, report);
     if (pattern.lasting.value_or(0) < 0 || pattern.forDuration.value_or(0) < 0)
-      report("a time is negative");
+      report("a time must not be negative");
     if (pattern.kind == PatternKind::Ltl) check(pattern.ltl);
   }
 
@@ -114,7 +114,8 @@ private:
   }
 
   void state(const Target& target, const std::string& name) const {
-    if (!target.process) return report(fmt::format("`state {}` is of no process", name));
+    if (!target.process)
+      return report(fmt::format("`state {}` does not belong to a process", name));
     if (std::ranges::find(target.process->states, name, &State::name) ==
         target.process->states.end())
       report(fmt::format("process {} has no state `{}`", target.process->name, name));
@@ -122,7 +123,7 @@ private:
 
   void value(const Target& target, const Expr& expr) const {
     if (!target.process && !target.component)
-      return report("`value` is of a composition without a name: name a part of it");
+      return report("`value` refers to a composition without a name: name a part of it");
     const auto scope = target.process
                            ? scopeOf(target.process->parameters, target.process->variables)
                            : scopeOf(target.component->parameters, target.component->variables);
@@ -130,7 +131,7 @@ private:
   }
 
   void tag(const Target& target, const std::string& name) const {
-    if (!target.process) return report(fmt::format("`tag {}` is of no process", name));
+    if (!target.process) return report(fmt::format("`tag {}` does not belong to a process", name));
     if (std::ranges::none_of(target.process->transitions,
                              [&](const From& from) { return bears(from.statement, name); }))
       report(fmt::format("process {} has no tag `{}`", target.process->name, name));
@@ -178,11 +179,11 @@ void checkProbe(const Port& port, const Program& program, const Declarations& kn
   const auto said = [&](std::string_view what) {
     report(fmt::format("the probe of `{}` {}", port.name, what));
   };
-  if (namesObserver(*port.probe)) said("looks at an observer: it can look at the model alone");
+  if (namesObserver(*port.probe)) said("refers to an observer: a probe can only observe the model");
   if (!watchesSteps(*port.probe)) return;
-  if (!port.values.empty()) said("is of steps, and carries no values");
+  if (!port.values.empty()) said("observes steps and cannot carry values");
   if (port.interval && (port.interval->lower != 0 || port.interval->upper.value_or(0) != 0))
-    said("is of steps: it is passed with them, and has no time of its own");
+    said("observes steps: it is passed with them and cannot have an interval of its own");
 }
 
 void checkProperty(const Property& property, const Program& program, const Declarations& known,

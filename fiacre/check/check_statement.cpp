@@ -57,7 +57,7 @@ private:
     for (const auto& target : s.targets) {
       const auto type = Typing(around.known, around.scope, report).infer(target);
       if (type && (type->kind == TypeKind::Nat || type->kind == TypeKind::Int))
-        report(fmt::format("`{}` has no end of values for `any`", printLvalue(target)));
+        report(fmt::format("the type of `{}` has too many values for `any`", printLvalue(target)));
     }
   }
 
@@ -75,7 +75,7 @@ private:
       if (rest && i + 1 < s.values.size()) report("no value is left after the pattern `any`");
       if (std::find(s.values.begin() + 1, s.values.begin() + static_cast<std::ptrdiff_t>(i),
                     pattern) != s.values.begin() + static_cast<std::ptrdiff_t>(i))
-        report(fmt::format("the pattern `{}` is there twice", printExpr(pattern)));
+        report(fmt::format("duplicate pattern `{}`", printExpr(pattern)));
     }
   }
 
@@ -96,14 +96,14 @@ private:
     if (!found) return;
     typing.expectAll(s.values, found->values, fmt::format("the port `{}`", s.name));
     if (!found->values.empty() && found->in && !found->out)
-      report(fmt::format("the port `{}` is only read from", s.name));
+      report(fmt::format("the port `{}` is an input", s.name));
   }
 
   void receive() const {
     const auto* found = port(s.targets.size());
     targets();
     if (found && found->out && !found->in)
-      report(fmt::format("the port `{}` is only written to", s.name));
+      report(fmt::format("the port `{}` is an output", s.name));
     for (std::size_t i = 0; found && i < s.targets.size(); ++i)
       typing.expect(s.targets[i], found->values[i]);
   }
@@ -132,7 +132,7 @@ private:
     const bool finite =
         type->kind == TypeKind::Range || type->kind == TypeKind::Bool ||
         (type->kind == TypeKind::Named && declared && (*declared)->type.kind == TypeKind::Union);
-    if (!finite) report(fmt::format("`{}` cannot go through all values of its type", s.name));
+    if (!finite) report(fmt::format("`{}` cannot iterate over all values of its type", s.name));
   }
 
   void result() const {

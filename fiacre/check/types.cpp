@@ -57,7 +57,7 @@ void checkType(const Type& type, const Declarations& declarations, const Report&
   if (type.kind == TypeKind::Range && type.low > type.high)
     report(fmt::format("the range {}..{} is empty", type.low, type.high));
   if ((type.kind == TypeKind::Array || type.kind == TypeKind::Queue) && type.size <= 0)
-    report("an array or a queue has room for nothing");
+    report("an array or a queue must have a size of at least 1");
   if (isStructure(type)) {
     if (type.members.empty()) report("a record or a union has no members");
     Names names(report);

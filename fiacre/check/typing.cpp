@@ -64,7 +64,8 @@ void Typing::expectRecord(const Expr& expr, const Type& type) const {
   }
   for (const auto& member : members)
     if (std::ranges::count(expr.fields, member.name) != 1)
-      report(fmt::format("`{}` gives the field `{}` not once", printExpr(expr), member.name));
+      report(
+          fmt::format("`{}` must give the field `{}` exactly once", printExpr(expr), member.name));
 }
 
 /// A literal of a structured type, whose parts say more than its whole.
@@ -314,7 +315,7 @@ std::optional<Type> Typing::inferRecord(const Expr& expr) const {
 }
 
 std::optional<Type> Typing::inferQueue(const Expr& expr) const {
-  if (expr.operands.empty()) return report("the type of `{||}` cannot be known here"), std::nullopt;
+  if (expr.operands.empty()) return report("the type of `{||}` is not known here"), std::nullopt;
   auto type = inferArray(expr);
   if (type) type->kind = TypeKind::Queue;
   return type;

@@ -166,9 +166,9 @@ void Parser::external() {
 
 void Parser::entry() {
   if (isAt(">", 1)) return attachment();
-  if (!endsEntry(1)) fail(fmt::format("`{}` begins no declaration", peek().text));
+  if (!endsEntry(1)) fail(fmt::format("unexpected `{}`, expected a declaration", peek().text));
   if (!parsed.program.main.empty())
-    report(fmt::format("the model is `{}` already", parsed.program.main), peek());
+    report(fmt::format("the model is already `{}`", parsed.program.main), peek());
   parsed.program.main = name("the name of a component", NameKind::Component);
 }
 
@@ -192,7 +192,7 @@ void Parser::finish() {
   };
   for (const auto& [begins, token] : paths)
     if (begins != program.main && !program.main.empty() && !observes(begins))
-      report(fmt::format("the path begins with `{}`, and the model is `{}`", begins, program.main),
+      report(fmt::format("the path begins with `{}`, but the model is `{}`", begins, program.main),
              token);
   eachAtom(program, [&](Observable& atom) {
     if (!observes(atom.observer)) atom.observer.clear();

@@ -135,7 +135,7 @@ Expr Parser::number() {
   Expr result{.kind = ExprKind::Number};
   const auto read =
       std::from_chars(token.text.data(), token.text.data() + token.text.size(), result.number);
-  if (read.ec != std::errc()) fail("the number is too large");
+  if (read.ec != std::errc()) fail("number too large");
   ++at;
   return result;
 }
@@ -184,7 +184,7 @@ Expr Parser::lvalue() {
   const Expr* root = &result;
   while (root->kind == ExprKind::Index || root->kind == ExprKind::Field)
     root = root->operands.data();
-  if (root->kind != ExprKind::Name) fail("this cannot be assigned to");
+  if (root->kind != ExprKind::Name) fail("cannot be assigned to");
   return result;
 }
 

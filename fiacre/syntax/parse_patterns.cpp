@@ -37,7 +37,8 @@ Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
     height += 3; // which it has at most above its operands
     return *formula;
   }
-  report("this pattern is not joined to others: assert it by itself, or write it as `ltl`", first);
+  report("this pattern cannot be combined with others: assert it by itself, or write it as `ltl`",
+         first);
   throw CannotRead();
 }
 
@@ -56,7 +57,7 @@ Pattern Parser::betweenTwo(Observable first) {
 void Parser::once(bool known) {
   if (!known) return;
   --at;
-  fail(fmt::format("`{}` comes twice in one pattern", peek().text));
+  fail(fmt::format("duplicate `{}` in one pattern", peek().text));
 }
 
 /// `after`, with `until`, and `between` are one.

@@ -123,7 +123,7 @@ Ltl Parser::formulaPrefix() {
        {std::pair{"enter", ObservableKind::Enter}, {"leave", ObservableKind::Leave}}) {
     if (!accept(word)) continue;
     Ltl inner = operand();
-    if (!isAtom(inner)) fail(fmt::format("`{}` takes no formula of time", word));
+    if (!isAtom(inner)) fail(fmt::format("`{}` does not take a temporal formula", word));
     return {.kind = LtlKind::Atom,
             .atom = {.kind = kind, .operands = operandsOf(std::move(inner.atom))}};
   }
@@ -147,7 +147,7 @@ Ltl Parser::formulaPrimary() {
       mention(NameKind::Property);
       return namedFormula(named->second);
     }
-    fail(fmt::format("`{}` is the name of no formula; a path begins `NAME/`", peek().text));
+    fail(fmt::format("`{}` is not the name of a formula; a path begins with `NAME/`", peek().text));
   }
   return {.kind = LtlKind::Atom, .atom = atom()};
 }
@@ -156,7 +156,7 @@ Ltl Parser::formulaPrimary() {
 Ltl Parser::namedFormula(const Ltl& formula) {
   const auto [levels, nodes] = extentOf(formula);
   copied += nodes;
-  if (copied > kMostNamed) fail("the formulas that are used by their names become too large");
+  if (copied > kMostNamed) fail("the formula is too large with the named formulas in it");
   ++at;
   height = levels;
   return formula;

@@ -68,7 +68,7 @@ void Parser::expect(std::string_view wanted) {
 std::string Parser::name(std::string_view what, NameKind kind, bool declares) {
   const Token& token = peek();
   if (token.kind == TokenKind::Name && isKeyword(token.text))
-    fail(fmt::format("{} is missing: `{}` means something to Fiacre", what, token.text));
+    fail(fmt::format("{} is missing: `{}` is a keyword of Fiacre", what, token.text));
   if (token.kind != TokenKind::Name)
     fail(fmt::format("{} is missing before {}", what, shown(token)));
   mention(kind, declares);

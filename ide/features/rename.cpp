@@ -87,7 +87,7 @@ std::string captured(const Snapshot& snapshot, const AnalysedProgram& before,
   const auto changed =
       changedMeaning(before.analysis.index.occurrences(), analysis.index.occurrences());
   if (changed)
-    return fmt::format("`{}` would mean something else at {}", plan.text,
+    return fmt::format("`{}` would get another meaning at {}", plan.text,
                        placeText(before.program, changed->at));
   if (errorsOf(analysis) > errorsOf(before.analysis))
     return fmt::format("with the name `{}` the program would have an error", plan.text);
@@ -117,7 +117,7 @@ std::string takenBy(const Meaning& meaning, std::string_view name) {
   for (auto kind : rivals(symbol.kind)) {
     const auto other = symbols.find(kind, name, symbol.owner);
     if (other != analysis::kNoSymbol)
-      return fmt::format("there is a {} `{}` already, at {}", analysis::words(kind), name,
+      return fmt::format("there is already a {} `{}`, at {}", analysis::words(kind), name,
                          placeText(meaning.view.program(), symbols[other].at));
   }
   return {};
@@ -181,7 +181,7 @@ RenamePlan planOf(const Places& places, std::size_t length, std::string_view new
 
 std::expected<Occurrence, std::string> renameable(const View& view, syntax::Offset at) {
   auto occurrence = occurrenceAt(view, at);
-  if (!occurrence) return std::unexpected("there is no name of the program here");
+  if (!occurrence) return std::unexpected("not a name of the program");
   return *occurrence;
 }
 

@@ -53,7 +53,7 @@ std::string newlyWrong(std::string_view before, const std::string& after, std::s
 std::expected<Range, std::string> renameableInFiacre(std::string_view text, syntax::Offset at) {
   for (const auto& use : FiacreText(text).uses(at, true))
     if (use.range.begin <= at && at <= use.range.end) return use.range;
-  return std::unexpected("there is no name here that this text declares");
+  return std::unexpected("not a name that is declared in this text");
 }
 
 std::expected<std::vector<Range>, std::string>
@@ -61,18 +61,17 @@ renameInFiacre(std::string_view text, syntax::Offset at, std::string_view newNam
   if (!fiacre::isIdentifier(newName))
     return std::unexpected(fmt::format("`{}` is not a name: use letters, digits and `_`", newName));
   if (fiacre::isKeyword(newName))
-    return std::unexpected(fmt::format("`{}` means something to Fiacre", newName));
+    return std::unexpected(fmt::format("`{}` is a keyword of Fiacre", newName));
   const FiacreText read(text);
   std::vector<Range> places;
   for (const auto& use : read.uses(at, true)) places.push_back(use.range);
-  if (places.empty()) return std::unexpected("there is no name here that this text declares");
+  if (places.empty()) return std::unexpected("not a name that is declared in this text");
   const auto after = renamed(text, places, newName);
   if (FiacreText(after).meanings() != read.meanings())
-    return std::unexpected(
-        fmt::format("`{}` is taken: some name would mean something else than before", newName));
+    return std::unexpected(fmt::format("`{}` is used: a name would get another meaning", newName));
   const auto oldName = text.substr(places.front().begin, places.front().length());
   if (const auto wrong = newlyWrong(text, after, oldName, newName); !wrong.empty())
-    return std::unexpected(fmt::format("the model would be wrong: {}", wrong));
+    return std::unexpected(fmt::format("the model would have an error: {}", wrong));
   return places;
 }
 

@@ -126,7 +126,7 @@ Answer resolveAction(const Request& request) {
     return resolved;
   }
   return std::unexpected(
-      rpc::RpcError{rpc::ErrorCode::RequestFailed, "this can no longer be done here"});
+      rpc::RpcError{rpc::ErrorCode::RequestFailed, "this action is no longer possible here"});
 }
 
 } // namespace

@@ -48,7 +48,7 @@ std::expected<viz::Request, rpc::RpcError> pictureNamed(const analysis::Program&
     return pictureOf(program, name.get_ref<const std::string&>());
   const auto known =
       kind.is_string() ? viz::kindOf(kind.get_ref<const std::string&>()) : std::nullopt;
-  if (!known) return std::unexpected(invalidParams("`kind` is sv, skill, body or calls"));
+  if (!known) return std::unexpected(invalidParams("`kind` must be sv, skill, body or calls"));
   if (!name.is_string()) return std::unexpected(invalidParams("`name` must be a string"));
   return viz::Request{*known, name.get<std::string>(), false};
 }
@@ -103,7 +103,7 @@ std::expected<std::string, rpc::RpcError> contentOf(const viz::Graph& graph, con
   const auto format = params.value("format", Json("svg"));
   if (format == "json") return std::string();
   if (format != "svg" && format != "dot")
-    return std::unexpected(invalidParams("`format` is svg, dot or json"));
+    return std::unexpected(invalidParams("`format` must be svg, dot or json"));
   const auto scheme = params.value("dark", Json()) == true ? viz::Scheme::Dark : viz::Scheme::Light;
   auto content = viz::render(graph, format == "svg" ? viz::Format::Svg : viz::Format::Dot, scheme);
   if (!content)

@@ -181,7 +181,7 @@ Answer codeAction(const Request& request) {
 
 Answer notDecided(const Request& /*request*/) {
   return std::unexpected(
-      rpc::RpcError{rpc::ErrorCode::MethodNotFound, "this is not answered for models in Fiacre"});
+      rpc::RpcError{rpc::ErrorCode::MethodNotFound, "not supported for Fiacre models"});
 }
 
 /// What each method does for a document in Fiacre; null: the same as for programs.

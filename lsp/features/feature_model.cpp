@@ -64,8 +64,8 @@ Answer model(const Request& request) {
   if (!path) return std::unexpected(path.error());
   const auto edition = editionIn(request.params);
   if (!edition)
-    return std::unexpected(
-        rpc::RpcError{rpc::ErrorCode::InvalidParams, "`edition` is compact, expanded or runtime"});
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams,
+                                         "`edition` must be compact, expanded or runtime"});
   const auto view = request.snapshot.view(*path);
   const auto made = modelOf(view, *edition);
   if (!made) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, made.error()});

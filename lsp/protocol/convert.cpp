@@ -110,7 +110,7 @@ std::expected<syntax::Offset, rpc::RpcError> offsetOf(const ide::View& view, con
   auto line = coordinate(position, "line");
   auto character = coordinate(position, "character");
   if (!line || !character)
-    return std::unexpected(invalidParams("a position has a line and a character"));
+    return std::unexpected(invalidParams("a position must have a line and a character"));
   return syntax::fromEditor(view.text(), view.document().lines(), {*line, *character}, encoding);
 }
 
@@ -127,7 +127,7 @@ std::expected<Cursor, rpc::RpcError> cursor(const Request& request) {
 std::expected<syntax::Range, rpc::RpcError> rangeOf(const ide::View& view, const Json& range,
                                                     syntax::Encoding encoding) {
   if (!range.is_object() || !range.contains("start") || !range.contains("end"))
-    return std::unexpected(invalidParams("a range has a start and an end"));
+    return std::unexpected(invalidParams("a range must have a start and an end"));
   auto begin = offsetOf(view, range["start"], encoding);
   if (!begin) return std::unexpected(begin.error());
   auto end = offsetOf(view, range["end"], encoding);

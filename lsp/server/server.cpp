@@ -135,7 +135,7 @@ void Server::receive(rpc::Message message) {
   auto cancellation = pending.begin(message);
   if (!cancellation)
     return inbox.put(rpc::MalformedMessage{
-        {rpc::ErrorCode::InvalidRequest, "`id` is that of a request that waits"},
+        {rpc::ErrorCode::InvalidRequest, "`id` is already used by another request"},
         std::move(message.id)});
   inbox.put(rpc::Received{std::move(message), std::move(*cancellation)});
 }
@@ -170,7 +170,7 @@ bool Server::handleMessage(rpc::Received& received) {
     case rpc::MessageKind::Request: handleRequest(received); return true;
     case rpc::MessageKind::Notification: return handleNotification(received);
     case rpc::MessageKind::Response:
-      if (!peer.answered(message)) log.write("an answer to no question");
+      if (!peer.answered(message)) log.write("a response without a request");
       return true;
     }
   } catch (const std::exception& error) {
@@ -194,7 +194,7 @@ void Server::handleRequest(rpc::Received& received) {
     return refuse(rpc::ErrorCode::InvalidRequest, "the server has been shut down");
   if (message.method == "initialize") {
     if (phase != Phase::Fresh)
-      return refuse(rpc::ErrorCode::InvalidRequest, "the server is initialised already");
+      return refuse(rpc::ErrorCode::InvalidRequest, "the server is already initialised");
     return give(initialize(message.params));
   }
   if (phase == Phase::Fresh)
@@ -243,7 +243,7 @@ void Server::notified(rpc::Received& received) {
     return;
   }
   if (method == "$/setTrace") return log.setTrace(rpc::memberAt(params, {"value"}));
-  if (!method.starts_with("$/")) log.write("a notification that is not served: " + method);
+  if (!method.starts_with("$/")) log.write("unsupported notification: " + method);
 }
 
 void Server::dispatch(rpc::Received& received, const Method& method) {
@@ -282,7 +282,7 @@ void Server::answer(const rpc::Message& message, const Method& method, const Req
   } catch (const std::exception& error) {
     bug(error.what());
   } catch (...) {
-    bug("an error of an unknown kind");
+    bug("an unknown error");
   }
   auto latency = std::chrono::steady_clock::now() - start;
   statistics.add(message.method, latency);

@@ -59,7 +59,7 @@ void Server::handleText(rpc::Received& received) {
   else if (message.method == "textDocument/didSave")
     outcome = workspace.saved(message.params);
   else
-    return log.write("a notification that is not served: " + message.method);
+    return log.write("unsupported notification: " + message.method);
   if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
   if (message.method == "textDocument/didChange")
     refuseStale(uriOf(message.params), received.order);
@@ -80,7 +80,7 @@ void Server::handleNotebook(const rpc::Received& received) {
   else if (method == "notebookDocument/didClose")
     outcome = notebooks.close(params);
   else if (method != "notebookDocument/didSave")
-    log.write("a notification that is not served: " + method);
+    log.write("unsupported notification: " + method);
   for (const auto& problem : outcome.problems) {
     log.write(fmt::format("{}: {}", method, problem));
     announcer.show(Announcer::Kind::Error, problem);

@@ -40,7 +40,7 @@ bool isText(const Workspace& workspace, const std::filesystem::path& path,
   const auto& open = workspace.snapshot()->open();
   const auto found = open.find(path);
   const bool isIt = found != open.end() && found->second.kind == ide::TextKind::File;
-  if (isIt) outcome.problems.push_back(path.filename().string() + " is open as a text already");
+  if (isIt) outcome.problems.push_back(path.filename().string() + " is already open as a text");
   return isIt;
 }
 

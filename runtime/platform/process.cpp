@@ -212,7 +212,7 @@ private:
     if (message.kind == Kind::Log) return note(message.text);
     if (message.kind == Kind::Failed && message.run == 0)
       return lose("the platform's program gives up: " + message.text);
-    if (state == State::Starting) return fault("the platform speaks before it is ready");
+    if (state == State::Starting) return fault("the platform sent a message before it was ready");
     if (message.kind == Kind::Event) return signal(message.name, false);
     if (message.kind == Kind::Interrupt) return signal(message.name, true);
     onEnd(message);
@@ -222,7 +222,7 @@ private:
     if (message.protocol != kProtocol)
       return lose(fmt::format("the platform's program speaks version {} of the protocol, not {}",
                               message.protocol, kProtocol));
-    if (state != State::Starting) return fault("the platform is ready a second time");
+    if (state != State::Starting) return fault("the platform sent `ready` twice");
     state = State::Ready;
     setTimer(0);
     say(std::exchange(waiting, {}));
@@ -245,7 +245,7 @@ private:
   void onEnd(const Message& message) {
     const auto found = std::ranges::find(runs, message.run, &Run::number);
     if (found == runs.end() || message.run == 0)
-      return fault(fmt::format("the platform speaks of run {}, which does not run; it is ignored",
+      return fault(fmt::format("the platform refers to run {}, which is not running; it is ignored",
                                message.run));
     const auto action = static_cast<std::uint32_t>(found - runs.begin());
     const bool counts = std::exchange(found->isRunning, false);

@@ -112,7 +112,7 @@ private:
     const bool interrupts = value.contains("interrupt");
     const std::string key = interrupts ? "interrupt" : "event";
     if (!value.contains("at") || !value.contains(key) || !value[key].is_string())
-      throw Wrong{"a signal has `at` and either `event` or `interrupt`"};
+      throw Wrong{"a signal must have `at` and either `event` or `interrupt`"};
     return {secondsOf(value["at"], "at"), signal(value[key].get<std::string>(), interrupts)};
   }
 

@@ -32,7 +32,7 @@ TEST_CASE("instances get the ports and the arguments of their process") {
         Found{"component main: `true` is of the type bool, not nat"});
   CHECK(instance([](Instance& i) {
           i.references = {false, false};
-        }) == Found{"component main: `cells` of worker is passed by reference, not by value"});
+        }) == Found{"component main: `cells` of worker must be passed by reference, not by value"});
   CHECK(changed([](Program& p) {
           p.components[0].variables[0] = {.name = "cells", .type = nat(), .init = number(0)};
         }) == Found{"component main: `cells` of worker refers to a variable of another type"});
@@ -53,14 +53,14 @@ TEST_CASE("the components hang together") {
   CHECK(changed([](Program& p) {
           p.main = "worker";
           p.properties = {};
-        }) == Found{"model: the main component `worker` wants ports or arguments"});
+        }) == Found{"model: the main component `worker` needs ports or arguments"});
   CHECK(changed([](Program& p) { p.components[0].instances.push_back({.process = "main"}); }) ==
         Found{"component main: the component contains itself"});
   CHECK(changed([](Program& p) {
           p.components[0].priorities = {{{"stop"}, {"go"}}};
         }) == Found{"component main: the port `go` is not declared"});
   CHECK(changed([](Program& p) { p.components.push_back({.name = "idle_one"}); }) ==
-        Found{"component idle_one: there is no instance"});
+        Found{"component idle_one: a component needs an instance"});
 }
 
 TEST_CASE("observers stand beside the model, and probes look at it") {
@@ -79,21 +79,21 @@ TEST_CASE("observers stand beside the model, and probes look at it") {
   CHECK(problem("sync in [0,0] is main/1/1/state s", "watch > main") == "");
   CHECK(problem("sync is main/2/tag gone", "watch > main") == "");
   CHECK(problem("sync in [0,0] is main/1/state s", "watch > main") ==
-        component + "`state s` is of no process\n");
+        component + "`state s` does not belong to a process\n");
   CHECK(problem("sync is main/1/1/state u", "watch > main") ==
         component + "process P has no state `u`\n");
   CHECK(problem("sync is main/1/2/state s", "watch > main") ==
         component + "the path main/1/2 leads nowhere\n");
   CHECK(problem("sync in [1,1] is main/2/tag gone", "watch > main") ==
-        component + "the probe of `p` is of steps: it is passed with them, and has no time of its "
-                    "own\n");
+        component + "the probe of `p` observes steps: it is passed with them and cannot have an "
+                    "interval of its own\n");
   CHECK(problem("sync in [0,0] is watch/1/state u", "watch > main") ==
-        component + "the probe of `p` looks at an observer: it can look at the model alone\n");
+        component + "the probe of `p` refers to an observer: a probe can only observe the model\n");
   CHECK(problem("sync", "watch > watch") ==
-        "observer watch: `watch` is observed, and the model is `main`\n");
+        "observer watch: `watch` is observed, but the model is `main`\n");
   CHECK(problem("sync", "watch > main watch > main") ==
-        "observer watch: `watch` is there already\n");
-  CHECK(problem("sync", "W > main") == "observer W: the component `W` wants ports or arguments\n");
+        "observer watch: `watch` is already declared as an observer\n");
+  CHECK(problem("sync", "W > main") == "observer W: the component `W` needs ports or arguments\n");
   CHECK(problem("sync", "nobody > main") == "observer nobody: there is no component `nobody`\n");
 }
 

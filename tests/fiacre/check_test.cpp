@@ -60,7 +60,8 @@ TEST_CASE("types are declared, are not empty, and do not contain themselves") {
   };
   CHECK(declared(named("nowhere")) == Found{"type t: the type `nowhere` is not declared"});
   CHECK(declared(range(3, 2)) == Found{"type t: the range 3..2 is empty"});
-  CHECK(declared(array(0, nat())) == Found{"type t: an array or a queue has room for nothing"});
+  CHECK(declared(array(0, nat())) ==
+        Found{"type t: an array or a queue must have a size of at least 1"});
   CHECK(declared(unionOf({})) == Found{"type t: a record or a union has no members"});
   CHECK(declared(record({{"a", nat()}, {"a", nat()}})) ==
         Found{"type t: the field `a` is declared twice, first as the field"});
@@ -109,7 +110,7 @@ TEST_CASE("records and arrays have all their parts, once") {
   };
   CHECK(become({"mode", "lit"}, {name("Done"), truth(false)}) == Found{});
   CHECK(become({"lit"}, {truth(false)}) ==
-        Found{kIdle + "`{lit=false}` gives the field `mode` not once"});
+        Found{kIdle + "`{lit=false}` must give the field `mode` exactly once"});
   CHECK(become({"lit", "mode", "x"}, {truth(false), name("Done"), number(1)}) ==
         Found{kIdle + "cell has no field `x`"});
   CHECK(changed([](Program& p) { p.components[0].variables[0].init->operands.pop_back(); }) ==
@@ -192,10 +193,9 @@ TEST_CASE("states are declared, and each has one from") {
         Found{"process stopper: the state `nowhere` is not declared"});
   CHECK(changed([](Program& p) {
           p.processes[1].transitions.push_back(p.processes[1].transitions[0]);
-        }) ==
-        Found{"process stopper: the state `run` has two `from`: make one of them, with `select`"});
+        }) == Found{"process stopper: the state `run` has two `from`: join them with `select`"});
   CHECK(changed([](Program& p) { p.processes.push_back(process("nothing", {}, {})); }) ==
-        Found{"process nothing: there is no state"});
+        Found{"process nothing: a process needs a state"});
 }
 
 TEST_CASE("a path waits once, communicates once, and never does both") {
@@ -212,9 +212,9 @@ TEST_CASE("a path waits once, communicates once, and never does both") {
 }
 
 TEST_CASE("a path ends in one to or loop, and nothing stands behind it") {
-  CHECK(whenIdle({wait(0, 0)}) == Found{kIdle + "a path ends in no `to` and no `loop`"});
+  CHECK(whenIdle({wait(0, 0)}) == Found{kIdle + "a path must end with `to` or `loop`"});
   CHECK(whenIdle({ifThen(truth(true), to("busy"))}) ==
-        Found{kIdle + "a path ends in no `to` and no `loop`"});
+        Found{kIdle + "a path must end with `to` or `loop`"});
   CHECK(whenIdle({to("busy"), tag("never")}) ==
         Found{kIdle + "unreachable statement after `to` or `loop`"});
   CHECK(whenIdle({ifElse(truth(true), to("busy"), to("idle")), to("busy")}) ==
@@ -234,7 +234,7 @@ TEST_CASE("loops only compute") {
                        .values = {truth(true)},
                        .children = {sequence({wait(0, 0), to("busy")})}};
   CHECK(whenIdle({loop, to("busy")}) ==
-        Found{kIdle + "a loop does more than compute", kIdle + "a loop does more than compute"});
+        Found{kIdle + "a loop may only compute", kIdle + "a loop may only compute"});
   const Statement each{.kind = StatementKind::Foreach, .name = "n", .children = {null()}};
   CHECK(whenIdle({each, to("busy")}) == Found{});
 }
@@ -250,22 +250,21 @@ TEST_CASE("patterns of a case fit, and none is there twice") {
     return whenIdle({choice});
   };
   CHECK(cases({name("Ready"), name("any")}) == Found{});
-  CHECK(cases({name("Ready"), name("Ready")}) ==
-        Found{kIdle + "the pattern `Ready` is there twice"});
+  CHECK(cases({name("Ready"), name("Ready")}) == Found{kIdle + "duplicate pattern `Ready`"});
   CHECK(cases({number(1)}) == Found{kIdle + "`1` is of the type int, not cell_state"});
   CHECK(cases({name("any"), name("Done")}) ==
         Found{kIdle + "no value is left after the pattern `any`"});
 }
 
 TEST_CASE("intervals are not empty") {
-  CHECK(whenIdle({wait(3, 2), to("busy")}) == Found{kIdle + "an interval is empty"});
-  CHECK(whenIdle({wait(-1, 2), to("busy")}) == Found{kIdle + "a time is negative"});
+  CHECK(whenIdle({wait(3, 2), to("busy")}) == Found{kIdle + "empty interval"});
+  CHECK(whenIdle({wait(-1, 2), to("busy")}) == Found{kIdle + "a time must not be negative"});
   CHECK(whenIdle(
             {{.kind = StatementKind::Wait, .interval = {.lower = 2, .upper = 2, .lowerOpen = true}},
-             to("busy")}) == Found{kIdle + "an interval is empty"});
+             to("busy")}) == Found{kIdle + "empty interval"});
   CHECK(changed([](Program& p) {
           p.components[0].ports[0].interval = Interval{.lower = 4, .upper = 1};
-        }) == Found{"component main: an interval is empty"});
+        }) == Found{"component main: empty interval"});
 }
 
 TEST_CASE("functions only compute, and always return what they say") {
@@ -283,9 +282,9 @@ TEST_CASE("functions only compute, and always return what they say") {
   CHECK(function(give(truth(true))) == Found{});
   CHECK(function(give(name("k"))) == Found{"function f: `k` is of the type nat, not bool"});
   CHECK(function(ifThen(truth(true), give(truth(true)))) ==
-        Found{"function f: a path returns nothing"});
+        Found{"function f: a path ends without `return`"});
   CHECK(function(sequence({wait(0, 0), give(truth(true))})) ==
-        Found{"function f: a function does more than compute"});
+        Found{"function f: a function may only compute"});
   CHECK(whenIdle({give(truth(true))}) == Found{kIdle + "`return` is only allowed in a function"});
 }
 

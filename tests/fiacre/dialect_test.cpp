@@ -148,7 +148,7 @@ TEST_CASE("of two `from` of one state the second is told, with what to do") {
   const auto parsed = fiacre::parse(text);
   const auto problems = fiacre::check(parsed.program);
   REQUIRE(problems.size() == 1);
-  CHECK(problems[0].message == "the state `s` has two `from`: make one of them, with `select`");
+  CHECK(problems[0].message == "the state `s` has two `from`: join them with `select`");
   const auto& place = parsed.provenance.origins.at(problems[0].origin);
   CHECK(text.substr(place.begin, place.end - place.begin) == "from s\n    to s");
   CHECK(place.begin > text.find("from t"));

@@ -224,7 +224,7 @@ TEST_CASE("a probe stands where a component declares a port") {
   CHECK(problemsOf("process P [a: sync is main/1/state s] is states s") ==
         "`is`: a probe must be declared after `port` in a component\n");
   CHECK(problemsOf("component C is par P end C o > C property p is absent x/1/state s") ==
-        "`x`: the path begins with `x`, and the model is `C`\n");
+        "`x`: the path begins with `x`, but the model is `C`\n");
 }
 
 TEST_CASE("words of patterns are names elsewhere, and formulas of time have names, too") {
@@ -295,9 +295,9 @@ TEST_CASE("a mistake is told at its place, and the rest is read") {
   CHECK(problemsOf("process P is states s from s wait [0,0] to s") ==
         "`to`: `;` is missing before `to`\n");
   CHECK(problemsOf("process P is states s from s to from s loop\nprocess Q is states t") ==
-        "`from`: the name of a state is missing: `from` means something to Fiacre\n");
+        "`from`: the name of a state is missing: `from` is a keyword of Fiacre\n");
   CHECK(problemsOf("const c: nat is\ntype t is bool") ==
-        "`type`: an expression is missing: `type` means something to Fiacre\n");
+        "`type`: an expression is missing: `type` is a keyword of Fiacre\n");
   CHECK(problemsOf("process P is states s from s wait [0.5,1]; to s") ==
         "`.`: times must be integers: choose a smaller unit, and name it in a comment\n");
   CHECK(problemsOf("/* no end") == "`/*`: the comment has no end: `*/` is missing\n");
@@ -364,14 +364,14 @@ TEST_CASE("a scope or a time that comes twice is a mistake, and so is one that i
   };
   CHECK(problems("absent P/state a after P/state b until P/state a within [0,1]") == "");
   CHECK(problems("absent P/state a after P/state b after P/state a") ==
-        "`after`: `after` comes twice in one pattern\n");
+        "`after`: duplicate `after` in one pattern\n");
   CHECK(problems("absent P/state a before P/state b before P/state a") ==
-        "`before`: `before` comes twice in one pattern\n");
+        "`before`: duplicate `before` in one pattern\n");
   CHECK(problems("absent P/state a within [0,1] within [0,2]") ==
-        "`within`: `within` comes twice in one pattern\n");
+        "`within`: duplicate `within` in one pattern\n");
   CHECK(problems("absent P/state a for duration 1 for duration 2") ==
-        "`for`: `for` comes twice in one pattern\n");
-  const auto apart = "this pattern is not joined to others";
+        "`for`: duplicate `for` in one pattern\n");
+  const auto apart = "this pattern cannot be combined with others";
   CHECK_THAT(problems("(absent P/state a within [0,1]) and (absent P/state b)"),
              Catch::Contains("`absent`: " + std::string(apart)));
   CHECK_THAT(problems("not deadlockfree"), Catch::Contains(apart));

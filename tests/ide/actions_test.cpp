@@ -84,7 +84,7 @@ TEST_CASE("the missing branch for a failure") {
   CHECK(after(body("(f)^"), "when `f` fails") == branched);
   // Where it is told that nobody looks, there is one way to mend it, not two.
   CHECK(after(body("(f^)"), "when `f` fails") == "refused");
-  CHECK(after(body("(f^)"), "look at its status") != "refused");
+  CHECK(after(body("(f^)"), "test its status") != "refused");
   CHECK(after(body("(f^) (if (= f.status failure) (success done))"), "when `f` fails") ==
         "refused");
   CHECK(after(body("(m^)"), "fails") == "refused");

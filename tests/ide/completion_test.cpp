@@ -291,7 +291,7 @@ TEST_CASE("an item tells the comment above its definition, and the manual's sent
             .contains("```proskill\n(defskill takeoff"));
   auto field = itemIn("(defskill f ^", ":start");
   CHECK(ide::documentation(program.view(), field).plain() ==
-        ":start EFFECTS\n\nEffects, set when the skill starts.");
+        ":start EFFECTS\n\nEffects that happen when the skill starts.");
 }
 
 TEST_CASE("of very many names the best are given, and it is said that there are more") {

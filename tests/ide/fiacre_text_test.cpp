@@ -259,15 +259,15 @@ TEST_CASE("renaming follows a name through its process, and paths to it") {
 TEST_CASE("renaming is refused where a name would mean something else, or nothing") {
   const std::string two = "process P is states ^a, b var x: nat from a x := 1; to b from b to a P";
   CHECK_THAT(renamed(two, "b"), Catch::Contains("refused"));
-  CHECK(renamed(two, "from") == "refused: `from` means something to Fiacre");
+  CHECK(renamed(two, "from") == "refused: `from` is a keyword of Fiacre");
   CHECK_THAT(renamed(two, "1a"), Catch::Contains("is not a name"));
   CHECK_THAT(renamed("process P is states a var x: nat from a to a ^ P", "c"),
-             Catch::Contains("no name here"));
+             Catch::Contains("not a name that is declared"));
   // A field that two records have: which of them is meant says the type alone.
   CHECK_THAT(renamed("type r is record ^f: nat end type s is record f: nat end "
                      "process P is states a var x: r, y: s from a x.f := 1; y.f := 1; to a P",
                      "g"),
-             Catch::Contains("the model would be wrong"));
+             Catch::Contains("the model would have an error"));
 }
 
 TEST_CASE("a refused renaming tells what it would do, not what is wrong anyway") {
@@ -277,6 +277,6 @@ TEST_CASE("a refused renaming tells what it would do, not what is wrong anyway")
                             "states a var x: r, y: s from a x.f := 1; y.f := 1; to a " +
                                 wrongAnyway,
                             "g");
-  CHECK_THAT(said, Catch::Contains("the model would be wrong"));
+  CHECK_THAT(said, Catch::Contains("the model would have an error"));
   CHECK_THAT(said, Catch::Contains("`y` has no field `g`"));
 }

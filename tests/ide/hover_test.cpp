@@ -69,13 +69,13 @@ TEST_CASE("values, inputs, tags and labels say what they belong to") {
 }
 
 TEST_CASE("words of the language, by the meaning that they have in their place") {
-  CHECK(hoverText("(defs^v lamp :states (On) :init On)").contains("What the program knows"));
+  CHECK(hoverText("(defs^v lamp :states (On) :init On)").contains("which the program knows"));
   CHECK(hoverText("(defskill f [[:st^art]] (lamp On) :action (x))")
-            .contains("set when the skill starts"));
+            .contains("happen when the skill starts"));
   CHECK(hoverText("(defskill f :invariant (t (:gu^ard true)) :action (x))")
             .contains("while the skill runs"));
   CHECK(hoverText("(defskill f :success (d (:eff^ects (l On))) :action (x))")
-            .contains("when the skill ends so"));
+            .contains("when the skill ends with this outcome"));
   CHECK(hoverText("(defskill f :body ((wh^ile true (^ 1))))").contains("as long as"));
   CHECK(hoverText("(defskill f :body ((if true (^ 1) el^se (^ 2))))").contains("no condition"));
   CHECK(hoverText("(defskill f :body ((do (^ 1) un^til true)))").contains("loop ends"));

@@ -108,16 +108,17 @@ TEST_CASE("what is no name, or stands where no name is, is refused") {
   const std::string text = "(defsv la^mp :states (On Off) :init On)";
   for (const auto* name : {"", "3d", "take-off", "élan", "a b", "$x", ":init", "skill.status"})
     CHECK(refusal(text, name).contains("is not a name"));
-  CHECK(refusal("(def^sv lamp :states (On) :init On)", "x") ==
-        "there is no name of the program here");
-  CHECK(refusal("; la^mp", "x") == "there is no name of the program here");
+  CHECK(refusal("(def^sv lamp :states (On) :init On)", "x") == "not a name of the program");
+  CHECK(refusal("; la^mp", "x") == "not a name of the program");
 }
 
 TEST_CASE("a name that is taken is refused, with the place of who has it") {
   CHECK(refusal("(defsv ^a :states (On) :init On)\n(defsv b :states (On) :init On)", "b") ==
-        "there is a state variable `b` already, at main.proskill:2");
-  CHECK(refusal("(defsv a :states (^On Off) :init On)", "Off").contains("there is a value `Off`"));
-  CHECK(refusal("(defskill f :success ^a :failure b :action (x))", "b").contains("there is a tag"));
+        "there is already a state variable `b`, at main.proskill:2");
+  CHECK(refusal("(defsv a :states (^On Off) :init On)", "Off")
+            .contains("there is already a value `Off`"));
+  CHECK(refusal("(defskill f :success ^a :failure b :action (x))", "b")
+            .contains("there is already a tag"));
   CHECK(refusal("(defsv ^a :states (On) :init On) (defevent b :effects (a On))", "b").empty());
 }
 
@@ -126,7 +127,7 @@ TEST_CASE("a name that would be captured is refused") {
   const std::string compare = "(defsv a :states (On Off) :init On)\n"
                               "(defsv ^b :states (On Off) :init On)\n"
                               "(defskill m :body ((^ (= a b))))";
-  CHECK(refusal(compare, "Off") == "`Off` would mean something else at main.proskill:3");
+  CHECK(refusal(compare, "Off") == "`Off` would get another meaning at main.proskill:3");
   CHECK(refusal(compare, "c").empty());
   // Words of the language in the places where they are words.
   CHECK_FALSE(refusal("(defskill ^f :action (x)) (defskill m :body ((f)))", "while").empty());

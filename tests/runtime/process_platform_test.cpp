@@ -213,7 +213,7 @@ TEST_CASE("garbage on the line is ignored, and said") {
         "the platform reports an event `strom`, which is not known");
   CHECK(fault(R"(say '{"type":"interrupt","skill":"mission"}')") ==
         "the platform reports an interrupt of `mission`, which is not known");
-  CHECK(fault(R"(say '{"type":"ready","protocol":1}')") == "the platform is ready a second time");
+  CHECK(fault(R"(say '{"type":"ready","protocol":1}')") == "the platform sent `ready` twice");
 }
 
 TEST_CASE("a line that is too long is dropped as a whole") {

@@ -98,7 +98,8 @@ TEST_CASE("what a tool says that is not understood is a failure that shows it, n
   SECTION("sift") {
     scene.programs.counts("all went well\n");
     CHECK_THAT(tina::explain(scene.failure()),
-               Catch::Contains("`sift` says of its graph") && Catch::Contains("all went well"));
+               Catch::Contains("the output of `sift` on its graph") &&
+                   Catch::Contains("all went well"));
   }
   SECTION("a graph that is not whole") {
     scene.programs.counts("5 classe(s), 4 marking(s), 2 domain(s), 3 transition(s)\naborted\n");
@@ -138,7 +139,7 @@ TEST_CASE("a tool that fails is a failure with its words and how it ended") {
   SECTION("more output than anybody reads") {
     scene.programs.replace("selt", "exec yes TRUE");
     const auto failure = scene.failure();
-    CHECK(failure.message == "`selt` said too much, and was ended");
+    CHECK(failure.message == "`selt` wrote too much output, and was ended");
     CHECK(tina::explain(failure).size() < 10'000);
   }
   SECTION("memory, where none is limited") {

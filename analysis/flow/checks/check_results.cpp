@@ -67,7 +67,7 @@ void checkSkill(Report& report, const Definition<syntax::Skill>& skill,
     report.findings
         .report(syntax::Code::ResultIgnored, skill.at(statement.head.range), statement.name.text)
         .related(callee->at((*callee)->failures.front().tag.range), "it can fail")
-        .fix("look at its status", behind,
+        .fix("test its status", behind,
              lineAfter(report, skill.at(statement.range)) + lookAt(statement.name.text));
   });
 }

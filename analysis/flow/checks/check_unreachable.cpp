@@ -93,7 +93,7 @@ private:
     if (!reason) return;
     report.findings.report(Code::UnreachableStatement, {file, statement.range})
         .related({file, before.head.range.empty() ? before.range : before.head.range}, *reason)
-        .fix("remove what is never reached",
+        .fix("remove the unreachable statements",
              withSpaceAround(report, {file, {statement.range.begin, last.range.end}}), "");
   }
 
@@ -108,7 +108,7 @@ private:
     case StatementKind::DoUntil: return "this loop never ends";
     case StatementKind::If:
     case StatementKind::Case:
-    case StatementKind::Choose: return "no way through this leads on";
+    case StatementKind::Choose: return "no path through this continues";
     case StatementKind::Parallel: return "not all of these branches can end";
     case StatementKind::Call: return fmt::format("`{}` never returns", before.name.text);
     case StatementKind::Unknown:
