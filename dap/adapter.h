@@ -19,13 +19,13 @@ struct AdapterOptions {
   std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
 };
 
-/// A debug adapter over a trace or a simulation. Debug Adapter Protocol 1.65; what is special of
-/// ours is in docs/dap.md. A thread reads, so that a verification can be given up.
+/// A debug adapter over a trace or a simulation. Debug Adapter Protocol 1.65; docs/dap.md describes
+/// what is specific to ours. A thread reads, so that a verification can be cancelled.
 class Adapter {
 public:
   Adapter(rpc::Connection& connection, const analysis::FileSystem& disk, AdapterOptions options);
 
-  /// Serves until the client disconnects: 0; or is gone: 1.
+  /// Serves until the client disconnects (0) or is gone (1).
   int run();
 
 private:
@@ -96,11 +96,11 @@ private:
   bool columnsFromOne = true;
   bool showsProgress = false;
   bool configured = false; ///< `configurationDone` has come
-  bool announced = false;  ///< the first stop was told
+  bool announced = false;  ///< the first stop was reported
   bool finished = false;
   LaunchArguments launched;
   std::unique_ptr<Player> player; ///< null until `launch` has succeeded
-  std::optional<Stop> stop;       ///< to be told when the answer has been sent
+  std::optional<Stop> stop;       ///< to be reported when the answer has been sent
   std::string stopWords;
 };
 

@@ -7,19 +7,19 @@
 
 namespace proskill::dap {
 
-/// The arguments of `launch`; docs/dap.md tells them.
+/// The arguments of `launch`, described in docs/dap.md.
 struct LaunchArguments {
   std::filesystem::path program; ///< empty: a trace file alone
   std::string property;
   std::filesystem::path trace;
   bool simulate = false;
   std::string mainSkill;
-  std::filesystem::path directory; ///< what relative paths are relative to
+  std::filesystem::path directory; ///< base of relative paths
   bool stopOnEntry = true;
   worker::Budget budget;
 };
 
-/// What is wrong with them is in words.
+/// The error is a sentence.
 [[nodiscard]] std::expected<LaunchArguments, std::string> readLaunch(const Json& json);
 
 struct LaunchContext {

@@ -12,7 +12,7 @@ namespace proskill::dap {
 /// Why a run stopped.
 enum class Stop : std::uint8_t { Step, Breakpoint, Variable, Start, End, TooLong };
 
-/// Goes forth and back through steps. The position is the number of steps that were taken; the step
+/// Moves forward and back through steps. The position is the number of steps taken; the step
 /// after it is the one that is about to happen.
 class Player {
 public:
@@ -23,9 +23,9 @@ public:
   [[nodiscard]] std::size_t position() const { return taken.size(); }
   /// The steps that were taken.
   [[nodiscard]] const std::vector<Step>& past() const { return taken; }
-  /// What may come next; that which a plain step takes comes first.
+  /// The possible next steps; the first is the one of a plain step.
   [[nodiscard]] const std::vector<Step>& choices() const { return next; }
-  /// Who acts anywhere, in the order in which they came.
+  /// All actors, in the order of their first steps.
   [[nodiscard]] const std::vector<std::string>& actors() const { return known; }
   /// Who is about to act; at the end, who acted last. Empty where nobody ever acts.
   [[nodiscard]] std::string actor() const;
@@ -42,8 +42,8 @@ public:
   /// Takes a step; End where there is none. \pre choice < choices().size(), or there are none
   Stop step(std::size_t choice = 0);
   Stop stepBack();
-  /// On, until the step that is about to happen is at a breakpoint, a watched variable has changed,
-  /// or nothing more happens. A simulation that finds no end is interrupted.
+  /// Continues until the next step is at a breakpoint, a watched variable has changed,
+  /// or nothing more happens. A simulation without end is interrupted.
   Stop run();
   Stop runBack();
   /// Until the actor is about to act again.

@@ -12,7 +12,7 @@
 /// A trace as the debug adapter replays it.
 namespace proskill::dap {
 
-/// Lines and columns from 1; the end is behind the last character.
+/// Lines and columns from 1; the end is after the last character.
 struct Place {
   std::filesystem::path path; ///< canonical
   unsigned line = 1;
@@ -29,7 +29,7 @@ struct Step {
   std::string delay;                 ///< since the step before
   std::string earliest;              ///< over all runs through the same steps
   bool afterEarliest = false;        ///< not at `earliest` itself
-  std::optional<std::string> latest; ///< nothing: as late as one likes
+  std::optional<std::string> latest; ///< nothing: no latest date
   bool beforeLatest = false;         ///< not at `latest` itself
   std::vector<verify::Change> changes;
   std::vector<std::string> transitions; ///< of the Fiacre model
@@ -47,8 +47,8 @@ struct Trace {
 };
 
 /// Reads a trace: as `proskill verify` saves it, as a property of its JSON report has it, or as the
-/// language server's `proskill/trace` gives it. What is wrong with it is in words.
-/// \param base what relative paths in it are relative to
+/// language server's `proskill/trace` gives it. The error is a sentence.
+/// \param base of relative paths in it
 [[nodiscard]] std::expected<Trace, std::string> readTrace(const OrderedJson& json,
                                                           const std::filesystem::path& base);
 

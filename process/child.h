@@ -17,7 +17,7 @@ namespace proskill::process {
 /// child that asks for it (`dieWithParent`) outlive the thread that started it.
 class Child {
 public:
-  /// Starts a program, without a shell; its first word is a path. What went wrong is in words.
+  /// Starts a program, without a shell; its first word is a path. The error is a sentence.
   [[nodiscard]] static std::expected<Child, std::string>
   start(const std::vector<std::string>& command);
   /// The same in a directory, with a first word that is looked for on the PATH where it has no
@@ -30,13 +30,14 @@ public:
   Child& operator=(Child&&) = delete;
   ~Child();
 
-  /// What has come and gone within a moment.
+  /// Result of one exchange with the child.
   struct Exchange {
     std::string received;
     std::size_t sent = 0;
-    bool ended = false; ///< nothing comes any more
+    bool ended = false; ///< no more output
   };
-  /// Sends of the bytes what the child takes and receives what it has to say, waiting for either.
+  /// Sends as many bytes as the child accepts and receives its output; blocks until one is
+  /// possible.
   [[nodiscard]] Exchange exchange(std::string_view toSend, std::chrono::milliseconds patience);
 
   /// How it ended: "it was ended by signal 9 (Killed)". Kills it where it does not end by itself
@@ -44,12 +45,12 @@ public:
   [[nodiscard]] std::string ending();
   /// The same, where it has ended already; else nothing, without waiting.
   [[nodiscard]] std::optional<std::string> endingIfOver();
-  /// What is sent is over: the child reads the end of its input.
+  /// Closes the input of the child.
   void endInput();
   /// Sends a signal to the child, or to its whole group.
   void signal(int number) const;
   [[nodiscard]] pid_t id() const { return pid; }
-  /// The socket: it can be read when the child has said something, or nothing comes any more.
+  /// The socket: readable after output of the child, and after the end of its output.
   [[nodiscard]] int descriptor() const { return socket; }
   /// Can be read when the child has ended.
   [[nodiscard]] int endDescriptor() const { return ended; }

@@ -11,15 +11,16 @@
 
 namespace proskill::process {
 
-/// A program to be run to its end. It reads nothing; what it says is kept.
+/// A program to be run to its end, without input; its output is kept.
 struct Job {
   std::vector<std::string> command; ///< the first word is a path; no shell reads any of it
   std::filesystem::path directory;  ///< where it runs
   std::optional<double> seconds;
   std::optional<std::uint64_t> memory; ///< bytes of address space, for each of its processes
-  std::uint64_t mostOutput = std::uint64_t{16} << 20; ///< bytes; a program that says more is ended
+  std::uint64_t mostOutput = std::uint64_t{16}
+                             << 20; ///< bytes; a program that writes more is killed
   const std::atomic<bool>* cancelled = nullptr;
-  /// Called a few times a second with the seconds so far and the last line that it said.
+  /// Called a few times a second with the seconds so far and its last line of output.
   std::function<void(double, std::string_view)> progress;
 };
 
@@ -38,7 +39,7 @@ struct Finished {
 };
 
 /// Runs a program. When this returns, neither it nor any process that it started is left, wherever
-/// they went; nor when this process itself is killed. What kept it from starting is in words.
+/// they went; nor when this process itself is killed. The error is why it could not be started.
 [[nodiscard]] std::expected<Finished, std::string> run(const Job& job);
 
 } // namespace proskill::process

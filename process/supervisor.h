@@ -23,10 +23,10 @@ struct Report {
   int status = 0;
 };
 
-/// The life of a process between us and a program: starts it, waits for its end or for SIGTERM,
-/// which also comes when `parent` ends, and kills all that is left of what the program started.
-/// To be called after a fork, with SIGTERM and SIGCHLD blocked; calls only what is allowed then,
-/// and does not return.
+/// Main function of a process between us and a program: starts it, waits for its end or for
+/// SIGTERM, which also comes when `parent` ends, and kills all that is left of what the program
+/// started. To be called after a fork, with SIGTERM and SIGCHLD blocked; calls only what is allowed
+/// then, and does not return.
 [[noreturn]] void supervise(const Supervised& program, pid_t parent);
 
 } // namespace proskill::process

@@ -14,7 +14,7 @@ struct CheckedProgram {
   std::vector<syntax::Diagnostic> diagnostics;
 };
 
-/// How many findings there are of each severity, and in how many files was looked.
+/// The number of findings of each severity, and of checked files.
 struct FindingCounts {
   std::size_t errors = 0;
   std::size_t warnings = 0;

@@ -4,7 +4,7 @@
 
 namespace proskill {
 
-/// JSON that people read, too: members keep the order in which they are written.
+/// JSON for people: members keep the order in which they are written.
 using OrderedJson = nlohmann::ordered_json;
 
 } // namespace proskill

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// Pictures as the language server and the panel's hosts tell of them: `Automaton` in docs/lsp.md.
+/// Pictures for the language server and the panel's hosts: `Automaton` in docs/lsp.md.
 namespace proskill::report {
 
 /// Keys of clusters to draw as one node each; nothing: as is best for the size of the picture.
@@ -22,7 +22,7 @@ struct DrawnPicture {
   viz::Request request;
   viz::Graph whole;
   viz::Folded folded;
-  bool foldedForSize = false; ///< nobody asked for it
+  bool foldedForSize = false; ///< without a request to fold
 };
 
 [[nodiscard]] std::expected<DrawnPicture, std::string>

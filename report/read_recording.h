@@ -9,8 +9,8 @@
 
 namespace proskill::report {
 
-/// Reads what `runRecording` wrote. A recording that was cut off is read up to its last whole step.
-/// What is wrong with it is in words. \param main gets the mission's name
+/// Reads what `runRecording` wrote. A truncated recording is read up to its last complete step.
+/// The error is a sentence. \param main gets the mission's name
 [[nodiscard]] std::expected<runtime::RecordedRun, std::string>
 readRecording(std::string_view text, const analysis::Program& program, std::string& main);
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-/// What `proskill run` says of a run while it goes on.
+/// The output of `proskill run` during a run.
 namespace proskill::report {
 
 /// A program, as it is executed. \pre both outlive whoever reports on a run
@@ -33,7 +33,7 @@ using AddToRecording = std::function<void(std::string_view bytes, std::string_vi
 [[nodiscard]] std::unique_ptr<runtime::Observer>
 runRecording(AddToRecording add, RunSubject subject, std::size_t batch);
 
-/// How a run ended, in a few words: "the mission has ended".
+/// How a run ended: "the mission has ended".
 [[nodiscard]] std::string_view toWords(runtime::End end);
 void writeRunSummary(std::ostream& out, RunSubject subject, const runtime::RunResult& result,
                      bool colour);

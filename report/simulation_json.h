@@ -13,11 +13,11 @@ struct ChosenRun {
   std::string name;
   std::string mainSkill; ///< empty: as the program says
   std::vector<ide::ChosenStep> steps;
-  std::map<std::string, std::string> expected; ///< values of variables behind the last step
+  std::map<std::string, std::string> expected; ///< values of variables after the last step
 };
 
 /// Reads a saved run, or as much of one as a request has; any trace is a run that expects nothing.
-/// What is wrong with it is in words.
+/// The error is a sentence.
 [[nodiscard]] std::expected<ChosenRun, std::string> readChosenRun(const OrderedJson& json);
 
 /// Where a run is: its `trace`, the `choices` that it has next, the `missing` step of those that

@@ -25,7 +25,7 @@ public:
 [[nodiscard]] std::unique_ptr<Connection> standardStreams();
 
 /// The first client that connects to a port of the loopback interface. Blocks until it does.
-/// \param port 0: any that is free; `onListening` is told which
+/// \param port 0: any free port; `onListening` gets the number
 [[nodiscard]] std::expected<std::unique_ptr<Connection>, std::string>
 acceptLoopback(std::uint16_t port, const std::function<void(std::uint16_t)>& onListening);
 

@@ -3,7 +3,7 @@
 
 namespace proskill::rpc {
 
-/// Those of JSON-RPC and of the language server protocol.
+/// Error codes of JSON-RPC and of the language server protocol.
 enum class ErrorCode : int {
   ParseError = -32700,
   InternalError = -32603,

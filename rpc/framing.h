@@ -6,11 +6,11 @@
 #include <string_view>
 #include <variant>
 
-/// How messages stand in a stream of bytes: a header with `Content-Length`, an empty line, the
+/// The form of messages in a stream of bytes: a header with `Content-Length`, an empty line, the
 /// body. LSP 3.17, "Base Protocol".
 namespace proskill::rpc {
 
-/// Bytes that are no message. The reader goes on behind them, at the next header that it can find.
+/// Bytes that are not a message. The reader continues after them, at the next header.
 struct FramingError {
   std::string message;
 };
@@ -24,7 +24,7 @@ public:
   explicit FrameReader(std::size_t limit = std::size_t{256} << 20) : limit(limit) {}
 
   void feed(std::string_view bytes);
-  /// The next message's body or what is wrong with the stream; nothing until more bytes come.
+  /// The body of the next message, or an error of the stream; nothing until more bytes come.
   [[nodiscard]] std::optional<Frame> next();
 
 private:
@@ -35,15 +35,15 @@ private:
 
   std::size_t limit;
   std::string buffer;
-  std::size_t position = 0;              ///< what of the buffer is done with
-  bool lost = false;                     ///< what stands there need not be a header
+  std::size_t position = 0;              ///< end of the processed part of the buffer
+  bool lost = false;                     ///< the next bytes need not be a header
   std::optional<std::size_t> bodyLength; ///< known: the header has been read
   std::size_t toSkip = 0;                ///< of a body that is too long
 };
 
-/// What stands before a body of so many bytes.
+/// The header of a body of so many bytes.
 [[nodiscard]] std::string header(std::size_t length);
-/// A message as it goes out.
+/// A message as it is sent.
 [[nodiscard]] std::string frame(std::string_view body);
 
 } // namespace proskill::rpc

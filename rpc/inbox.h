@@ -15,17 +15,17 @@ namespace proskill::rpc {
 
 /// The client has gone.
 struct EndOfStream {};
-/// A message; of a request, the token that its cancellation sets from the moment it was read.
+/// A message; for a request with its cancellation token, valid from the moment it was read.
 struct Received {
   Message message;
   Cancellation cancellation;
   std::uint64_t order = 0; ///< how many requests came before it
 };
-/// Work that another thread has prepared and that the main one finishes.
+/// A task that another thread has prepared and that the main thread finishes.
 using Task = std::function<void()>;
 using InboxEvent = std::variant<Received, MalformedMessage, Task, EndOfStream>;
 
-/// What waits for the main thread: from the reading thread, in order.
+/// Queue of the main thread: messages from the reading thread, in order.
 class Inbox {
 public:
   void put(InboxEvent event) {
@@ -36,7 +36,7 @@ public:
     wake.notify_one();
   }
 
-  /// The next one; nothing where the deadline comes first.
+  /// The next one; nothing if the deadline comes first.
   std::optional<InboxEvent> take(std::optional<std::chrono::steady_clock::time_point> deadline) {
     std::unique_lock lock(mutex);
     auto ready = [&] { return !queue.empty(); };
@@ -49,7 +49,7 @@ public:
     return event;
   }
 
-  /// The next one, where it is there already and wanted.
+  /// The next one, if it is there already and wanted.
   template <class Wanted> std::optional<InboxEvent> takeIf(const Wanted& wanted) {
     const std::lock_guard lock(mutex);
     if (queue.empty() || !wanted(queue.front())) return std::nullopt;

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-/// JSON as text right away, for answers with thousands of parts: a tree of `Json` costs an
-/// allocation for each member of each part, and as many to take it down.
+/// Writes JSON directly as text, for answers with thousands of parts: a tree of `Json` needs an
+/// allocation and a deallocation for each member of each part.
 namespace proskill::rpc {
 
-/// Puts commas where they belong; that brackets match and members have keys is the caller's matter.
+/// Inserts commas. The caller must match brackets and give keys to members.
 class JsonWriter {
 public:
   JsonWriter& open(char bracket) {
@@ -24,7 +24,7 @@ public:
     text += bracket;
     return *this;
   }
-  /// \pre nothing in the name is to be escaped
+  /// \pre the name needs no escapes
   JsonWriter& key(std::string_view name) {
     separate();
     text += '"';
@@ -33,7 +33,7 @@ public:
     return *this;
   }
 
-  /// What is no UTF-8 becomes replacement characters.
+  /// Invalid UTF-8 becomes replacement characters.
   JsonWriter& value(std::string_view string);
   JsonWriter& value(const char* string) { return value(std::string_view(string)); }
   JsonWriter& value(const std::string& string) { return value(std::string_view(string)); }
@@ -45,12 +45,12 @@ public:
       separate();
     return digits(static_cast<std::int64_t>(number));
   }
-  /// An enumeration whose numbers a protocol gives.
+  /// An enumeration with the numbers of a protocol.
   template <class Number>
   requires std::is_enum_v<Number> JsonWriter& value(Number number) {
     return value(std::to_underlying(number));
   }
-  /// What is JSON already.
+  /// A text that is already JSON.
   JsonWriter& written(std::string_view json) {
     separate();
     text += json;
@@ -85,7 +85,7 @@ private:
   std::vector<std::uint32_t> lines; ///< where the numbers of lines begin in it
 };
 
-/// JSON of things that stand near each other in a text, and can be moved to other lines of it.
+/// JSON of things that are near each other in a text, and can be moved to other lines of it.
 class MovableJson {
 public:
   MovableJson() = default;

@@ -7,7 +7,7 @@
 
 namespace proskill::rpc {
 
-/// Where every thread leaves its messages to the client; each goes out whole.
+/// Messages to the client, from any thread; each is sent as a whole.
 class Outbox {
 public:
   explicit Outbox(Connection& connection) : connection(connection) {}
@@ -20,7 +20,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t kCopied = 65536; ///< bytes that are put behind their header
+  static constexpr std::size_t kCopied =
+      65536; ///< bodies up to this size are copied after their header
 
   void sendLarge(std::string_view body) {
     std::lock_guard lock(mutex);

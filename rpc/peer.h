@@ -10,10 +10,10 @@
 
 namespace proskill::rpc {
 
-/// The client, as those see it who have something to tell it or to ask. Any thread may.
+/// Sends notifications and requests to the client. Any thread may use it.
 class Peer {
 public:
-  /// Gets the answer's result, on the main thread; not called where the client answered with an
+  /// Gets the result of the answer, on the main thread; not called if the client answered with an
   /// error.
   using OnResult = std::function<void(const Json& result)>;
 
@@ -33,7 +33,7 @@ public:
     outbox.send(request(id, method, params));
   }
 
-  /// An answer has come. \return the question was ours
+  /// Handles a response. \return whether its request was ours
   bool answered(const Message& answer) {
     OnResult onResult;
     {

@@ -12,11 +12,11 @@
 
 namespace proskill::rpc {
 
-/// The requests that are not answered yet. Each is answered once: by its work, or by its
+/// Requests without an answer so far. Each is answered once: by its task, or by its
 /// cancellation, whichever comes first.
 class Pending {
 public:
-  /// The request's token; nothing where a request of the same identifier waits already.
+  /// The request's token; nothing if a request with the same identifier is pending.
   std::optional<Cancellation> begin(const Message& message) {
     const Json& uri = memberAt(message.params, {"textDocument", "uri"});
     Waiting waiting{{}, message.method, uri.is_string() ? uri.get<std::string>() : std::string()};
@@ -32,7 +32,7 @@ public:
     return requests.erase(id) > 0;
   }
 
-  /// As `finish`, and tells the work that it is not needed.
+  /// As `finish`, and cancels the task.
   bool cancel(const Json& id) {
     const std::lock_guard lock(mutex);
     auto found = requests.find(id);
@@ -58,7 +58,7 @@ public:
     return result;
   }
 
-  /// At the end: nobody waits for anything any more.
+  /// At the end: cancels all.
   void cancelAll() {
     const std::lock_guard lock(mutex);
     for (auto& [id, waiting] : requests) waiting.cancellation.cancel();

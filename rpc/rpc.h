@@ -31,15 +31,15 @@ struct Message {
   Json id;            ///< of requests and responses
   std::string method; ///< of requests and notifications
   Json params;        ///< null where absent
-  Json result;        ///< of a response that is no error
+  Json result;        ///< of a successful response
   Json error;         ///< of a response; null where there is none
-  /// Half a character or a byte that is no UTF-8 was in it, each of which reads as U+FFFD now: one
+  /// It contained half a character or invalid UTF-8, each of which is now U+FFFD: one
   /// unit of UTF-16 as half a character is, so that later places mean what the client means.
   bool isRepaired = false;
 };
 
-/// What is wrong with a body that is no message, and the identifier that an answer to it must bear:
-/// null where it cannot be known.
+/// The error of a body that is not a message, and the identifier for the answer:
+/// null if unknown.
 struct MalformedMessage {
   RpcError error;
   Json id;
@@ -52,7 +52,7 @@ struct MalformedMessage {
 [[nodiscard]] std::string reply(const Json& id, const Json& result);
 [[nodiscard]] std::string replyError(const Json& id, const RpcError& error);
 
-/// A member of a member …; null where one of them is absent, or no object.
+/// A member of a member …; null if one of them is absent or not an object.
 [[nodiscard]] const Json& memberAt(const Json& json, std::initializer_list<const char*> path);
 
 } // namespace proskill::rpc

@@ -13,38 +13,38 @@
 
 namespace proskill::rpc {
 
-/// Says to a piece of work that nobody waits for it any more. Copies speak of the same work.
+/// Cooperative cancellation of a task. Copies refer to the same task.
 class Cancellation {
 public:
   void cancel() { flag->store(true); }
   [[nodiscard]] bool isCancelled() const { return flag->load(); }
-  /// For work that takes a plain flag.
+  /// For functions that take a plain flag.
   [[nodiscard]] const std::atomic<bool>& raw() const { return *flag; }
 
 private:
   std::shared_ptr<std::atomic<bool>> flag = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// What somebody waits for goes before what nobody sees. What may take minutes, as a verification,
-/// is not for the scheduler that answers the rest.
+/// Tasks that a user waits for have priority over background tasks. Do not run tasks of minutes,
+/// such as a verification, on the scheduler that answers requests.
 enum class Priority : std::uint8_t { Interactive, Background, Long };
 
-/// A few threads that run what they are given. One of them takes nothing but interactive work, so
-/// that this never waits for a long background task.
+/// A thread pool. One of its threads runs only interactive tasks, so that these never wait
+/// for a long background task.
 class Scheduler {
 public:
   /// \pre threads >= 2
-  /// \param patience how long background work gives way at most
+  /// \param patience how long background tasks give way at most
   explicit Scheduler(unsigned threads,
                      std::chrono::milliseconds patience = std::chrono::milliseconds(20));
-  /// Waits for what runs, and drops what waits.
+  /// Waits for running tasks, and drops pending ones.
   ~Scheduler();
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
   void post(Priority priority, std::function<void()> task);
-  /// For background work, where it holds nothing that others want: waits until nobody waits for an
-  /// answer, or the patience ends.
+  /// For background tasks, at a point where they hold no locks: waits until there are no
+  /// interactive tasks, or the patience ends.
   void giveWay();
 
 private:

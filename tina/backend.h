@@ -5,11 +5,11 @@
 
 namespace proskill::tina {
 
-/// What runs now, for whoever waits.
+/// The tool that runs now, for progress.
 struct Progress {
   std::string tool;
   double seconds = 0;    ///< since this tool was started
-  std::string_view line; ///< the last that it said
+  std::string_view line; ///< its last line of output
 };
 
 struct Options {
@@ -44,16 +44,16 @@ struct Failure {
 };
 
 /// Answers the questions by Tina: frac, a compiler of C, sift or tina, selt; ktzio and the engine's
-/// own replay for traces. An answer comes from selt alone; only where the property is one that
-/// Fiacre has no words for, deadlocks of which some are allowed, from the graph that Tina made. A
-/// limit that is met makes the answers unknown. What a tool says that is not understood is a
+/// own replay for traces. Answers come from selt alone, with one exception: a property that
+/// Fiacre cannot express, deadlocks of which some are allowed, is decided on the graph of Tina.
+/// A limit that is met makes the answers unknown. Output of a tool that is not understood is a
 /// failure.
 [[nodiscard]] std::expected<Outcome, Failure> verify(const fiacre::Program& program,
                                                      const fiacre::Provenance& provenance,
                                                      const std::vector<verify::Question>& questions,
                                                      const Options& options);
 
-/// What went wrong, with the last call's output, cut where it is long.
+/// The error, with the output of the last call, truncated if long.
 [[nodiscard]] std::string explain(const Failure& failure);
 
 } // namespace proskill::tina

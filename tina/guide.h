@@ -9,8 +9,8 @@
 
 namespace proskill::tina {
 
-/// Takes what Tina tells of runs back to the model: follows it step by step in the model's own
-/// transition system, so that a trace has dates and was replayed, like one that the engine found.
+/// Maps runs from Tina back to the model: follows them step by step in the model's own
+/// transition system, so that a trace has dates and was replayed, like one of the engine.
 class Guide {
 public:
   /// \pre the arguments outlive this
@@ -18,19 +18,19 @@ public:
   make(const fiacre::Program& program, const fiacre::Provenance& provenance,
        const std::vector<verify::Question>& questions);
 
-  /// Whether the engine itself can tell that a run violates the property.
+  /// Whether the engine itself can decide that a run violates the property.
   [[nodiscard]] bool judges(std::size_t question) const {
     const auto kind = goals[question].kind;
     return kind == verify::GoalKind::Events || kind == verify::GoalKind::Condition ||
            kind == verify::GoalKind::Deadlock;
   }
 
-  /// The trace along these transitions, up to where the property is violated; to their end where
-  /// the engine cannot judge. Why there is none, in words.
+  /// The trace along these transitions, up to the violation of the property; to their end if
+  /// the engine cannot decide it. The error says why there is none.
   [[nodiscard]] std::expected<verify::Trace, std::string>
   follow(std::size_t question, const std::vector<std::string>& transitions) const;
 
-  /// A shortest way in a graph to where the property is violated; nothing where there is none.
+  /// A shortest path in a graph to a violation of the property; nothing if there is none.
   /// \pre judges(question)
   [[nodiscard]] std::expected<std::optional<verify::Trace>, std::string>
   search(std::size_t question, const KtzGraph& graph) const;

@@ -21,8 +21,8 @@ struct KtzGraph {
   std::vector<State> states; ///< 0 is the initial one
 };
 
-/// Reads it; what is wrong with it, and in which line, in words. The numbers of states and edges
-/// that it announces have to be right, so that half a file is noticed.
+/// Reads it; the error names the line. The numbers of states and edges
+/// in its head must be right, so that a truncated file is noticed.
 [[nodiscard]] std::expected<KtzGraph, std::string> readKtzText(std::istream& in);
 
 } // namespace proskill::tina

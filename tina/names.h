@@ -9,8 +9,8 @@
 
 namespace proskill::tina {
 
-/// What the names in the output of Tina stand for in a model. Both spellings of the names of
-/// processes are known: whether frac doubles the underscores in them is not certain.
+/// Maps names in the output of Tina to a model. It knows both spellings of the names of
+/// processes, because it is not certain whether frac doubles their underscores.
 class Names {
 public:
   /// \pre `system` outlives this \param main the name of the main component
@@ -22,7 +22,7 @@ public:
     std::uint32_t leaf = 0;
     friend auto operator<=>(const Part&, const Part&) = default;
   };
-  /// The parts of a transition, by instance; nothing where it is not one of the model's.
+  /// The parts of a transition, by instance; nothing if it is not a transition of the model.
   [[nodiscard]] std::optional<std::vector<Part>> transition(std::string_view name) const;
 
   /// The parts that are the model's where others are not, by instance: frac adds processes that

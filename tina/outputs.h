@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// What the tools write, as far as docs/tina.md knows it. What does not look as it should is
+/// Parsers of the tools' output, as described in docs/tina.md. An unexpected text gives
 /// nothing, never a guess.
 namespace proskill::tina {
 
@@ -23,10 +23,10 @@ struct LtlFile {
 /// and of transitions.
 [[nodiscard]] std::optional<verify::Exploration> readCounts(std::string_view output);
 
-/// Whether an explorer says that it stopped before its end: a verdict on such a graph is none.
+/// Whether an explorer says that it stopped early: then its graph gives no verdict.
 [[nodiscard]] bool saysUnfinished(std::string_view output);
 
-/// The verdicts of selt, in the order of the formulas; nothing where there are not just so many.
+/// The verdicts of selt, in the order of the formulas; nothing if their number differs.
 [[nodiscard]] std::optional<std::vector<bool>> readVerdicts(std::string_view output,
                                                             std::size_t expected);
 

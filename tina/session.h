@@ -14,7 +14,7 @@ public:
   /// \pre the arguments outlive this
   Session(const Workspace& in, const Options& with) : workspace(in), options(with) {}
 
-  /// Why a tool did not do what it should: a limit, which leaves answers unknown; or anything else.
+  /// Why a tool failed: a limit, which leaves answers unknown, or anything else.
   struct Stop {
     bool isLimit = false;
     std::string message;

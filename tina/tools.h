@@ -9,7 +9,7 @@
 
 namespace proskill::tina {
 
-/// What a user says of where the tools are: names or paths; empty where nothing is said.
+/// Names or paths of the tools chosen by the user; empty if not chosen.
 struct ToolChoice {
   std::string frac;
   std::string sift;
@@ -34,8 +34,8 @@ struct Tools {
 using Environment = std::function<std::optional<std::string>(const std::string&)>;
 
 /// Looks for the tools: as chosen, else by `PROSKILL_FRAC` and so on (`FRACLIB`, `CC` without
-/// `PROSKILL_`), else on the `PATH`; and for FRACLIB beside frac. sift is taken before tina. What
-/// is missing, each with how to get it.
+/// `PROSKILL_`), else on the `PATH`; and for FRACLIB beside frac. sift is preferred to tina. The
+/// error lists missing tools, each with how to get it.
 [[nodiscard]] std::expected<Tools, std::vector<std::string>> findTools(const ToolChoice& choice,
                                                                        const Environment& of);
 

@@ -4,8 +4,8 @@
 
 namespace proskill::tina {
 
-/// The first line that each tool says when it is asked for help, for reports: `sift: Sift version
-/// 3.8.5 …`. A tool that says nothing within five seconds is named with its path alone.
+/// The first line of the help of each tool, for reports: `sift: Sift version
+/// 3.8.5 …`. A tool without output within five seconds is named with its path alone.
 [[nodiscard]] std::vector<std::string> versions(const Tools& tools);
 
 } // namespace proskill::tina

@@ -8,11 +8,11 @@
 
 namespace proskill::tina {
 
-/// A fresh directory to run the tools in. It is gone with the object, unless it is to be kept.
+/// A fresh directory to run the tools in. The destructor removes it, unless it is to be kept.
 class Workspace {
 public:
   /// \param keep a directory of the user's that is not there yet, or empty; nothing: a temporary
-  /// one. What is wrong, in words.
+  /// one. The error is a sentence.
   [[nodiscard]] static std::expected<Workspace, std::string>
   make(const std::optional<std::filesystem::path>& keep);
 
@@ -21,10 +21,10 @@ public:
   ~Workspace();
 
   [[nodiscard]] const std::filesystem::path& path() const { return root; }
-  /// What went wrong, in words, or nothing.
+  /// The error as a sentence, or nothing.
   [[nodiscard]] std::optional<std::string> write(const std::string& name,
                                                  std::string_view text) const;
-  /// Nothing where it cannot be read.
+  /// Nothing if it cannot be read.
   [[nodiscard]] std::optional<std::string> read(const std::string& name) const;
 
 private:

@@ -17,7 +17,7 @@ public:
   /// Replies once, at once or later, from any thread.
   using Handler = std::function<void(const HttpRequest&, Reply)>;
 
-  /// Takes a port, any free one for 0. What went wrong is the error.
+  /// Listens on a port (0: any free one).
   [[nodiscard]] static std::expected<std::unique_ptr<HttpServer>, std::string>
   listen(std::uint16_t port);
   virtual ~HttpServer() = default;

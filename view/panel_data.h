@@ -15,7 +15,7 @@
 
 namespace proskill::view {
 
-/// What `proskill view` shows. Any thread may ask.
+/// The data of `proskill view`. Any thread may call it.
 class PanelData {
 public:
   using Answer = std::expected<OrderedJson, std::string>;
@@ -31,12 +31,12 @@ public:
   /// A run with these steps, as report/simulation_json.h has it.
   [[nodiscard]] virtual Answer simulate(const OrderedJson& params) = 0;
   [[nodiscard]] virtual bool canSimulate() const = 0;
-  /// Begins anew.
+  /// Restarts.
   virtual void verify() = 0;
   [[nodiscard]] virtual bool canVerify() const = 0;
 };
 
-/// What there is to tell the pages that are open. However many wait, they take no thread each.
+/// Notifications to the open pages. Waiting pages do not need a thread each.
 class EventFeed {
 public:
   using Tell = std::function<void(OrderedJson)>;
@@ -50,7 +50,7 @@ public:
   /// Tells `{next, news}`: what came after the first `after` news, once there is some; nothing
   /// where there is none for long, or where too many wait.
   void after(std::size_t after, Tell tell);
-  /// Nobody waits any longer.
+  /// Ends all waits.
   void close();
 
 private:
@@ -83,7 +83,7 @@ struct ViewOptions {
 /// A program, verified in the background, and again whenever one of its files changes.
 [[nodiscard]] std::unique_ptr<PanelData> liveProgram(ViewOptions options, EventFeed& news);
 
-/// A report or a trace that was saved in a file. What is wrong with its text is the error.
+/// A report or a trace that was saved in a file.
 [[nodiscard]] std::expected<std::unique_ptr<PanelData>, std::string>
 savedReport(const std::string& file, const std::string& text);
 

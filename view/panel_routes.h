@@ -7,7 +7,7 @@
 
 namespace proskill::view {
 
-/// Who may ask: pages under the token, at this port of this machine.
+/// Access rules: pages with the token, at this port of this machine.
 struct PanelAddress {
   std::uint16_t port = 0;
   std::string token;
@@ -18,9 +18,9 @@ struct PanelAddress {
 /// 128 random bits in hexadecimal.
 [[nodiscard]] std::string randomToken();
 
-/// The panel's page and the answers to its requests. Whoever does not know the token, or comes from
+/// The panel's page and the answers to its requests. A request without the token, or from
 /// a page of another origin, gets 403 and nothing else.
-/// Replies once, when there is something to say.
+/// Replies once, when there is something to report.
 void answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
             EventFeed& news, const std::function<void(HttpResponse)>& reply);
 

@@ -24,22 +24,22 @@ struct WorkerProgress {
   }
 };
 
-/// Why there is no report. What went wrong with the process is an error, and never a verdict.
+/// Why there is no report. A failure of the process is an error, never a verdict.
 struct WorkerFailure {
   bool cancelled = false;
   std::string message;
 };
 
-/// Gets the report as far as it is known, and which of its properties were decided since the last
-/// time; what is not decided yet is inconclusive in it.
+/// Gets the partial report, and the properties decided since the last
+/// call; undecided ones are inconclusive in it.
 using OnSoFar =
     std::function<void(const OrderedJson& report, const std::vector<std::size_t>& rows)>;
 
 /// Runs a job in a process of its own and waits for its report (docs/verify.schema.json). The
-/// process has ended when this returns. Where it ends too early, what it has decided is in the
-/// report, and the rest of it inconclusive.
+/// process has ended when this returns. If it ends too early, the report has its decisions,
+/// and the rest is inconclusive.
 /// \param command the program that runs `runVerifyWorker`, and its arguments
-/// \param onSoFar called at most once a second, where something was decided since; may be empty
+/// \param onSoFar called at most once a second, after new decisions; may be empty
 [[nodiscard]] std::expected<OrderedJson, WorkerFailure>
 runWorker(const std::vector<std::string>& command, const WorkerJob& job,
           const rpc::Cancellation& cancellation,

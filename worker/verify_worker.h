@@ -2,14 +2,14 @@
 
 namespace proskill::worker {
 
-/// The life of the process that verifies for the language server: reads a `WorkerJob` from standard
-/// input, and writes a line of JSON for each of these to standard output:
+/// Main function of the process that verifies for the language server: reads a `WorkerJob` from
+/// standard input, and writes a line of JSON for each of these to standard output:
 /// - `{"begin": {…}}`: the report, as docs/verify.schema.json has it, with nothing decided;
 /// - `{"progress": {…}}` a few times a second;
 /// - `{"decided": {"index": …, "property": {…}}}` with each verdict, in place of that of the
 /// report;
-/// - at last `{"report": {…}}`, with null for properties that are as they were told,
-///   `{"stopped": "…"}` where it cannot go on, or `{"error": "…"}`.
+/// - at last `{"report": {…}}`, with null for properties that were sent before,
+///   `{"stopped": "…"}` if it cannot continue, or `{"error": "…"}`.
 /// Ends when its standard input does, when the process that started it does, and
 /// when a limit is passed. Returns the exit code.
 int runVerifyWorker();

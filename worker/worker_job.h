@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-/// What the language server asks of the process that verifies for it.
+/// The task of the process that verifies for the language server.
 namespace proskill::worker {
 
-/// How much a verification may take; what is open then is inconclusive.
+/// Limits of a verification; properties not decided by then are inconclusive.
 struct Budget {
   double seconds = 60;
   std::uint64_t megabytes = 2048;
@@ -30,10 +30,10 @@ struct WorkerJob {
   Budget budget;
 };
 
-/// Everything of a program, as the editor holds it.
+/// All texts of a program, with the editor's unsaved changes.
 [[nodiscard]] WorkerJob jobFor(const analysis::Program& program);
 
-/// A line of JSON and the texts' bytes, whatever they are: JSON alone could not carry all of them.
+/// A line of JSON, then the bytes of the texts, which may be invalid in JSON.
 [[nodiscard]] std::string encode(const WorkerJob& job, int parentId);
 
 /// The first line of what `encode` made.
@@ -42,7 +42,7 @@ struct JobHeader {
   int parentId = 0;
   std::vector<std::size_t> lengths; ///< of the texts, in bytes
 };
-/// Nothing where the line is no such header.
+/// Nothing if the line is not such a header.
 [[nodiscard]] std::optional<JobHeader> decodeHeader(std::string_view line);
 
 } // namespace proskill::worker

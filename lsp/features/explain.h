@@ -4,10 +4,10 @@
 
 namespace proskill::lsp {
 
-/// The command of a code action, for clients that have none of that name themselves.
+/// The command of a code action, for clients that do not implement it themselves.
 inline constexpr const char* kExplainCommand = "proskill.explain";
 
-/// What `proskill explain` says of a code: `code`, `title`, `markdown` and `plain`.
+/// The text of `proskill explain` for a code: `code`, `title`, `markdown` and `plain`.
 [[nodiscard]] Answer explain(const Json& code);
 
 void addExplain(Registry& registry);

@@ -10,10 +10,10 @@
 
 namespace proskill::lsp {
 
-/// What the client said that it can do, as far as the server asks.
+/// The capabilities of the client that the server uses.
 struct ClientFeatures {
   syntax::Encoding encoding = syntax::Encoding::Utf16;
-  bool pullDiagnostics = false; ///< asks for diagnostics; else it is told
+  bool pullDiagnostics = false; ///< pulls diagnostics; else they are pushed
   bool relatedInformation = false;
   bool watchedFiles = false; ///< may be registered dynamically
   bool workDoneProgress = false;
@@ -34,11 +34,11 @@ struct ClientFeatures {
   std::shared_ptr<const Manual> manual;
   bool configuration = false;        ///< may be asked for its settings
   bool dynamicConfiguration = false; ///< registers for changes of them
-  /// Methods that it asks again where a request was refused because the text has changed.
+  /// Methods that it repeats if a request was rejected because the text has changed.
   std::set<std::string> retried;
-  /// Members of inlay hints that it asks for when they are looked at: `label.location`.
+  /// Members of inlay hints that it resolves later: `label.location`.
   std::set<std::string> resolvedOfHints;
-  /// Requests by which it may be told to ask for something again: `workspace/codeLens/refresh`.
+  /// Refresh requests that it supports: `workspace/codeLens/refresh`.
   std::set<std::string> refreshes;
 };
 

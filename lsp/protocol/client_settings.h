@@ -7,11 +7,11 @@
 
 namespace proskill::lsp {
 
-/// What users set in their editor, in its section `proskill`; see docs/lsp.md. What is absent or of
-/// the wrong type is as if it had not been said.
+/// The settings of the editor's section `proskill`; see docs/lsp.md. Values that are absent or of
+/// the wrong type are ignored.
 struct ClientSettings {
-  bool diagnostics = true; ///< told at all
-  bool style = false;      ///< hints of style too, whatever `.proskill.json` says
+  bool diagnostics = true; ///< reported at all
+  bool style = false;      ///< style hints too, whatever `.proskill.json` says
   std::optional<std::chrono::milliseconds> debounce; ///< absent: as the command line says
 };
 

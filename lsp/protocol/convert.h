@@ -6,7 +6,7 @@
 
 #include <expected>
 
-/// Between bytes in files and the protocol's positions in URIs.
+/// Converts between bytes in files and the protocol's positions in URIs.
 namespace proskill::lsp {
 
 /// The protocol's shapes for places in one program. For one thread.
@@ -42,7 +42,7 @@ private:
 
 [[nodiscard]] rpc::RpcError invalidParams(std::string message);
 
-/// A request's text, by its `textDocument`. A URI that is no file gets a path that no file has.
+/// A request's text, by its `textDocument`. A URI of another scheme gets a path that no file has.
 [[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
 

@@ -10,14 +10,14 @@
 #include <unordered_map>
 #include <vector>
 
-/// Answers about whole texts are put together of parts, one a region (`syntax::Region`). What an
-/// edit did not touch is taken from the last answer.
+/// Answers about whole texts are assembled from parts, one per region (`syntax::Region`). Parts
+/// that an edit did not change are reused from the last answer.
 namespace proskill::lsp {
 
-/// What is made of a text, the last one of each text and of few texts. Any thread may use it.
+/// LRU cache of answers, the last one per text, for a few texts. Any thread may use it.
 template <class Value> class LastOfTexts {
 public:
-  /// Null where it is not known.
+  /// Null if it is not known.
   [[nodiscard]] std::shared_ptr<const Value> find(const std::string& uri) const {
     const std::lock_guard lock(mutex);
     const auto found = std::ranges::find(entries, uri, &Entry::uri);
@@ -52,7 +52,7 @@ public:
     for (std::size_t i = 0; i < this->parts.size(); ++i) places[this->parts[i]->tree.get()] = i;
   }
 
-  /// Null where the region is new, or another one is before it that was behind it.
+  /// Null if the region is new, or if the order of the regions has changed.
   [[nodiscard]] std::shared_ptr<const Part> find(const std::shared_ptr<const syntax::Tree>& tree) {
     const auto found = places.find(tree.get());
     if (found == places.end() || found->second < next) return nullptr;

@@ -9,8 +9,8 @@
 
 namespace proskill::lsp {
 
-/// What a piece of work tells of itself while it lasts. LSP 3.17, "Work Done Progress" and "Partial
-/// Result Progress". Where the client did not ask for it, nothing is sent.
+/// Progress of a running task. LSP 3.17, "Work Done Progress" and "Partial
+/// Result Progress". If the client did not ask for it, nothing is sent.
 class Progress {
 public:
   using Notify = std::function<void(std::string_view method, const Json& params)>;

@@ -24,7 +24,7 @@ struct Request {
   rpc::Cancellation cancellation;
   /// The last verdicts of every program; never null.
   std::shared_ptr<const ide::Verdicts> verdicts = std::make_shared<const ide::Verdicts>();
-  /// What the user sets in the editor; never null.
+  /// The settings of the editor; never null.
   std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
   /// For work that takes long, and for results in parts; never null.
   std::shared_ptr<Progress> progress = std::make_shared<Progress>();
@@ -38,7 +38,7 @@ struct Method {
   rpc::Priority priority = rpc::Priority::Interactive;
 };
 
-/// The requests that the server answers, and what it tells the client of them. Each group of
+/// The requests that the server answers, and its capabilities. Each group of
 /// features has a file `lsp/feature_GROUP.cpp` with one function that adds its methods and its
 /// capabilities.
 struct Registry {

@@ -12,7 +12,7 @@ namespace proskill::lsp {
 [[nodiscard]] Json toJson(const ide::SymbolKey& key);
 /// The same, written.
 void write(rpc::JsonWriter& json, const ide::SymbolKey& key);
-/// Nothing where it is no key.
+/// Nothing if it is not a key.
 [[nodiscard]] std::optional<ide::SymbolKey> symbolKey(const Json& json);
 
 /// The view of the file that `data.uri` names, where it is known; the client may have kept the data

@@ -15,7 +15,7 @@ inline constexpr std::size_t kNumbersPerToken = 5;
 [[nodiscard]] Numbers encoded(const ide::View& view, const std::vector<ide::Token>& tokens,
                               syntax::Encoding encoding);
 
-/// The tokens of a region, wherever it stands.
+/// The tokens of a region, independent of its position.
 struct TokenPart {
   std::shared_ptr<const syntax::Tree> tree; ///< null: of a text without regions
   std::vector<ide::Token> names; ///< that the tokens were made with; ranges count from the region

@@ -9,8 +9,8 @@
 
 namespace proskill::lsp {
 
-/// Tells the user things in the editor, sparingly: the same words at most once a minute, and no
-/// more than a few of any kind in that time. All of them go to the editor's log. Of the main
+/// Shows messages to the user in the editor, rate-limited: the same message at most once a minute,
+/// and no more than a few of any kind in that time. All of them go to the editor's log. Of the main
 /// thread.
 class Announcer {
 public:

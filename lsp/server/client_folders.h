@@ -18,7 +18,7 @@ class ClientFolders {
 public:
   using Path = std::filesystem::path;
 
-  /// What folders need of the server; all of it outlives them.
+  /// The services of the server that folders need; they outlive them.
   struct Server {
     Workspace& workspace;
     rpc::Peer& peer;

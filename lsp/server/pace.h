@@ -7,12 +7,12 @@
 namespace proskill::lsp {
 
 /// How long the last round of diagnostics took: where that is next to nothing, the next one need
-/// not wait until the user pauses. A round that an edit has stopped is no quick one.
+/// not wait until the user pauses. A round that an edit has cancelled does not count as quick.
 class Pace {
 public:
   using Duration = std::chrono::steady_clock::duration;
 
-  /// What a person does not notice.
+  /// A delay that a user does not notice.
   static constexpr std::chrono::milliseconds kUnnoticed{5};
 
   /// A round begins: `count` texts, of this revision.

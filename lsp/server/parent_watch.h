@@ -15,7 +15,7 @@ public:
 
   ParentWatch() = default; ///< watches nobody
   /// \param processId as `initialize` gives it; a number that means no process here is ignored: the
-  /// client may run in a container or behind a port
+  /// client may run in a container or on the other end of a port
   explicit ParentWatch(const Json& processId);
 
   /// When to look next; nothing where nobody is watched.

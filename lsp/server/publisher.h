@@ -19,9 +19,9 @@
 
 namespace proskill::lsp {
 
-/// Tells the client the diagnostics of its open texts once they have been left alone for a moment.
-/// What a newer edit has made useless is not computed further and never sent; what has not changed
-/// is not sent again.
+/// Publishes the diagnostics of open texts after a delay without edits.
+/// A newer edit cancels a computation and drops its result; unchanged diagnostics
+/// are not sent again.
 class Publisher {
 public:
   using Time = std::chrono::steady_clock::time_point;
@@ -48,19 +48,19 @@ public:
   [[nodiscard]] bool isQuick();
   /// When `publish` is to be called next.
   [[nodiscard]] std::optional<Time> due() const { return dueAt; }
-  /// The main thread's. \param enabled false: what was told is taken back
+  /// The main thread's. \param enabled false: removes published diagnostics
   void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
 
 private:
   using Path = std::filesystem::path;
   using Owners = std::vector<std::weak_ptr<const ide::AnalysedProgram>>;
 
-  /// What the client was last told of a text.
+  /// The last published diagnostics of a text.
   struct Told {
     std::string uri;
     std::int64_t version = 0;
     Owners owners;                                 ///< the programs that it came from
-    std::shared_ptr<const ide::Verdicts> verdicts; ///< that it tells
+    std::shared_ptr<const ide::Verdicts> verdicts; ///< that are published with it
     bool sent = false;
   };
 
@@ -75,7 +75,7 @@ private:
   Statistics& statistics;
   const ClientFeatures& client;
   GetVerdicts verdicts;
-  OnPublished onPublished; ///< by any thread: the findings of a text have been told
+  OnPublished onPublished; ///< by any thread: the findings of a text have been published
   OnFailure onFailure;
   std::optional<Time> dueAt;
   std::atomic<std::uint64_t> revision{0}; ///< of the texts

@@ -11,8 +11,8 @@
 
 namespace proskill::lsp {
 
-/// Has the client ask anew for what it shows of open texts, where that may have changed by
-/// something else than an edit of the text itself.
+/// Sends refresh requests for open texts whose answers may have changed by
+/// something other than an edit of the text itself.
 class Refresher {
 public:
   using Time = std::chrono::steady_clock::time_point;
@@ -32,7 +32,7 @@ public:
   /// When `refresh` is to be called next.
   [[nodiscard]] std::optional<Time> due() const { return stopped ? std::nullopt : dueAt; }
   void refresh(const ide::Snapshot& now);
-  /// For good: a client that leaves is asked nothing.
+  /// Stops for good: a client that leaves gets no more requests.
   void stop() { stopped = true; }
 
   // Any thread's, at once:

@@ -27,7 +27,7 @@ namespace proskill::lsp {
 inline constexpr std::chrono::milliseconds kUsualDebounce{50};
 
 struct ServerOptions {
-  std::string version;  ///< told to the client
+  std::string version;  ///< sent to the client
   unsigned threads = 3; ///< beside those that read and dispatch; at least 2
   std::chrono::milliseconds debounce = kUsualDebounce; ///< a longer one is kept, whatever they take
   std::function<void(std::string_view)> log{};         ///< a line each; from any thread
@@ -43,7 +43,7 @@ public:
   Server(rpc::Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
          ServerOptions options);
 
-  /// Serves until `exit` or the end of the stream. 0 where the client asked for `shutdown` before,
+  /// Serves until `exit` or the end of the stream. 0 if the client has sent `shutdown` before,
   /// else 1.
   int run();
 
@@ -109,7 +109,7 @@ private:
   SettingsMistakes mistakes{peer, client};
   ParentWatch parent;
   Time started = std::chrono::steady_clock::now();
-  std::atomic<std::uint64_t> errors{0}; ///< requests that met a bug
+  std::atomic<std::uint64_t> errors{0}; ///< requests that failed with a bug
   std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
   Verification verification;
   Publisher publisher;

@@ -9,7 +9,7 @@
 
 namespace proskill::lsp {
 
-/// Reports mistakes in files of settings as diagnostics of these files. Of the main thread.
+/// Reports errors in files of settings as diagnostics of these files. Of the main thread.
 class SettingsMistakes {
 public:
   using Mistakes = std::map<std::filesystem::path, SettingsMistake>;
@@ -17,7 +17,7 @@ public:
   /// Both outlive this.
   SettingsMistakes(rpc::Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
 
-  /// Sends what differs from the mistakes that the client knows.
+  /// Publishes changes since the last call.
   void publish(Mistakes now);
 
 private:

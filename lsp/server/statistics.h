@@ -11,7 +11,7 @@
 
 namespace proskill::lsp {
 
-/// How often each method was asked for and how long it took, for `proskill/status`.
+/// Count and duration of requests per method, for `proskill/status`.
 class Statistics {
 public:
   void add(std::string_view method, std::chrono::nanoseconds latency);
@@ -30,7 +30,7 @@ private:
   std::map<std::string, Series, std::less<>> series;
 };
 
-/// Of this process, in bytes; 0 where the system does not say.
+/// Of this process, in bytes; 0 if unknown.
 [[nodiscard]] std::size_t residentBytes();
 
 } // namespace proskill::lsp

@@ -12,9 +12,9 @@ namespace proskill::lsp {
 
 enum class VerificationState : std::uint8_t { Waiting, Checking, Done, Errors, Failed, Off };
 
-/// What is known of a program, and what is being done about it.
+/// The verdicts of a program, and the state of its verification.
 struct ProgramState {
-  std::shared_ptr<const ide::AnalysedProgram> program; ///< of the last that was looked at
+  std::shared_ptr<const ide::AnalysedProgram> program; ///< the last one requested
   std::shared_ptr<const Verified> verified;            ///< null: never yet
   VerificationState state = VerificationState::Waiting;
   bool stale = false; ///< `verified` is for older texts
@@ -23,7 +23,7 @@ struct ProgramState {
 };
 
 /// The last verdicts of each program, by the path of its root. Any thread may use it; every change
-/// is told, in its order.
+/// is reported, in order.
 class VerdictStore {
 public:
   using Told = std::function<void(const ProgramState& state)>;
@@ -66,7 +66,7 @@ private:
   std::shared_ptr<const ide::Verdicts> published = std::make_shared<const ide::Verdicts>();
 };
 
-/// Whether a text of the program has another content now, as far as open texts tell.
+/// Whether an open text of the program has changed.
 [[nodiscard]] bool hasChanged(const analysis::Program& program,
                               const std::map<std::filesystem::path, std::int64_t>& wereOpen,
                               const ide::OpenTexts& open);

@@ -12,15 +12,15 @@
 
 namespace proskill::lsp {
 
-/// A finished verification as the server keeps it: the verdicts, and the traces as JSON that nobody
-/// has read yet.
+/// A finished verification as the server keeps it: the verdicts, and the traces as unparsed
+/// JSON.
 struct Verified {
   std::shared_ptr<const ide::ProgramVerdicts> verdicts;
   std::string mainSkill;                     ///< empty: none
   std::map<std::string, std::string> traces; ///< by the property's name, as `traceJson` writes it
 };
 
-/// Reads a report (docs/verify.schema.json) on this program. Nothing where it has not that form.
+/// Reads a report (docs/verify.schema.json) on this program. Nothing if it has another form.
 /// A reason that is a limit says which setting raises it.
 [[nodiscard]] std::optional<Verified>
 readReport(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> program,

@@ -13,7 +13,7 @@
 
 namespace proskill::lsp {
 
-/// What tells a file from others, whatever links lead to it, and one state of it from another
+/// Identity of a file, independent of links, and of its version,
 /// without reading it.
 struct FileStamp {
   std::uint64_t device = 0;
@@ -23,14 +23,14 @@ struct FileStamp {
   std::uintmax_t size = 0;   ///< bytes
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
-/// Nothing where it cannot be known: what was read is not kept then.
+/// Nothing if unknown: then the file is not cached.
 using StampOf = std::function<std::optional<FileStamp>(const std::filesystem::path&)>;
 /// Of a file of this machine.
 [[nodiscard]] std::optional<FileStamp> stampOnDisk(const std::filesystem::path& path);
 
-/// Files as trees, read again only where they have changed, so that programs share what they
-/// include; and the ends of links, followed again only where they lead to another file. Of the
-/// trees it keeps those that were used last. Any thread may use it.
+/// LRU cache of parsed files, read again only after a change, so that programs share what they
+/// include; and of the targets of links, resolved again only if they lead to another file.
+/// Any thread may use it.
 class FileCache : public analysis::FileSystem {
 public:
   /// A tree takes some twenty times as much as its text.

@@ -6,7 +6,7 @@
 
 namespace proskill::lsp {
 
-/// 16 hexadecimal digits that tell texts apart, the same in every session: FNV-1a of the bytes.
+/// Hash of a text as 16 hexadecimal digits, the same in every session: FNV-1a of the bytes.
 [[nodiscard]] inline std::string fingerprint(std::string_view text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (unsigned char byte : text) hash = (hash ^ byte) * 1099511628211ULL;

@@ -20,9 +20,9 @@ public:
 
   struct Outcome {
     std::vector<Path> changed;         ///< texts, that of the notebook among them
-    std::vector<std::string> problems; ///< of the message, in words for the user
+    std::vector<std::string> problems; ///< of the message, as sentences for the user
   };
-  /// What is wrong with a part of a message is told, and the rest of it done.
+  /// Invalid parts of a message are reported; valid parts are applied.
   Outcome open(const Json& params);
   Outcome change(const Json& params);
   Outcome close(const Json& params);

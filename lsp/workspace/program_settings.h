@@ -8,13 +8,13 @@
 #include <optional>
 #include <string>
 
-/// What a file `.proskill.json` says about the findings of the programs beside it and below it; see
+/// Settings in a file `.proskill.json` for the findings of the programs beside it and below it; see
 /// docs/proskill.schema.json. The command line and the server read it here.
 namespace proskill::lsp {
 
 inline constexpr const char* kSettingsFile = ".proskill.json";
 
-/// What is wrong with the text of such a file, and where.
+/// An error in the text of such a file, and its place.
 struct SettingsMistake {
   std::string description; ///< for the user
   std::string text;        ///< of the file
@@ -23,9 +23,8 @@ struct SettingsMistake {
 };
 
 struct ProgramSettings {
-  analysis::flow::Settings
-      settings;               ///< those of the table where there is no file, or a mistaken one
-  std::filesystem::path file; ///< where they were read; empty: nowhere
+  analysis::flow::Settings settings; ///< the defaults if there is no valid file
+  std::filesystem::path file;        ///< where they were read; empty: nowhere
   std::optional<SettingsMistake> mistake;
 };
 
@@ -33,7 +32,7 @@ struct ProgramSettings {
 [[nodiscard]] ProgramSettings settingsFor(const analysis::FileSystem& files,
                                           const std::filesystem::path& root);
 
-/// The text of such a file, or what is wrong with it.
+/// Parses the text of such a file.
 [[nodiscard]] std::expected<analysis::flow::Settings, SettingsMistake>
 parseSettings(const std::string& text);
 

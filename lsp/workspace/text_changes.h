@@ -9,8 +9,8 @@
 namespace proskill::lsp {
 
 /// The document after the `contentChanges` of `textDocument/didChange`, in their order; nothing
-/// where one of them does not fit the text, unless a later one gives the whole text. However many
-/// they are, the document is parsed but a few times: those that lie together are one edit.
+/// if one of them does not fit the text, unless a later one gives the whole text. Adjacent changes
+/// are merged into one edit, so that the document is parsed only a few times.
 [[nodiscard]] std::optional<syntax::Document>
 changed(syntax::Document document, const Json& changes, syntax::Encoding encoding);
 

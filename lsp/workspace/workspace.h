@@ -19,15 +19,15 @@ struct FolderContents {
   std::vector<ide::KnownFile> files;
 };
 
-/// The texts that the client has open and the files of its folders: what the main thread changes,
-/// and what snapshots are taken of.
+/// The texts that the client has open and the files of its folders. The main thread changes them,
+/// and takes snapshots.
 class Workspace {
 public:
   explicit Workspace(std::shared_ptr<const analysis::FileSystem> disk);
 
   /// \pre `Encoding` is negotiated
   void setEncoding(syntax::Encoding encoding) { this->encoding = encoding; }
-  /// Hints of style are told, whatever the programs' own settings say.
+  /// Reports style hints, whatever the programs' own settings say.
   void setStyle(bool style);
 
   using Outcome = std::expected<std::filesystem::path, std::string>;
@@ -76,13 +76,13 @@ private:
   void refresh();
   void startAfresh();
 
-  std::shared_ptr<const analysis::FileSystem> direct; ///< for what is looked at once
+  std::shared_ptr<const analysis::FileSystem> direct; ///< for files that are read once
   std::shared_ptr<FileCache> disk;
   syntax::Encoding encoding = syntax::Encoding::Utf16;
   bool style = false;
   ide::OpenTexts texts;
   /// Which file each text is, by its canonical name. A text that was opened when its file was open
-  /// by another name is none but itself, until that one is closed.
+  /// by another name is a text of its own, until that one is closed.
   std::map<Path, std::string> identities;
   std::unordered_map<std::string, Path> names; ///< of files on disk, by their canonical names
   std::shared_ptr<const ide::IncludeGraph> graph = std::make_shared<const ide::IncludeGraph>();

@@ -8,7 +8,7 @@ namespace proskill::report {
 
 enum class Colour : std::uint8_t { Bold, Dim, Red, Green, Yellow, Blue, Cyan };
 
-/// Wraps text in terminal escapes, or leaves it alone.
+/// Wraps text in terminal escapes, or returns it unchanged.
 struct Paint {
   bool on = false;
 

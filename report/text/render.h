@@ -13,7 +13,7 @@ namespace proskill::report {
 [[nodiscard]] std::string_view words(syntax::Severity severity);
 
 /// Prints diagnostics for people: code and message, the place, the source with carets below it, the
-/// related places, and what would mend it.
+/// related places, and its fixes.
 void render(std::ostream& out, const analysis::Program& program,
             std::span<const syntax::Diagnostic> diagnostics, const Paint& paint);
 

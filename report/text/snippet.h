@@ -9,7 +9,7 @@
 
 namespace proskill::report {
 
-/// A part of a text that is marked, with what is said about it.
+/// A marked part of a text, with a label.
 struct Mark {
   syntax::Range range;
   std::string label; ///< may be empty

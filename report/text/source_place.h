@@ -7,7 +7,7 @@
 
 namespace proskill::report {
 
-/// A place as users are told it: line and column from 1, the column in characters.
+/// A place for users: line and column from 1, the column in characters.
 struct SourcePlace {
   std::uint32_t line = 1;
   std::uint32_t column = 1;

@@ -14,7 +14,7 @@ public:
   explicit DisplayedLine(std::string_view line);
 
   [[nodiscard]] const std::string& text() const { return shown; }
-  /// The column, from 0, at which the byte is shown; that of the end for all behind.
+  /// The column, from 0, at which the byte is shown; after the end: that of the end.
   [[nodiscard]] std::size_t column(std::size_t byte) const;
 
 private:
