@@ -70,9 +70,9 @@ def complaints(name, text):
 
 def looked_for():
     for name in files(".md", ".cpp", ".h", ".def", ".json", ".ts", ".lua", ".el"):
-        if name == GLOSSARY or name.startswith(ELSEWHERE) or "/test" in name or "node_modules" in name:
+        if name == GLOSSARY or name.startswith(ELSEWHERE) and not name.endswith("README.md") or "/test" in name or "node_modules" in name:
             continue
-        if name.endswith(".md") and not name.startswith("docs/") and name not in PAGES:
+        if name.endswith(".md") and not name.startswith("docs/") and not name.endswith(PAGES):
             continue
         if name.endswith(".json") and not name.endswith(("vscode-extension/package.json", ".schema.json")):
             continue
