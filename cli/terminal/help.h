@@ -12,7 +12,7 @@ namespace proskill::cli {
 
 /// The groups that options stand in.
 namespace group {
-inline constexpr const char* kSubject = "What to look at";
+inline constexpr const char* kSubject = "Selection";
 inline constexpr const char* kOutput = "Output";
 inline constexpr const char* kLimits = "Limits";
 inline constexpr const char* kBackends = "Backends";

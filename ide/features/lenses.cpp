@@ -31,10 +31,10 @@ bool isVerified(SymbolKind kind) {
 struct Summary {
   std::size_t good = 0;
   std::size_t bad = 0;
-  std::size_t toLookAt = 0; ///< violated too, and no mistake by itself
+  std::size_t warnings = 0; ///< violated, but not errors
   std::size_t open = 0;
   std::size_t pending = 0;
-  /// One with a trace where there is one: the first bad one, else the first to look at.
+  /// One with a trace where there is one: the first bad one, else the first warning.
   const PropertyVerdict* worst = nullptr;
 
   explicit Summary(const std::vector<const PropertyVerdict*>& verdicts) {
@@ -44,7 +44,7 @@ struct Summary {
       else if (!verdict->bad())
         ++(verdict->pending ? pending : open);
       else
-        ++(isError(*verdict) ? bad : toLookAt);
+        ++(isError(*verdict) ? bad : warnings);
       if (verdict->bad() && (!worst || isWorse(*verdict, *worst))) worst = verdict;
     }
   }
@@ -64,7 +64,7 @@ struct Summary {
       if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
     };
     add(bad, "bad");
-    add(toLookAt, "to look at");
+    add(warnings, warnings == 1 ? "warning" : "warnings");
     add(open, "inconclusive");
     add(good, "good");
     add(pending, "to be decided");

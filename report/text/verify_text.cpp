@@ -171,7 +171,9 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
   out << fmt::format("{} properties: {}", rows.size(),
                      paint(Colour::Green, fmt::format("{} good", good)));
   if (errors > 0) out << ", " << paint(Colour::Red, fmt::format("{} bad", errors));
-  if (warnings > 0) out << ", " << paint(Colour::Yellow, fmt::format("{} to look at", warnings));
+  if (warnings > 0)
+    out << ", "
+        << paint(Colour::Yellow, fmt::format("{} warning{}", warnings, warnings == 1 ? "" : "s"));
   if (open > 0) out << ", " << paint(Colour::Yellow, fmt::format("{} inconclusive", open));
   const auto& explored = report.result.exploration;
   out << fmt::format("\n{} classes, {} markings, {} transitions, {} in {:.3f} s{}\n",

@@ -11,7 +11,7 @@ import sys
 from house import ROOT, finish, read
 
 PROGRAM = sys.argv[1]
-GROUPS = {"What to look at", "Output", "Limits", "Backends", "Advanced"}
+GROUPS = {"Selection", "Output", "Limits", "Backends", "Advanced"}
 
 
 def help_of(*command):

@@ -63,7 +63,7 @@ TEST_CASE("verdicts are counted, and lead to a trace where there is one") {
     if (lens.kind == ide::LensKind::Verdicts) CHECK(lens.property == "go.c");
 }
 
-TEST_CASE("what is only to look at is told apart, and is no failure") {
+TEST_CASE("warnings are counted apart from failures") {
   const MarkedProgram program(kProgram);
   auto properties = std::vector{verdict("go.a", ide::Verdict::Holds, {}),
                                 verdict("go.b", ide::Verdict::Violated, 7)};
@@ -72,9 +72,9 @@ TEST_CASE("what is only to look at is told apart, and is no failure") {
   verdicts->program = program.view().owner;
   verdicts->properties = properties;
   const ide::Verdicts all{{program.view().program().files.front().path, verdicts}};
-  CHECK(titles(program, all, "go").front() == "✓ 1 to look at, 1 good");
+  CHECK(titles(program, all, "go").front() == "✓ 1 warning, 1 good");
   verdicts->properties.push_back(verdict("go.c", ide::Verdict::Violated, 3));
-  CHECK(titles(program, all, "go").front() == "✗ 1 bad, 1 to look at, 1 good");
+  CHECK(titles(program, all, "go").front() == "✗ 1 bad, 1 warning, 1 good");
   for (const auto& lens : ide::lenses(program.view(), all))
     if (lens.kind == ide::LensKind::Verdicts) CHECK(lens.property == "go.c");
 }

@@ -6,9 +6,9 @@ export interface Findings {
   inconclusive: number;
 }
 
-/** What is not good, in the words of the command line: `1 bad, 9 to look at`; empty: all is. */
+/** What is not good, in the words of the command line: `1 bad, 9 warnings`; empty: all is. */
 export function inWords({ errors, warnings, inconclusive }: Findings): string {
-  return [errors && `${errors} bad`, warnings && `${warnings} to look at`, inconclusive && `${inconclusive} inconclusive`]
+  return [errors && `${errors} bad`, warnings && `${warnings} warning${warnings === 1 ? '' : 's'}`, inconclusive && `${inconclusive} inconclusive`]
     .filter((part) => part).join(', ');
 }
 

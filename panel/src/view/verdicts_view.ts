@@ -76,7 +76,7 @@ export class VerdictsView {
       const number = count(mark);
       return number === 0 ? null : h('span', { class: `tally ${mark}`, title: `${number.toLocaleString('en')} ${words}` }, icon(icons[mark]), String(number));
     };
-    const parts = [part('error', 'bad'), part('warning', 'to look at'), part('open', 'inconclusive'), part('good', 'good')];
+    const parts = [part('error', 'bad'), part('warning', count('warning') === 1 ? 'warning' : 'warnings'), part('open', 'inconclusive'), part('good', 'good')];
     this.summary.replaceChildren(...parts.filter((it): it is HTMLElement => it !== null));
     this.summary.classList.toggle('stale', program.stale);
   }

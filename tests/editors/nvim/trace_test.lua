@@ -44,7 +44,7 @@ return {
     child:wait("return #vim.fn.getqflist() > 0")
     local list = child:lua("return vim.fn.getqflist({ title = 1, items = 1 })")
     expect.contains(list.title, 'properties: ')
-    expect.contains(list.title, ' 3 bad, 21 to look at')
+    expect.contains(list.title, ' 3 bad, 21 warnings')
     expect.equal(#list.items, 24)
     local found
     for _, item in ipairs(list.items) do

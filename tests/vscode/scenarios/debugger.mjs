@@ -30,7 +30,7 @@ export const scenarios = {
   /** Forward, and back to the same line. */
   async debugger({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
-    await editor.statusSays(/\d+ bad, \d+ to look at/);
+    await editor.statusSays(/\d+ bad, \d+ warnings?/);
     await editor.command('ProSkill: Replay Trace in the Debugger');
     await editor.answer(failing);
     await page.locator('.debug-toolbar').waitFor({ timeout: 15_000 });
@@ -52,7 +52,7 @@ export const scenarios = {
     const line = lineOf(root, kDrone, '(takeoff height');
     await editor.openFile(kDrone);
     await editor.goTo(line);
-    await editor.statusSays(/\d+ bad, \d+ to look at/);
+    await editor.statusSays(/\d+ bad, \d+ warnings?/);
     await editor.press('F9');
     await page.locator('.codicon-debug-breakpoint, .codicon-debug-breakpoint-unverified').first().waitFor();
     await editor.command('ProSkill: Replay Trace in the Debugger');

@@ -21,7 +21,7 @@ async function typeAndWait(page, key) {
 }
 
 /** Verdicts of the text as it is. */
-const kVerified = /\d+ (bad|to look at|of \d+ good)(?!.*outdated)/;
+const kVerified = /\d+ (bad|warnings?|of \d+ good)(?!.*outdated)/;
 
 export const scenarios = {
   /** `Controlled` becomes `Controlledx`, far from bad verdicts; its problem appears, and disappears when it is undone. */

@@ -66,8 +66,8 @@ export const scenarios = {
     const begin = loadavg()[0].toFixed(1);
     await editor.openFile(kDrone);
     await editor.goTo(161);
-    await editor.statusSays(/\d+ bad, \d+ to look at/, 60_000);
-    const mission = page.locator('.codelens-decoration', { hasText: '2 bad, 8 to look at' });
+    await editor.statusSays(/\d+ bad, \d+ warnings?/, 60_000);
+    const mission = page.locator('.codelens-decoration', { hasText: '2 bad, 8 warnings' });
     const automaton = async () => (await editor.panel('.automaton-view')).locator('.stage[data-picture="body uav_mission"] g.node').first().waitFor();
     const trace = async () => (await editor.panel('.trace-view')).locator('.trace-head .badge.violated').waitFor();
     await timed(figures, 'automaton', () => mission.locator('a', { hasText: 'show automaton' }).first().click(), automaton);

@@ -8,7 +8,7 @@ import { failing, verified } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
 /** Of those above the mission, of which alone ten properties are bad. */
-const lens = (page, text) => page.locator('.codelens-decoration', { hasText: '2 bad, 8 to look at' }).locator('a', { hasText: text });
+const lens = (page, text) => page.locator('.codelens-decoration', { hasText: '2 bad, 8 warnings' }).locator('a', { hasText: text });
 const steps = (frame) => frame.locator('.step');
 const count = (frame) => frame.locator('.count').textContent();
 
@@ -31,7 +31,7 @@ export const scenarios = {
     await editor.openFile(kDrone);
     await editor.goTo(161);
     await lens(page, 'verify').first().click();
-    await page.locator('.notification-toast', { hasText: /ProSkill: 2 bad, 8 to look at, of 31\. uav_mission .*: violated/ }).first().waitFor();
+    await page.locator('.notification-toast', { hasText: /ProSkill: 2 bad, 8 warnings, of 31\. uav_mission .*: violated/ }).first().waitFor();
     await editor.picture('lenses-verified');
     await editor.command('Notifications: Clear All Notifications');
     await lens(page, /^✗ 2 bad/).first().click();
@@ -50,7 +50,7 @@ export const scenarios = {
   /** The steps of one actor, the ones that change something, a variable at the top, a search, another trace beside. */
   async filters({ editor, page, proskill, root }) {
     await editor.openFile(kDrone);
-    await editor.statusSays(/\d+ bad, \d+ to look at/);
+    await editor.statusSays(/\d+ bad, \d+ warnings?/);
     await editor.command('ProSkill: Open Trace');
     await editor.answer(failing);
     const frame = await editor.panel('.trace-view');

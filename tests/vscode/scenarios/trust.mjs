@@ -24,7 +24,7 @@ export const scenarios = {
       const now = server.servers().map(({ pid }) => pid);
       return now.length === 1 && !before.includes(now[0]);
     });
-    await editor.statusSays(/\d+ bad, \d+ to look at/, 60_000);
+    await editor.statusSays(/\d+ bad, \d+ warnings?/, 60_000);
     await editor.command('Testing: Focus on Test Explorer View');
     await page.locator('.test-explorer .codicon-testing-passed-icon, .test-explorer .codicon-testing-failed-icon').first().waitFor();
     await editor.picture('trusted-verified');

@@ -67,7 +67,7 @@ export const scenarios = {
    */
   async reloaded({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
-    await editor.statusSays(/\d+ bad, \d+ to look at$/, 60_000);
+    await editor.statusSays(/\d+ bad, \d+ warnings?$/, 60_000);
     await editor.goTo(161, 3);
     await editor.command('ProSkill: Open Trace');
     await editor.answer(failing);

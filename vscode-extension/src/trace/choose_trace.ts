@@ -32,7 +32,7 @@ export async function chooseTrace(programs: Programs, uri: vscode.Uri, question:
   };
   const entries = [
     ...section('bad', 'error', ({ good, severity }) => !good && severity === 'error'),
-    ...section('to look at', 'warning', ({ good, severity }) => !good && severity !== 'error'),
+    ...section('warnings', 'warning', ({ good, severity }) => !good && severity !== 'error'),
     ...section('good, with a run that shows it', 'pass', ({ good }) => good),
   ];
   return (await vscode.window.showQuickPick(entries, { placeHolder: question, matchOnDetail: true }))?.name;

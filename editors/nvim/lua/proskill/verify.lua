@@ -48,8 +48,8 @@ local function count(list)
     local kind = verdict.good and 'good' or verdict.severity == 'error' and 'bad' or 'look'
     counts[kind] = counts[kind] + 1
   end
-  return ('%d properties: %d good, %d bad, %d to look at'):format(
-    #list, counts.good, counts.bad, counts.look)
+  return ('%d properties: %d good, %d bad, %d warning%s'):format(
+    #list, counts.good, counts.bad, counts.look, counts.look == 1 and '' or 's')
 end
 
 local function item_of(verdict)
