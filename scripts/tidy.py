@@ -21,7 +21,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build/tidy"
 CLEAN = BUILD / "clean"
 RECENT = 10  # commits; some 15 of the 80 units, and a minute of one processor
-OTHERS = ("tests/", "bench/", "fuzz/", "tree-sitter-proskill/", "build/")
+OTHERS = ("fuzz/coverage.cpp", "fuzz/entry.cpp", "tree-sitter-proskill/", "build/")  # the first two ask for libFuzzer
+# In tests, `found == std::vector<Item>{}` shows what there is instead, and nobody waits for a text that is put together.
+TESTS = "--checks=-readability-container-size-empty,-performance-inefficient-string-concatenation"
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 WARNING = re.compile(r"^\S+:\d+:\d+: (?:warning|error): .*$", re.M)
 
@@ -80,7 +82,7 @@ class Unit:
 
     def stamp(self, program):
         """Of all that clang-tidy's answer depends on, but the system's headers."""
-        digest = hashlib.sha256(program.encode() + self.command.encode())
+        digest = hashlib.sha256(program.encode() + self.command.encode() + TESTS.encode())
         for name in [".clang-tidy", *sorted(self.files)]:
             digest.update(name.encode() + (ROOT / name).read_bytes())
         return CLEAN / digest.hexdigest()
@@ -113,7 +115,8 @@ def covering(found, names):
 
 def tidy(program, unit):
     """The warnings of a unit, each as one line."""
-    done = subprocess.run([program, "-p", BUILD, "--quiet", unit.file], cwd=ROOT, capture_output=True, text=True)
+    lenient = [TESTS] if any(name.startswith("tests/") for name in unit.sources) else []
+    done = subprocess.run([program, "-p", BUILD, "--quiet", *lenient, unit.file], cwd=ROOT, capture_output=True, text=True)
     found = set(WARNING.findall(done.stdout))
     if done.returncode and not found:
         found.add(done.stdout + done.stderr)

@@ -256,12 +256,12 @@ TEST_CASE("patterns of properties") {
   const Observable holds{
       .kind = ObservableKind::Value, .path = {}, .value = binary(Op::Equal, name("x"), number(1))};
   const Observable both{.kind = ObservableKind::And, .operands = {state, bears}};
-  const Observable not_{.kind = ObservableKind::Not, .operands = {holds}};
+  const Observable negated{.kind = ObservableKind::Not, .operands = {holds}};
   const Observable enters{.kind = ObservableKind::Enter, .operands = {state}};
   const auto text = [](Pattern pattern) { return printPattern(pattern, "m"); };
 
   CHECK(text({.kind = PatternKind::Absent, .operands = {bears}}) == "absent m/3/tag t");
-  CHECK(text({.kind = PatternKind::Always, .operands = {not_}}) ==
+  CHECK(text({.kind = PatternKind::Always, .operands = {negated}}) ==
         "always (not (m/value (x = 1)))");
   CHECK(
       text({.kind = PatternKind::Absent,

@@ -3,6 +3,7 @@
 #include "verify/trace/simulator.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 using namespace proskill;
 

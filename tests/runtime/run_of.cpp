@@ -5,6 +5,7 @@
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 

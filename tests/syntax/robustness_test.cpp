@@ -102,8 +102,8 @@ TEST_CASE("random words give a tree and diagnostics") {
 }
 
 TEST_CASE("a hundred thousand nested parentheses are one diagnostic") {
-  for (auto text : {repeated("(", 100'000), repeated("(", 100'000) + repeated(")", 100'000),
-                    "(defskill a :body " + repeated("((if (a b) ", 50'000)}) {
+  for (const auto& text : {repeated("(", 100'000), repeated("(", 100'000) + repeated(")", 100'000),
+                           "(defskill a :body " + repeated("((if (a b) ", 50'000)}) {
     auto document = Document::parse(text);
     CHECK(isSound(document));
     CHECK(test::codesOf(document) == "PS0005");

@@ -61,7 +61,7 @@ TEST_CASE("the code of a diagnostic is explained, by the client or by the server
   CHECK(session.result("workspace/executeCommand", command) == nullptr);
   const std::string said = session.notified("window/showMessage")["message"];
   auto told = session.result("proskill/explain", {{"code", command["arguments"][0]}});
-  CHECK(said == told["plain"]);
+  CHECK(told["plain"] == said);
   CHECK(told["title"] == "`…` is not a value of `…`");
   CHECK(told["markdown"].get<std::string>().contains("```proskill\n"));
   CHECK(session.ask("proskill/explain", {{"code", "PS9999"}})["error"]["code"] == -32803);
