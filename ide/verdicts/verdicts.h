@@ -17,6 +17,8 @@ namespace proskill::ide {
 struct Waypoint {
   analysis::Location location;
   std::string description;
+
+  bool operator==(const Waypoint&) const = default;
 };
 
 /// The verdict on one property, without the model that it was reached on.
@@ -38,6 +40,8 @@ struct PropertyVerdict {
     return verdict == Verdict::Holds || verdict == Verdict::Reachable;
   }
   [[nodiscard]] bool bad() const { return verdict != Verdict::Inconclusive && !good(); }
+
+  bool operator==(const PropertyVerdict&) const = default;
 };
 
 /// What was decided about a program, and the texts that it was decided for.

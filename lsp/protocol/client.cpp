@@ -96,6 +96,7 @@ ClientFeatures readClientFeatures(const Json& capabilities, const Json& name) {
   client.configuration = isTrue(capabilities, {"workspace", "configuration"});
   client.dynamicConfiguration =
       isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});
+  client.verdictChanges = isTrue(capabilities, {"experimental", "verdictChanges"});
   client.retried = strings(
       rpc::memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
   client.resolvedOfHints = strings(

@@ -34,6 +34,8 @@ struct ClientFeatures {
   std::shared_ptr<const Manual> manual;
   bool configuration = false;        ///< may be asked for its settings
   bool dynamicConfiguration = false; ///< registers for changes of them
+  /// It accepts a `proskill/verdicts` with only the changed ones: `experimental.verdictChanges`.
+  bool verdictChanges = false;
   /// Methods that it repeats if a request was rejected because the text has changed.
   std::set<std::string> retried;
   /// Members of inlay hints that it resolves later: `label.location`.

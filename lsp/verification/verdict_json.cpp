@@ -151,6 +151,15 @@ Json verdictsJson(const ide::ProgramVerdicts& verdicts, const Converter& convert
   return all;
 }
 
+Json changedVerdictsJson(const ide::ProgramVerdicts& before, const ide::ProgramVerdicts& now,
+                         const Converter& convert) {
+  Json changed = Json::array();
+  for (std::size_t i = 0; i < now.properties.size(); ++i)
+    if (now.properties[i] != before.properties[i])
+      changed.push_back(verdictJson(now.properties[i], convert));
+  return changed;
+}
+
 Json countsJson(const std::vector<ide::PropertyVerdict>& properties) {
   std::size_t good = 0;
   std::size_t errors = 0;

@@ -15,6 +15,9 @@ namespace proskill::lsp {
 
 [[nodiscard]] Json verdictJson(const ide::PropertyVerdict& property, const Converter& convert);
 [[nodiscard]] Json verdictsJson(const ide::ProgramVerdicts& verdicts, const Converter& convert);
+/// Those that differ. \pre both have the same names in the same order
+[[nodiscard]] Json changedVerdictsJson(const ide::ProgramVerdicts& before,
+                                       const ide::ProgramVerdicts& now, const Converter& convert);
 [[nodiscard]] Json countsJson(const std::vector<ide::PropertyVerdict>& properties);
 [[nodiscard]] Json explorationSummary(const verify::Exploration& exploration);
 [[nodiscard]] Json progressJson(const worker::WorkerProgress& progress);

@@ -69,6 +69,7 @@ Verification::~Verification() {
 void Verification::start(const ClientFeatures& client, VerificationSettings chosen) {
   const std::lock_guard lock(mutex);
   encoding = client.encoding;
+  verdictChanges = client.verdictChanges;
   settings = chosen;
   started = true;
 }
@@ -315,14 +316,28 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
   return std::move(*verified);
 }
 
+namespace {
+
+/// Whether it is enough to say which verdicts differ.
+bool sameRows(const std::shared_ptr<const ide::ProgramVerdicts>& before,
+              const ide::ProgramVerdicts& now) {
+  return before && before->program == now.program &&
+         std::ranges::equal(before->properties, now.properties, {}, &ide::PropertyVerdict::name,
+                            &ide::PropertyVerdict::name);
+}
+
+} // namespace
+
 /// Called by the board, one at a time.
 void Verification::announce(const ProgramState& state) {
   std::shared_ptr<const ide::Snapshot> now;
   syntax::Encoding counted{};
+  bool changes = false;
   {
     const std::lock_guard lock(mutex);
     now = snapshot;
     counted = encoding;
+    changes = verdictChanges;
   }
   const ide::OpenTexts none;
   const auto& open = now ? now->open() : none;
@@ -336,6 +351,7 @@ void Verification::announce(const ProgramState& state) {
             {"message", state.message},
             {"progress", state.progress ? progressJson(*state.progress) : Json()},
             {"counts", countsJson({})},
+            {"changes", false},
             {"verdicts", Json::array()},
             {"exploration", nullptr},
             {"texts", textsJson(state.program->program, open)}};
@@ -344,10 +360,18 @@ void Verification::announce(const ProgramState& state) {
     const Converter there(verdicts.program->program, open, counted);
     if (!state.verified->mainSkill.empty()) json["main"] = state.verified->mainSkill;
     json["counts"] = countsJson(verdicts.properties);
-    json["verdicts"] = verdictsJson(verdicts, there);
+    auto& before = announced[root];
+    if (changes && sameRows(before, verdicts)) {
+      json["verdicts"] = changedVerdictsJson(*before, verdicts, there);
+      json["changes"] = true;
+    } else {
+      json["verdicts"] = verdictsJson(verdicts, there);
+    }
+    before = state.verified->verdicts;
     json["exploration"] = explorationSummary(verdicts.exploration);
     json["texts"] = textsJson(verdicts, there);
   }
+  if (!state.verified || state.state == VerificationState::Off) announced.erase(root);
   outside.send(rpc::notification("proskill/verdicts", json));
 }
 

@@ -82,6 +82,7 @@ private:
   std::condition_variable wake;
   VerificationSettings settings;
   syntax::Encoding encoding = syntax::Encoding::Utf16;
+  bool verdictChanges = false; ///< the client puts them together
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
   std::map<std::filesystem::path, Lines> visible; ///< of texts in view, what can be seen
@@ -90,6 +91,8 @@ private:
   std::optional<Time> due;                 ///< of live verification
   rpc::Cancellation running;               ///< of live verification
   Programs runningOn;
+  /// By the root: the verdicts that the client was told. Of the board's calls alone.
+  std::map<std::filesystem::path, std::shared_ptr<const ide::ProgramVerdicts>> announced;
   std::map<std::filesystem::path, std::int64_t> runningVersions;
   std::jthread thread; ///< last: it uses all of the above
 };

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace proskill::lsp {
 
@@ -157,18 +159,20 @@ Verified merged(const Verified& older, Verified newer) {
   if (!ide::areCurrent(*older.verdicts, newer.verdicts->program->program)) return newer;
   auto all = std::make_shared<ide::ProgramVerdicts>(*newer.verdicts);
   all->properties = older.verdicts->properties;
+  std::unordered_map<std::string_view, std::size_t> rows; // of the older ones: thousands
+  for (const auto& property : older.verdicts->properties) rows.emplace(property.name, rows.size());
+  std::unordered_set<std::string_view> again;
   for (const auto& property : newer.verdicts->properties) {
-    auto known = std::ranges::find(all->properties, property.name, &ide::PropertyVerdict::name);
-    if (known == all->properties.end())
+    again.insert(property.name);
+    const auto row = rows.find(property.name);
+    if (row == rows.end())
       all->properties.push_back(property);
-    else if (!property.pending || known->pending)
-      *known = property; // what is only being verified again stays known
+    else if (auto& known = all->properties[row->second]; !property.pending || known.pending)
+      known = property; // what is only being verified again stays known
   }
   // What the newer ones have no trace of has none any more.
-  for (const auto& [name, trace] : older.traces) {
-    auto again = std::ranges::find(newer.verdicts->properties, name, &ide::PropertyVerdict::name);
-    if (again == newer.verdicts->properties.end()) newer.traces.try_emplace(name, trace);
-  }
+  for (const auto& [name, trace] : older.traces)
+    if (!again.contains(name)) newer.traces.try_emplace(name, trace);
   newer.verdicts = std::move(all);
   return newer;
 }

@@ -306,8 +306,8 @@ export interface Show {
   at?: Location;
 }
 export interface News {
-  /** It changed: verdicts, progress, or its text. */
-  program: Program;
+  /** It changed: verdicts, progress, or its text. Without verdicts where they are as before. */
+  program: Omit<Program, 'verdicts'> & { verdicts?: Verdict[] };
   show: Show;
   /** Where the caret is; an empty range. */
   caret: Location;

@@ -135,6 +135,14 @@ export class Client implements vscode.Disposable {
     };
     const run = { command, args: ['lsp'], options: { env: { ...process.env, ...env } } };
     const client = new QuietClient('proskill', 'ProSkill', { run, debug: run }, options);
+    client.registerFeature({
+      fillClientCapabilities: (capabilities) => {
+        capabilities.experimental = { ...(capabilities.experimental as object | undefined), verdictChanges: true };
+      },
+      initialize: () => undefined,
+      getState: () => ({ kind: 'static' }),
+      clear: () => undefined,
+    });
     client.onNotification(protocol.verdicts, (verdicts) => this.news.fire(verdicts));
     client.onDidChangeState(({ newState }) => {
       if (client !== this.current) return;

@@ -30,6 +30,8 @@ export class PanelHost implements vscode.Disposable {
   private readonly drawn = new vscode.EventEmitter<protocol.Automaton>();
   readonly onPicture = this.drawn.event;
   private listening = false;
+  /** that the page has */
+  private toldVerdicts: panel.Verdict[] | undefined;
   private pictures: panel.PictureName[] = [];
 
   /** `uri`: any file of the program. */
@@ -128,11 +130,13 @@ export class PanelHost implements vscode.Disposable {
 
   private async hello(): Promise<panel.Hello> {
     this.listening = true;
+    const program = await this.program();
+    this.toldVerdicts = program?.verdicts;
     return {
       contract: 1,
       layout: this.layout,
       can: { source: false, save: true, open: true, verify: vscode.workspace.isTrusted, simulate: this.layout === 'simulation', follow: this.layout === 'automaton' },
-      program: await this.program(),
+      program,
       ...(this.show && { show: this.show }),
       ...(this.remembered && { remembered: this.remembered }),
     };
@@ -152,7 +156,10 @@ export class PanelHost implements vscode.Disposable {
 
   private async tellProgram(): Promise<void> {
     const program = this.listening ? await this.program() : null;
-    if (program) this.tell('program', program);
+    if (!program) return;
+    const { verdicts, ...rest } = program;
+    this.tell('program', verdicts === this.toldVerdicts ? rest : program);
+    this.toldVerdicts = verdicts;
   }
 
   /** What the panel shows around its views: verdicts for traces to choose from, pictures likewise. */

@@ -1,6 +1,7 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
 import type * as protocol from './protocol';
+import type { panel } from './protocol';
 
 /** What is known of every program: the last that the server has said of each. */
 export class Programs implements vscode.Disposable {
@@ -59,13 +60,22 @@ export class Programs implements vscode.Disposable {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
-  private take(verdicts: protocol.Verdicts): void {
-    this.known.set(verdicts.program, verdicts);
-    this.changes.fire(verdicts);
+  private take(news: protocol.Verdicts): void {
+    const known = this.known.get(news.program);
+    const program = { ...news, verdicts: news.changes && known ? withChanges(known.verdicts, news.verdicts) : news.verdicts };
+    this.known.set(news.program, program);
+    this.changes.fire(program);
   }
 
   /** What a server that is gone has said counts no more. */
   private forget(): void {
     this.known.clear();
   }
+}
+
+/** The same array where nothing has changed, so that who looks at it sees that at once. */
+function withChanges(known: panel.Verdict[], changes: panel.Verdict[]): panel.Verdict[] {
+  if (!changes.length) return known;
+  const changed = new Map(changes.map((verdict) => [verdict.name, verdict]));
+  return known.map((verdict) => changed.get(verdict.name) ?? verdict);
 }

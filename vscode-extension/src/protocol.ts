@@ -12,6 +12,8 @@ export interface TextVersion {
 
 export interface Verdicts extends Omit<panel.Program, 'pictures' | 'files' | 'progress'> {
   progress: Progress | null;
+  /** Of `verdicts` there are those alone that differ from the last ones. */
+  changes: boolean;
   counts: { total: number; good: number; errors: number; warnings: number; inconclusive: number; pending: number };
   texts: TextVersion[];
 }

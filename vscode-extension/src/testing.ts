@@ -13,12 +13,22 @@ type Node =
 
 const kRefresh = 400;
 
+/** What the Testing view was told of a program last. */
+interface Told {
+  /** that the verdicts are for, with their versions */
+  texts: string;
+  list: panel.Verdict[];
+  /** by the property's name */
+  verdicts: Map<string, string>;
+  isSaved: boolean;
+}
+
 /** The Testing view: program, skill, property. */
 export class Testing implements vscode.Disposable {
   private readonly controller = vscode.tests.createTestController('proskill', 'ProSkill');
   private readonly nodes = new WeakMap<vscode.TestItem, Node>();
-  /** by program: what was told of it last */
-  private readonly live = new Map<string, string>();
+  /** by program */
+  private readonly live = new Map<string, Told>();
   private readonly subscriptions: vscode.Disposable[];
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
@@ -159,7 +169,11 @@ export class Testing implements vscode.Disposable {
     const walk = (item: vscode.TestItem): void => {
       if (excluded.has(item)) return;
       const node = this.nodes.get(item);
-      if (node?.kind === 'property') result.set(node.program, [...(result.get(node.program) ?? []), item]);
+      if (node?.kind === 'property') {
+        const items = result.get(node.program);
+        if (items) items.push(item);
+        else result.set(node.program, [item]);
+      }
       item.children.forEach(walk);
     };
     if (request.include) request.include.forEach(walk);
@@ -243,13 +257,21 @@ export class Testing implements vscode.Disposable {
     if (!item) this.soon();
     const isKnown = program.state === 'done' || program.state === 'checking';
     if (!item || !isKnown || program.stale || !program.verdicts.length) return;
-    const decided = program.verdicts.filter(({ pending }) => !pending);
-    const known = JSON.stringify([program.texts, decided.map(({ name, verdict }) => [name, verdict])]);
-    if (this.live.get(program.program) === known) return;
-    this.live.set(program.program, known);
+    const texts = JSON.stringify(program.texts);
+    const known = this.live.get(program.program);
+    const told: Told = known?.texts === texts ? known : { texts, list: [], verdicts: new Map(), isSaved: false };
+    this.live.set(program.program, told);
     const seconds = program.exploration?.seconds ?? 0;
-    this.tellAll(item, decided, seconds);
-    if (program.state === 'done') void this.results.save(program.program, decided, program.texts, seconds);
+    if (told.list !== program.verdicts) {
+      told.list = program.verdicts;
+      const decided = program.verdicts.filter(({ name, verdict, pending }) => !pending && told.verdicts.get(name) !== verdict);
+      for (const { name, verdict } of decided) told.verdicts.set(name, verdict);
+      if (decided.length) this.tellAll(item, decided, seconds);
+      told.isSaved &&= !decided.length;
+    }
+    if (program.state !== 'done' || told.isSaved) return;
+    told.isSaved = true;
+    void this.results.save(program.program, program.verdicts, program.texts, seconds);
   }
 
   private tellAll(item: vscode.TestItem, verdicts: panel.Verdict[], seconds: number): void {

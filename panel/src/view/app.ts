@@ -242,7 +242,7 @@ class App {
     this.state.className = `state ${program.state}${program.stale ? ' stale' : ''}`;
     enable(this.again, program.state === 'checking' ? 'It is being verified' : null, 'Verify again');
     this.verdicts.show(program);
-    this.trace.setOthers(program.verdicts);
+    if (program.verdicts !== former?.verdicts) this.trace.setOthers(program.verdicts);
     this.trace.markStale(this.isStale(program));
     if (program.pictures.length > 0) this.automaton.setProgram(program);
     this.simulation?.setProgram(program);
@@ -274,7 +274,7 @@ class App {
 
   private news(news: NewsOf): void {
     switch (news[0]) {
-      case 'program': return this.take(news[1]);
+      case 'program': return this.take({ ...news[1], verdicts: news[1].verdicts ?? this.program?.verdicts ?? [] });
       case 'show': return void this.show(news[1]);
       case 'caret': return this.automaton.follows(news[1]);
       case 'edited':

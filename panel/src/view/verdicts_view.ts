@@ -28,6 +28,11 @@ export class VerdictsView {
 
   /** What has the keyboard keeps it. */
   show(program: Program): void {
+    const isSame = program.verdicts === this.program?.verdicts;
+    if (isSame) {
+      this.program = program;
+      return this.drawSummary(program);
+    }
     const focused = this.list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['name'] : undefined;
     this.program = program;
     this.draw();

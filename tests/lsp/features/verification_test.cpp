@@ -237,6 +237,36 @@ TEST_CASE("the program in view is verified, and its verdicts are diagnostics") {
   CHECK(way[0]["location"]["range"]["start"]["line"] == 1);
 }
 
+TEST_CASE("a client that puts verdicts together is told those alone that have changed") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.capabilities["experimental"]["verdictChanges"] = true;
+  Session session(options);
+  openLamp(session, kBad);
+  Json known;
+  const auto until = [&](const std::string& state, bool stale) {
+    while (true) {
+      auto news = session.notified("proskill/verdicts");
+      if (news["changes"] == false) known.clear();
+      for (const auto& verdict : news["verdicts"]) known[verdict["name"]] = verdict;
+      if (news["state"] == state && news["stale"] == stale) return news;
+    }
+  };
+  auto news = until("done", false);
+  const auto verified = session.result("proskill/verify", verifying(kMain))["verdicts"];
+  CHECK(known.size() == verified.size());
+  for (const auto& verdict : verified) CHECK(known[verdict["name"]] == verdict);
+  session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
+  news = until("waiting", true);
+  CHECK(news["changes"] == true);
+  CHECK(news["verdicts"].empty());
+  CHECK(news["counts"]["errors"] == 1);
+  CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "violated");
+  until("done", false);
+  CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "holds");
+  CHECK(known.size() == verified.size());
+}
+
 TEST_CASE("an edit makes verdicts stale at once; what is taken back makes them current") {
   Session::Options options;
   options.initializationOptions = {{"verify", {{"delay", 0}, {"seconds", 60}}}};
