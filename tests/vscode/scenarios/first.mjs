@@ -86,11 +86,11 @@ export const scenarios = {
   /** Two lines above: the results of the Testing view, the lenses and the squiggles are at their statements. */
   async lines_above({ editor, page, root }) {
     mkdirSync(join(root, 'ids'), { recursive: true });
-    writeFileSync(join(root, 'ids/bug.proskill'), `${kFirst.join('\n')}\n`);
-    await editor.openFile('ids/bug.proskill');
+    writeFileSync(join(root, 'ids/shifted.proskill'), `${kFirst.join('\n')}\n`);
+    await editor.openFile('ids/shifted.proskill');
     await editor.statusSays(/1 bad/, 60_000);
     const lines = () => page.evaluate(() => {
-      const shown = document.querySelector('.monaco-editor[data-uri$="ids/bug.proskill"]');
+      const shown = document.querySelector('.monaco-editor[data-uri$="ids/shifted.proskill"]');
       const lineOf = new Map([...shown.querySelectorAll('.margin-view-overlays > div')]
         .map((row) => [parseFloat(row.style.top), Number(row.querySelector('.line-numbers')?.textContent)]));
       return [...shown.querySelectorAll('.glyph-margin-widgets > [class*="testing"]')].map((mark) => lineOf.get(parseFloat(mark.style.top))).filter(Boolean).sort();
@@ -106,10 +106,10 @@ export const scenarios = {
     await expect('results two lines below, verified again', async () => JSON.stringify(await lines()) === JSON.stringify(before.map((line) => line + 2)));
     await editor.command('Testing: Focus on Test Explorer View');
     await editor.command('Test: Collapse All Tests'); // rows below the fold are not there
-    for (const name of ['lift/bug.proskill', 'rover/bug.proskill', 'ids/bug.proskill'])
+    for (const name of ['lift/bug.proskill', 'rover/bug.proskill', 'shifted.proskill'])
       await page.locator(`.test-explorer .monaco-list-row[aria-label*="${name}"]`).first().waitFor();
     await editor.picture('lines_above');
-    await editor.openFile('ids/bug.proskill');
+    await editor.openFile('ids/shifted.proskill');
     await editor.command('File: Revert File');
     await editor.command('View: Close All Editors');
   },
