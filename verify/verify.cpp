@@ -1,5 +1,6 @@
 #include "verify/verify.h"
 
+#include "verify/answer_store.h"
 #include "verify/compile/compile.h"
 #include "verify/explore/monitor_search.h"
 #include "verify/explore/search.h"
@@ -21,16 +22,29 @@ namespace {
 
 Answer unknown(std::string reason) { return {Truth::Unknown, std::nullopt, std::move(reason)}; }
 
-/// What evidence says, with its trace. Where a limit is met first there is none, but the verdict
-/// stands.
-Answer answerBy(const Goal& goal, const Evidence& evidence, const Witness& witness) {
-  try {
-    auto trace = witness.trace(goal, evidence);
-    if (trace) return {Truth::False, std::move(*trace), {}};
-    return unknown("internal error, please report it: " + trace.error());
-  } catch (const LimitMet& limit) {
-    return {Truth::False, std::nullopt, "without a trace: " + limit.which};
-  }
+/// Whether a kept mark is one of the monitor's, on a run of so many steps.
+bool fits(const MonitorMove& mark, const Monitor& monitor, std::size_t steps) {
+  if (mark.location >= monitor.locations.size()) return false;
+  const auto& edges = monitor.locations[mark.location].edges;
+  return (mark.ticks || mark.edge < edges.size()) && (!mark.atStep || mark.after > 0) &&
+         mark.after <= mark.until && mark.until <= steps;
+}
+
+/// Whether what was kept can be replayed at all: anybody may have written it.
+bool fits(const Evidence& evidence, const Goal& goal, const System& system) {
+  const auto& marks = evidence.marks;
+  const auto& monitor = goal.monitor;
+  const bool begins = marks.empty() || std::ranges::find(monitor.initial, marks[0].location) !=
+                                           monitor.initial.end();
+  return begins && (goal.kind == GoalKind::Run || marks.empty()) &&
+         std::ranges::all_of(
+             marks, [&](const auto& it) { return fits(it, monitor, evidence.steps.size()); }) &&
+         std::ranges::all_of(evidence.steps,
+                             [&](auto id) { return id < system.transitions.size(); }) &&
+         std::ranges::all_of(evidence.clocks,
+                             [&](const auto& it) { return it.clock < system.clocks.size(); }) &&
+         evidence.loop.value_or(0) <= evidence.steps.size() &&
+         evidence.rest.value_or(0) <= marks.size();
 }
 
 /// The answer where nothing was found.
@@ -91,10 +105,11 @@ struct Prepared {
 /// Answers questions to a compiled model, each as soon as it is decided.
 class Verification {
 public:
-  Verification(const Compiled& model, const fiacre::Provenance& origins, const Options& with,
-               LimitWatch& watch, Result& to)
+  Verification(const Compiled& model, const fiacre::Provenance& origins,
+               const std::vector<Question>& of, const Options& with, LimitWatch& watch, Result& to)
       : compiled(model),
         provenance(origins),
+        questions(of),
         options(with),
         limits(watch),
         result(to),
@@ -104,15 +119,16 @@ public:
 
   /// \throw LimitMet where it is met before there is anything to explore
   std::optional<Unsupported> run() {
-    const bool onlyRuns =
-        !compiled.goals.empty() && std::ranges::all_of(compiled.goals, [](const Goal& goal) {
-          return goal.kind == GoalKind::Run;
-        });
-    if (!onlyRuns)
-      if (auto failure = explore()) return failure;
+    findKnown();
+    std::vector<std::size_t> ofStates;
+    std::vector<std::size_t> ofRuns;
     for (std::size_t i = 0; i < compiled.goals.size(); ++i)
-      if (compiled.goals[i].kind == GoalKind::Run)
-        if (auto failure = watch(i)) return failure;
+      if (!known.contains(i))
+        (compiled.goals[i].kind == GoalKind::Run ? ofRuns : ofStates).push_back(i);
+    if (!ofStates.empty() || compiled.goals.empty())
+      if (auto failure = explore(ofStates)) return failure;
+    for (auto i : ofRuns)
+      if (auto failure = watch(i)) return failure;
     return std::nullopt;
   }
 
@@ -124,23 +140,50 @@ private:
            (!compiled.system.hasPriorities || withPriorities.contains(reduction));
   }
 
-  /// Answers the questions about states and steps, by one exploration.
-  std::optional<Unsupported> explore() {
-    const auto& goals = compiled.goals;
+  /// Answers what was decided before.
+  void findKnown() {
+    if (!options.answers) return;
+    const Reductions none;
+    const Witness witness(whole, none, provenance, limits);
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      auto found = options.answers->find(questions[i]);
+      if (!found) continue;
+      const auto& goal = compiled.goals[i];
+      if (found->holds)
+        answer(i, {Truth::True, std::nullopt, {}});
+      else if (!replayKnown(i, goal, found->evidence, witness))
+        continue;
+      known.insert(i);
+    }
+    result.exploration.known = known.size();
+  }
+
+  bool replayKnown(std::size_t index, const Goal& goal, Evidence& evidence,
+                   const Witness& witness) {
+    if (!fits(evidence, goal, whole)) return false;
+    evidence.monitor = goal.kind == GoalKind::Run ? &goal.monitor : nullptr;
+    auto trace = witness.trace(goal, evidence);
+    if (!trace) return false;
+    answer(index, {Truth::False, std::move(*trace), {}});
+    return true;
+  }
+
+  /// Answers questions about states and steps, by one exploration.
+  std::optional<Unsupported> explore(const std::vector<std::size_t>& which) {
+    std::vector<Goal> goals;
+    for (auto i : which) goals.push_back(compiled.goals[i]);
     const Prepared prepared(
         compiled.system, goals, [&](Reduction r) { return takes(r); }, limits);
     const auto extrapolation =
         takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
     const Witness witness(whole, prepared.reductions, provenance, limits);
-    const auto found = search(prepared.system, goals, prepared.reductions, extrapolation, limits,
-                              [&](std::size_t i, const Evidence& evidence) {
-                                answer(i, answerBy(goals[i], evidence, witness));
-                              });
+    const auto found = search(
+        prepared.system, goals, prepared.reductions, extrapolation, limits,
+        [&](std::size_t i, const Evidence& evidence) { answerBy(which[i], evidence, witness); });
     if (found.failure) return found.failure;
-    result.exploration = found.statistics;
+    add(result.exploration, found.statistics);
     for (std::size_t i = 0; i < goals.size(); ++i)
-      if (goals[i].kind != GoalKind::Run && !found.goals[i])
-        answer(i, answerWithoutEvidence(goals[i], found.statistics, found.progressStopped));
+      if (!found.goals[i]) answerWithout(which[i], found.statistics, found.progressStopped);
     return std::nullopt;
   }
 
@@ -157,9 +200,38 @@ private:
     if (found.evidence) found.statistics.complete = true;
     add(result.exploration, found.statistics);
     const Witness witness(whole, prepared.reductions, provenance, limits);
-    answer(index, found.evidence ? answerBy(goal, *found.evidence, witness)
-                                 : answerWithoutEvidence(goal, found.statistics, {}));
+    if (found.evidence)
+      answerBy(index, *found.evidence, witness);
+    else
+      answerWithout(index, found.statistics, {});
     return std::nullopt;
+  }
+
+  /// What evidence says, with its trace. Where a limit is met first there is none, but the verdict
+  /// stands.
+  void answerBy(std::size_t index, const Evidence& evidence, const Witness& witness) {
+    const auto& goal = compiled.goals[index];
+    try {
+      const Evidence tidied = witness.tidied(goal, evidence);
+      auto trace = witness.trace(goal, tidied);
+      if (!trace)
+        return answer(index, unknown("internal error, please report it: " + trace.error()));
+      keep(index, {false, tidied});
+      answer(index, {Truth::False, std::move(*trace), {}});
+    } catch (const LimitMet& limit) {
+      answer(index, {Truth::False, std::nullopt, "without a trace: " + limit.which});
+    }
+  }
+
+  void answerWithout(std::size_t index, const Exploration& exploration,
+                     const std::string& progressStopped) {
+    auto made = answerWithoutEvidence(compiled.goals[index], exploration, progressStopped);
+    if (made.truth == Truth::True) keep(index, {true, {}});
+    answer(index, std::move(made));
+  }
+
+  void keep(std::size_t index, const KnownAnswer& made) {
+    if (options.answers) options.answers->keep(questions[index], made);
   }
 
   [[nodiscard]] bool errorsAreAsked() const {
@@ -177,10 +249,12 @@ private:
 
   const Compiled& compiled;
   const fiacre::Provenance& provenance;
+  const std::vector<Question>& questions;
   const Options& options;
   LimitWatch& limits;
   Result& result;
-  System whole; ///< with every cell kept
+  System whole;                ///< with every cell kept
+  std::set<std::size_t> known; ///< goals that Options::answers had the answers to
 };
 
 /// Leaves open what is not decided when a limit is met.
@@ -203,7 +277,7 @@ std::expected<Result, Unsupported> verify(const fiacre::Program& program,
   try {
     const auto compiled = compile(program, provenance, questions, &limits);
     if (!compiled) return std::unexpected(compiled.error());
-    Verification verification(*compiled, provenance, options, limits, result);
+    Verification verification(*compiled, provenance, questions, options, limits, result);
     if (auto failure = verification.run()) return std::unexpected(*failure);
   } catch (const LimitMet& limit) {
     giveUp(limit, result);

@@ -13,6 +13,8 @@
 
 namespace proskill::verify {
 
+class AnswerStore; ///< verify/answer_store.h
+
 /// A question to a model: one of its properties, by index.
 struct Question {
   std::size_t property = 0;
@@ -147,7 +149,8 @@ struct Options {
   /// Gets the answer to each question, by its place, as soon as it is decided. Its trace is then
   /// not in the result, so that there is never more than one of it.
   std::function<void(std::size_t, Answer)> decided;
-  std::function<double()> clock; ///< seconds since some moment; empty: the machine's
+  std::function<double()> clock;  ///< seconds since some moment; empty: the machine's
+  AnswerStore* answers = nullptr; ///< what is known of this model, and gets what is decided
 };
 
 /// What was explored.
@@ -159,7 +162,8 @@ struct Exploration {
   std::uint64_t bytes = 0;
   double seconds = 0;
   bool complete = false;
-  std::string stopped; ///< which limit, where it is not complete
+  std::string stopped;     ///< which limit, where it is not complete
+  std::uint64_t known = 0; ///< questions that Options::answers had the answers to
 };
 
 struct Result {

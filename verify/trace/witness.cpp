@@ -76,8 +76,7 @@ std::string Witness::check(const Goal& goal, const Evidence& evidence,
   return replay(system, goal, evidence, *dating, played);
 }
 
-std::expected<Trace, std::string> Witness::trace(const Goal& goal, Evidence evidence) const {
-  evidence = tidied(goal, evidence);
+std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidence& evidence) const {
   std::optional<Dating> dating;
   std::string wrong = check(goal, evidence, dating);
   if (!wrong.empty()) return std::unexpected(wrong);
@@ -143,7 +142,6 @@ const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
   return *known;
 }
 
-/// The evidence on the whole system, with as few steps of the environment as will do.
 Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
   Evidence whole = completed(goal, evidence);
   if (!open) return whole;

@@ -19,15 +19,16 @@ public:
   Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance,
           LimitWatch& limits);
 
-  /// The trace, or why the evidence does not stand: a mistake of the engine.
-  /// \throw LimitMet
-  [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal, Evidence evidence) const;
+  /// What a search has found as steps of the whole system, as few as will do. \throw LimitMet
+  [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
+  /// The trace of such steps, or why they do not stand. \throw LimitMet
+  [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal,
+                                                        const Evidence& evidence) const;
 
 private:
   [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
                                   std::optional<Dating>& dating) const;
   void addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const;
-  [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Evidence completed(const Goal& goal, const Evidence& evidence) const;
