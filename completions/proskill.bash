@@ -41,6 +41,7 @@ _proskill_kinds() {
     'graph -o') echo '-f' ;;
     'graph --output') echo '-f' ;;
     'lsp --log') echo '-f' ;;
+    'lsp --cache') echo '-d' ;;
     'run --platform') echo '-f' ;;
     'run --script') echo '-f' ;;
     'run --record') echo '-f' ;;
@@ -57,6 +58,7 @@ _proskill_kinds() {
     'verify --fraclib') echo '-d' ;;
     'verify --keep') echo '-d' ;;
     'verify --difference') echo '-f' ;;
+    'verify --cache') echo '-d' ;;
   esac
 }
 
@@ -83,11 +85,11 @@ _proskill_options() {
     explain) echo '--help --list --markdown --color' ;;
     fmt) echo '--help --check --diff' ;;
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
-    lsp) echo '--help --port --log --debounce --stdio' ;;
+    lsp) echo '--help --port --log --debounce --cache --no-cache --stdio' ;;
     replay) echo '--help --color' ;;
     run) echo '--help --main --platform --script --clock --seed --until --format --record --color' ;;
     stubs) echo '--help --language --main --color' ;;
-    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --jobs --reduce --runs --expanded --sv-automata' ;;
+    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --reduce --runs --expanded --sv-automata' ;;
     view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
   esac

@@ -69,6 +69,8 @@ complete -c proskill -n '__fish_seen_subcommand_from lsp' -s h -l help -d 'Print
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l port -d 'Wait for one client on this port of the loopback interface (0: any free port) instead of standard input' -x
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l log -d 'Append one line per request to this file' -r
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l debounce -d 'Wait this long after the last edit before reporting (default 50)' -x
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -l cache -d 'Keep verdicts in this directory (default: proskill/verdicts in the user\'s cache directory)' -x -a '(__fish_complete_directories)'
+complete -c proskill -n '__fish_seen_subcommand_from lsp' -l no-cache -d 'Keep no verdicts'
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l stdio -d 'Use standard input and output, as by default'
 complete -c proskill -n __fish_use_subcommand -a replay -d 'Replay saved runs, and compare how they end'
 complete -c proskill -n '__fish_seen_subcommand_from replay' -s h -l help -d 'Print this help message and exit'
@@ -123,6 +125,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l cc -d 'Path of a
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l fraclib -d 'Directory of frac\'s headers (default: the variable FRACLIB)' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l keep -d 'Run the tools in this new directory, and keep their files' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l difference -d 'both: write a report of differences to this file (default proskill-difference.md)' -r
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l cache -d 'Keep verdicts in this directory, and use those that are kept there' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l jobs -d 'Threads to explore with; this version uses one' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets inclusion extrapolation'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l runs -d 'Which runs without end count for your properties. fair: time goes on, and actions without a time limit end; all: every run, as in Tina' -x -a 'fair all'

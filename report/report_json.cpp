@@ -84,7 +84,8 @@ OrderedJson explorationJson(const verify::Exploration& exploration) {
   return {{"classes", exploration.classes},   {"markings", exploration.markings},
           {"domains", exploration.domains},   {"transitions", exploration.transitions},
           {"bytes", exploration.bytes},       {"seconds", exploration.seconds},
-          {"complete", exploration.complete}, {"stopped", exploration.stopped}};
+          {"complete", exploration.complete}, {"stopped", exploration.stopped},
+          {"known", exploration.known}};
 }
 
 OrderedJson reportJson(const VerifyReport& report) {

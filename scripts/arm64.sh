@@ -9,7 +9,7 @@ root=$PWD/build/arm64/sysroot
 state=$PWD/build/arm64/apt
 triple=aarch64-linux-gnu
 # The packages that the program is built with; the rest comes with them.
-packages=(libc6 libstdc++6 libgraphviz-dev libtree-sitter-dev libutf8proc-dev libfmt-dev libcli11-dev nlohmann-json3-dev libasio-dev)
+packages=(libc6 libstdc++6 libgraphviz-dev libtree-sitter-dev libutf8proc-dev libxxhash-dev libfmt-dev libcli11-dev nlohmann-json3-dev libasio-dev)
 
 # apt ARGUMENT…: apt-get of a system of this architecture that has nothing installed.
 apt() {

@@ -1,5 +1,6 @@
 #include "worker/verify_worker.h"
 
+#include "cache/verdict_cache.h"
 #include "codegen/model.h"
 #include "ide/snapshot/fiacre_file.h"
 #include "process/child.h"
@@ -231,15 +232,18 @@ private:
   std::vector<std::optional<std::string>> told; ///< by row: the reason that was given with it
 };
 
-void work(const WorkerJob& job) {
+void work(const WorkerJob& job, const std::string& directory) {
   const auto subject = verifiableOf(job);
   if (!subject) return sayError(subject.error());
   const auto& model = subject->model;
   if (const auto* name = unknownName(model, job.names))
     return sayError(fmt::format("no property is called `{}`", *name));
   Handover handover(*subject, job.names);
+  auto options = engineOptions(job.budget);
+  const auto known = cache::cacheFor(directory, model);
+  options.answers = known.get();
   auto result = ide::verifyModel(
-      model, job.names, engineOptions(job.budget),
+      model, job.names, options,
       [&](std::size_t index, const ide::VerdictRow& row) { handover.decided(index, row); });
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
   handover.end(std::move(*result));
@@ -247,14 +251,14 @@ void work(const WorkerJob& job) {
 
 } // namespace
 
-int runVerifyWorker() {
+int runVerifyWorker(const std::string& cache) {
   const auto header = readJob();
   if (!header) return kNoJob;
   if (!process::dieWithParent(header->parentId)) return kAlone;
   endWithInput();
   confine(header->job.budget);
   try {
-    work(header->job);
+    work(header->job, cache);
   } catch (const std::bad_alloc&) {
     say({{"stopped", "there was not enough memory within the limit"}});
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace proskill::worker {
 
 /// Main function of the process that verifies for the language server: reads a `WorkerJob` from
@@ -10,8 +12,9 @@ namespace proskill::worker {
 /// report;
 /// - at last `{"report": {…}}`, with null for properties that were sent before,
 ///   `{"stopped": "…"}` if it cannot continue, or `{"error": "…"}`.
+/// \param cache the directory where verdicts are kept; empty: none are
 /// Ends when its standard input does, when the process that started it does, and
 /// when a limit is passed. Returns the exit code.
-int runVerifyWorker();
+int runVerifyWorker(const std::string& cache);
 
 } // namespace proskill::worker

@@ -1,5 +1,6 @@
 #include "cli/commands/lsp.h"
 
+#include "cache/verdict_cache.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
@@ -27,6 +28,8 @@ struct LspArguments {
   std::optional<std::uint16_t> port;
   std::string log;
   unsigned debounce = 50;
+  std::string cache = cache::usersDirectory();
+  bool noCache = false;
 };
 
 /// A file that every thread may write lines to; each is there at once, for whoever reads along.
@@ -80,6 +83,8 @@ int runLsp(const LspArguments& arguments) {
   lsp::ServerOptions options;
   options.version = PROSKILL_VERSION;
   options.manual = manual();
+  if (!arguments.noCache && !arguments.cache.empty())
+    options.worker.insert(options.worker.end(), {"--cache", arguments.cache});
   options.debounce = std::chrono::milliseconds(arguments.debounce);
   if (!arguments.log.empty()) {
     auto log = std::make_shared<LogFile>(arguments.log);
@@ -108,6 +113,11 @@ void addLsp(CLI::App& app, int& exitCode) {
   show(command->add_option("--debounce", arguments->debounce,
                            "Wait this long after the last edit before reporting (default 50)"),
        group::kAdvanced, "MILLISECONDS");
+  show(command->add_option("--cache", arguments->cache,
+                           "Keep verdicts in this directory (default: proskill/verdicts in the "
+                           "user's cache directory)"),
+       group::kAdvanced, "DIRECTORY");
+  show(command->add_flag("--no-cache", arguments->noCache, "Keep no verdicts"), group::kAdvanced);
   show(command->add_flag("--stdio")->description("Use standard input and output, as by default"),
        group::kAdvanced);
   showBelow(*command, {"proskill lsp", "proskill lsp --log server.log"},

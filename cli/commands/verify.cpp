@@ -1,5 +1,6 @@
 #include "cli/commands/verify.h"
 
+#include "cache/verdict_cache.h"
 #include "cli/commands/verify_arguments.h"
 #include "cli/output/checked_program.h"
 #include "cli/output/difference_report.h"
@@ -102,7 +103,14 @@ int deliver(const VerifyArguments& arguments, const report::VerifyReport& report
 std::expected<ide::VerificationReport, verify::Unsupported>
 askEngine(const VerifyArguments& arguments, const codegen::Model& model) {
   ProgressLine progress;
-  return ide::verifyModel(model, arguments.properties, engineOptions(arguments, &progress));
+  auto options = engineOptions(arguments, &progress);
+  const auto known = cache::cacheFor(arguments.cache, model);
+  options.answers = known.get();
+  auto report = ide::verifyModel(model, arguments.properties, options);
+  if (!known) return report;
+  if (const auto problem = known->save())
+    std::cerr << "warning: verdicts are not kept: " << syntax::printable(*problem) << '\n';
+  return report;
 }
 
 int verifyByTina(const VerifyArguments& arguments, const analysis::Program& program,

@@ -95,6 +95,9 @@ void addLimits(CLI::App& command, VerifyArguments& arguments) {
 }
 
 void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
+  show(command.add_option("--cache", arguments.cache,
+                          "Keep verdicts in this directory, and use those that are kept there"),
+       group::kAdvanced, "DIRECTORY");
   show(command
            .add_option("--jobs", arguments.jobs, "Threads to explore with; this version uses one")
            ->check(CLI::Range(1U, 256U)),

@@ -32,6 +32,7 @@ struct VerifyArguments {
   std::string saveTraces;
   std::string report;
   std::vector<std::string> reduce;
+  std::string cache;
   std::string graph;
   verify::GraphKind graphOf = verify::GraphKind::Classes;
   BackendArguments backend;

@@ -180,6 +180,9 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
                      explored.classes, explored.markings, explored.transitions,
                      bytesText(explored.bytes), explored.seconds,
                      explored.complete ? "" : "; stopped: " + withOption(explored.stopped));
+  if (explored.known > 0)
+    out << fmt::format("{} of {} verdicts are kept from before\n",
+                       std::min<std::uint64_t>(explored.known, rows.size()), rows.size());
 }
 
 } // namespace

@@ -54,6 +54,21 @@ std::string contents(const std::string& path) {
 
 } // namespace
 
+TEST_CASE("verdicts are kept where the user says, and it is said where they cannot be") {
+  const TemporaryDirectory files;
+  const auto directory = files.path("kept");
+  const auto first = verify({"--cache", directory, "--traces", "none", kDrone});
+  CHECK(first.out.find("kept from before") == std::string::npos);
+  const auto second = verify({"--cache", directory, "--traces", "none", kDrone});
+  CHECK(second.exitCode == first.exitCode);
+  CHECK(second.out.find(" of 86 verdicts are kept from before") != std::string::npos);
+  CHECK(second.out.substr(0, second.out.rfind("0 classes")) ==
+        first.out.substr(0, first.out.rfind("3796 classes")));
+  const auto blocked = verify({"--cache", files.write("file", "") + "/below", kDrone});
+  CHECK(blocked.exitCode == first.exitCode);
+  CHECK(blocked.err.find("warning: verdicts are not kept: the directory") != std::string::npos);
+}
+
 TEST_CASE("a program that is all good ends with 0") {
   TemporaryDirectory files;
   auto result = verify({files.write("good.proskill", kGood)});
