@@ -54,7 +54,7 @@ BodyIndex bodyIndexOf(const FormNode& node) {
   forEachStatement(*body, [&](const Statement& statement) {
     if (statement.kind == StatementKind::Call) found.calls.push_back(&statement);
     if (statement.kind == StatementKind::Label) found.labels.push_back(&statement);
-    if (statement.kind == StatementKind::Parallel) found.parallels.push_back(&statement);
+    if (runsBranches(statement)) found.parallels.push_back(&statement);
   });
   return found;
 }

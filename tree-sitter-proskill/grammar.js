@@ -371,6 +371,7 @@ module.exports = grammar({
         $.label,
         $.goto,
         $.parallel,
+        $.race,
         $.choose,
         $.set,
         $.printf,
@@ -451,6 +452,7 @@ module.exports = grammar({
     emit: $ => named($, 'emit'),
 
     parallel: $ => branches($, '//'),
+    race: $ => branches($, 'race'),
     choose: $ => branches($, 'choose'),
 
     set: $ => form($, field('head', 'set'), repeat(choice($._effects, $._word))),

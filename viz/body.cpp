@@ -64,7 +64,8 @@ private:
     case StatementKind::Break: return drawBreak(in);
     case StatementKind::Label: return drawLabel(s, in);
     case StatementKind::Goto: return drawGoto(s, in);
-    case StatementKind::Parallel: return drawParallel(s, in);
+    case StatementKind::Parallel:
+    case StatementKind::Race: return drawParallel(s, in);
     case StatementKind::Set: return step(s, in, NodeRole::Step, "set", builder.effects(s.effects));
     case StatementKind::Printf:
       return step(s, in, NodeRole::Message, "“" + name(s.format) + "”", {});
@@ -193,7 +194,10 @@ private:
     Exits out;
     for (std::size_t i = 0; i < s.branches.size(); ++i) {
       builder.enterCluster("branch " + std::to_string(i + 1), s.branches[i].range, i > 0);
-      append(out, drawScope(s.branches[i], {{.from = fork}}));
+      auto ends = drawScope(s.branches[i], {{.from = fork}});
+      if (s.kind == StatementKind::Race)
+        for (auto& end : ends) end.label += end.label.empty() ? "first" : ", first";
+      append(out, std::move(ends));
       builder.leaveCluster();
     }
     return builder.then(out, builder.node(NodeRole::Join, {}, s.head.range));

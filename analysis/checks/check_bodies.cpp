@@ -44,6 +44,7 @@ private:
     case StatementKind::Call:
     case StatementKind::Set:
     case StatementKind::Parallel:
+    case StatementKind::Race:
     case StatementKind::Success:
     case StatementKind::Failure: return refuse(Code::NotInEnvironment, statement.head);
     case StatementKind::WaitCondition:
@@ -98,6 +99,7 @@ private:
     case StatementKind::Label:
     case StatementKind::Goto:
     case StatementKind::Parallel:
+    case StatementKind::Race:
     case StatementKind::Choose: return;
     }
   }

@@ -49,7 +49,7 @@ private:
       jumps.push_back({statement.name, place.branch});
     if (statement.kind == StatementKind::Break && !place.inLoop)
       context.findings.report(Code::BreakOutsideLoop, {body.file, statement.range});
-    const bool parallel = statement.kind == StatementKind::Parallel;
+    const bool parallel = syntax::runsBranches(statement);
     const bool loop =
         statement.kind == StatementKind::While || statement.kind == StatementKind::DoUntil;
     for (const syntax::Arm& arm : statement.arms) walk(arm.body, place);

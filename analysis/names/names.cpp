@@ -35,9 +35,9 @@ bool isNumber(const std::optional<syntax::Expr>& expr) {
 }
 
 /// Words that start a statement: a call of none of the skills may be one of these, misspelt.
-constexpr std::string_view kStatementWords[] = {"if",      "case", "while", "do",     "break",
-                                                "label",   "goto", "set",   "printf", "success",
-                                                "failure", "emit", "choose"};
+constexpr std::string_view kStatementWords[] = {"if",      "case", "while",  "do",     "break",
+                                                "label",   "goto", "set",    "printf", "success",
+                                                "failure", "emit", "choose", "race"};
 
 } // namespace
 

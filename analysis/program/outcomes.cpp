@@ -51,6 +51,7 @@ bool mayGoOn(const Statement& statement) {
   case StatementKind::WaitTime:
   case StatementKind::Label:
   case StatementKind::Parallel:
+  case StatementKind::Race:
   case StatementKind::Set:
   case StatementKind::Printf:
   case StatementKind::Emit:

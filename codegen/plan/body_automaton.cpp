@@ -32,6 +32,7 @@ bool neverGoesOn(const Statement& statement) {
   case StatementKind::Label:
   case StatementKind::Goto:
   case StatementKind::Parallel:
+  case StatementKind::Race:
   case StatementKind::Set:
   case StatementKind::Printf:
   case StatementKind::Emit:
@@ -43,7 +44,7 @@ bool neverGoesOn(const Statement& statement) {
 /// Names all states in the order of the text, then tells each where to go on.
 class Builder {
 public:
-  /// `parallels` counts the `//` of the skill, those within branches included.
+  /// `parallels` counts the `//` and `race` of the skill, those within branches included.
   Builder(std::string_view skill, std::size_t& parallels) : skill(skill), parallels(parallels) {}
 
   BodyAutomaton build(const Block& body) {
@@ -105,7 +106,8 @@ private:
     case StatementKind::Case: return nameArms(statement);
     case StatementKind::While: return nameInner(statement.branches[0], nextTest() + "T");
     case StatementKind::Choose: return nameChoices(statement);
-    case StatementKind::Parallel: automaton.states[index].branches = branches(statement); return;
+    case StatementKind::Parallel:
+    case StatementKind::Race: automaton.states[index].branches = branches(statement); return;
     case StatementKind::WaitCondition:
       if (syntax::hasTimeout(statement)) nameInner(statement.branches[0], nextTest() + "L");
       return;
@@ -178,7 +180,7 @@ private:
     automaton.states[index].next = neverGoesOn(statement)                   ? ""
                                    : statement.kind == StatementKind::Break ? afterLoop
                                                                             : next;
-    if (statement.kind == StatementKind::Parallel) return;
+    if (syntax::runsBranches(statement)) return;
     const bool loops =
         statement.kind == StatementKind::While || statement.kind == StatementKind::DoUntil;
     for (const auto& arm : statement.arms) linkInner(arm.body, index, next, afterLoop);
@@ -210,12 +212,22 @@ private:
   std::size_t tests = 0;
 };
 
-void numberBranches(BodyAutomaton& automaton) {
+void enterRace(BodyAutomaton& branch, const std::vector<BodyAutomaton>& all) {
+  for (const auto& other : all)
+    if (other.name != branch.name) branch.rivals.push_back(other.name);
+  if (!branch.rivals.empty()) branch.racers.push_back(branch.name);
+}
+
+/// Tells each branch where it is among the others.
+void placeBranches(BodyAutomaton& automaton) {
   for (auto& state : automaton.states)
     for (std::size_t i = 0; i < state.branches.size(); ++i) {
-      state.branches[i].path = automaton.path;
-      state.branches[i].path.push_back(i + 1);
-      numberBranches(state.branches[i]);
+      auto& branch = state.branches[i];
+      branch.path = automaton.path;
+      branch.path.push_back(i + 1);
+      branch.racers = automaton.racers;
+      if (state.statement->kind == StatementKind::Race) enterRace(branch, state.branches);
+      placeBranches(branch);
     }
 }
 
@@ -225,7 +237,7 @@ BodyAutomaton bodyAutomaton(const Block& body, std::string_view name) {
   std::size_t parallels = 0;
   auto automaton = Builder(name, parallels).build(body);
   automaton.name = name;
-  numberBranches(automaton);
+  placeBranches(automaton);
   return automaton;
 }
 

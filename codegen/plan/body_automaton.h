@@ -24,7 +24,7 @@ struct BodyState {
   /// WaitCondition: of what follows its timeout; If, Case: the first state of each arm, an `else`
   /// included; While, DoUntil: of the body; Choose: of each branch.
   std::vector<std::string> targets;
-  std::vector<BodyAutomaton> branches; ///< Parallel
+  std::vector<BodyAutomaton> branches; ///< Parallel, Race
 
   /// What the text has there. \pre it is not the end of the body
   [[nodiscard]] const syntax::Statement& source() const { return cases ? *cases : *statement; }
@@ -34,10 +34,12 @@ struct BodyState {
 /// of the text, none before a label. The first state of an arm or of a loop's body is called after
 /// the test: `N1_T`, `N1_T2` of an `elseif`, `N1_F` of an `else`, `N1_C1` of a choice.
 struct BodyAutomaton {
-  std::string name;              ///< of the skill; of a branch `uav_mission_branch_1_0`
-  std::vector<std::size_t> path; ///< of a branch: 1-based, from the body inwards; for people
-  syntax::Range range;           ///< of its statements, with their parentheses
-  std::vector<BodyState> states; ///< the end stands last, where it can be reached from some state
+  std::string name;                ///< of the skill; of a branch `uav_mission_branch_1_0`
+  std::vector<std::size_t> path;   ///< of a branch: 1-based, from the body inwards; for people
+  std::vector<std::string> rivals; ///< of a branch of a race: the others, which it ends by its end
+  std::vector<std::string> racers; ///< the branches of races that it is within, itself included
+  syntax::Range range;             ///< of its statements, with their parentheses
+  std::vector<BodyState> states;   ///< the end stands last, where it can be reached from some state
   std::string entry;
   std::map<std::string_view, std::string> labels; ///< the state that control has at the label
 };

@@ -155,7 +155,7 @@ private:
     bool changed = false;
     forEachStep(*skill.body, [&](const BodyAutomaton& thread, const syntax::Statement& statement) {
       if (statement.kind != StatementKind::Call) return;
-      if (!(thread.path.empty() ? skill.mayStrike() : skill.mayStrikeBranches())) return;
+      if (!skill.mayStrike(thread)) return;
       auto& callee = *find(statement.head.text);
       changed |= !callee.callerMayStop;
       callee.callerMayStop = true;

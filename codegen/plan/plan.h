@@ -51,8 +51,10 @@ struct SkillPlan {
   [[nodiscard]] bool mayStrike() const {
     return obeysStops() || skill().interrupt || !skill().invariants.empty();
   }
-  /// Something may end its branches before they have come to an end.
-  [[nodiscard]] bool mayStrikeBranches() const { return mayStrike() || branchEnds; }
+  /// Something may end the thread, itself or one of its branches, before it has come to its end.
+  [[nodiscard]] bool mayStrike(const BodyAutomaton& thread) const {
+    return mayStrike() || (!thread.path.empty() && (branchEnds || !thread.racers.empty()));
+  }
 };
 
 /// Which skills are in the model, and who calls whom.

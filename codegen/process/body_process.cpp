@@ -15,19 +15,11 @@ namespace proskill::codegen {
 using fiacre::Statement;
 using syntax::StatementKind;
 
-namespace {
-
 std::string syncState(const BodyState& state) {
   return state.name + "_" + (state.cases ? "case" : state.next) + "_sync";
 }
+
 std::string busyState(const BodyState& state) { return state.name + "_busy"; }
-
-Statement watched(Statement main, std::vector<Statement> abortStatements) {
-  abortStatements.insert(abortStatements.begin(), std::move(main));
-  return select(std::move(abortStatements));
-}
-
-} // namespace
 
 BodyProcess::BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me)
     : context(context), body(body), actor(std::move(actor)), calls(context, std::move(me)) {}
@@ -38,6 +30,11 @@ std::string BodyProcess::quote(syntax::Range range) const {
 
 std::string BodyProcess::lineOf(const BodyState& state) const {
   return context.origins.reference(actor.file, state.statement->range);
+}
+
+Statement BodyProcess::watched(Statement main, std::vector<Statement> abortStatements) {
+  abortStatements.insert(abortStatements.begin(), std::move(main));
+  return select(std::move(abortStatements));
 }
 
 void BodyProcess::addBody(fiacre::Process& process) {
@@ -57,7 +54,8 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   const auto& statement = *state.statement;
   switch (statement.kind) {
   case StatementKind::Call: return addCall(process, state);
-  case StatementKind::Parallel: return addParallel(process, state);
+  case StatementKind::Parallel:
+  case StatementKind::Race: return addParallel(process, state);
   case StatementKind::WaitCondition: return addWaiting(process, state, whenItMay(waitFor(state)));
   case StatementKind::WaitTime: {
     // A guard that fails and holds again at once must not start the clock anew.
@@ -164,6 +162,7 @@ Statement BodyProcess::step(const BodyState& state) {
   case StatementKind::Call:
   case StatementKind::Case:
   case StatementKind::Parallel:
+  case StatementKind::Race:
   case StatementKind::WaitCondition:
   case StatementKind::WaitTime: break;
   }
@@ -171,120 +170,13 @@ Statement BodyProcess::step(const BodyState& state) {
   return {};
 }
 
-// --- Calls
+// --- Parallel branches
 
-void BodyProcess::addCall(fiacre::Process& process, const BodyState& state) {
-  const auto& callee = *context.plan.find(state.statement->head.text);
-  const auto place = origin(state.statement->range);
-  const auto sync = syncState(state);
-  if (!callee.shared()) {
-    addState(process, state.name, place, unlessHeld(sequence({atOnce(), callNow(state, sync)})),
-             lineOf(state));
-  } else {
-    const auto busy = busyState(state);
-    const auto isFree = calls.isFree(callee.name());
-    const auto words = fmt::format("finds `{}` busy", callee.name());
-    auto findBusy = sequence({at(causedBy(context, origin(state.statement->range, words), isFree),
-                                 tag(context.names.tag({body.name, state.name, "busy"}))),
-                              to(busy)});
-    addState(process, state.name, place,
-             unlessHeld(sequence(
-                 {atOnce(), ifThenElse(isFree, callNow(state, sync), std::move(findBusy))})),
-             lineOf(state));
-    addState(process, busy, place,
-             watched(whenItMay(sequence({atOnce(), on(isFree), callNow(state, sync)})),
-                     abortStatements({}, false)));
-  }
-  addState(
-      process, sync, place,
-      watched(whenItMay(sequence({atOnce(), on(calls.isDone(callee.name())), returnFrom(state)})),
-              abortStatements({callee.name()}, false)));
-}
+namespace {
 
-Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) {
-  const auto& statement = *state.statement;
-  const auto callee = statement.head.text;
-  const auto words = fmt::format("calls `{}`", callee);
-  std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee)),
-                             keepOutcome(callee)};
-  if (context.isPerformed())
-    all.push_back(saying("synthesized action arg index",
-                         assign(context.cellField(callee, "ArgIndex"), argumentsOf(statement))));
-  all.push_back(to(sync));
-  return sequence(std::move(all));
-}
+bool isRace(const BodyState& state) { return state.statement->kind == StatementKind::Race; }
 
-/// The number of the call's arguments; where they are the caller's parameters, by the number of
-/// its own.
-fiacre::Expr BodyProcess::argumentsOf(const syntax::Statement& call) {
-  const auto& numbers = context.arguments.numbersOf(call);
-  if (numbers.empty()) return number(0); // nothing makes this call
-  auto chosen = number(numbers.rbegin()->second);
-  for (const auto& [own, reached] : numbers) {
-    if (number(reached) == chosen) continue;
-    const auto ofCaller = context.cellField(context.arguments.callerOf(call), "ArgIndex");
-    chosen = conditional(equal(ofCaller, number(own)), number(reached), std::move(chosen));
-  }
-  return chosen;
-}
-
-/// Of a skill that others call too: what this body, and those around it, know of their own call.
-Statement BodyProcess::keepOutcome(std::string_view callee) {
-  std::vector<Statement> all;
-  for (const auto thread : context.plan.ownOutcomes.toldBy(body.name, callee)) {
-    const auto& kept = context.plan.ownOutcomes.of(thread, callee);
-    const auto keep = [&](std::string_view field) {
-      all.push_back(
-          assign(context.ownField(thread, callee, field), context.cellField(callee, field)));
-    };
-    if (kept.status) keep("status");
-    if (kept.result) keep("val");
-  }
-  return sequence(std::move(all));
-}
-
-Statement BodyProcess::returnFrom(const BodyState& state) {
-  const auto& callee = *context.plan.find(state.statement->head.text);
-  auto acknowledge = sequence({keepOutcome(callee.name()), calls.acknowledge(callee.name())});
-  auto next = state.cases ? chooseArm(state, callee)
-                          : goOnAfter(state, callee, state.statement->range, state.next);
-  return sequence({std::move(acknowledge), std::move(next)});
-}
-
-Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee,
-                                 syntax::Range range, const std::string& target) {
-  const auto isDone = calls.isDone(callee.name());
-  const auto returns = origin(range, fmt::format("`{}` returns", callee.name()));
-  auto goOn = at(causedBy(context, returns, isDone), to(target));
-  if (isTrue(precondition(context, callee.skill()))) return goOn;
-  const auto words = origin(range, fmt::format("`{}` was refused", callee.name()));
-  causedBy(context, words, isDone);
-  auto refused =
-      sequence({tag(context.names.tag({body.name, state.name, "refused"})), at(words, to(target))});
-  return ifThenElse(equal(context.cellField(callee.name(), "status"), name("no_status")),
-                    std::move(refused), std::move(goOn));
-}
-
-/// In the step that sees the return. Every outcome has an arm, as `check` has seen, so the last one
-/// needs no test.
-Statement BodyProcess::chooseArm(const BodyState& state, const SkillPlan& callee) {
-  const auto& arms = state.cases->arms;
-  Statement chosen;
-  for (std::size_t i = arms.size(); i-- > 0;) {
-    const auto& [status, tags, range] = arms[i].pattern;
-    const auto words = fmt::format("`{}` returns: {}", callee.name(), quote(range));
-    const bool mayBeRefused = status.text == "refused" || !arms[i].condition;
-    auto take = mayBeRefused
-                    ? goOnAfter(state, callee, range, state.targets[i])
-                    : at(causedBy(context, origin(range, words), calls.isDone(callee.name())),
-                         to(state.targets[i]));
-    const bool isLast = i + 1 == arms.size() || !arms[i].condition;
-    chosen = isLast ? std::move(take)
-                    : ifThenElse(condition(context, *arms[i].condition), std::move(take),
-                                 std::move(chosen));
-  }
-  return chosen;
-}
+} // namespace
 
 void BodyProcess::addParallel(fiacre::Process& process, const BodyState& state) {
   const auto place = origin(state.statement->range);
@@ -295,7 +187,9 @@ void BodyProcess::addParallel(fiacre::Process& process, const BodyState& state) 
     start.push_back(calls.take(branch.name));
     running.emplace_back(branch.name);
   }
-  start.push_back(at(origin(state.statement->range, "starts its parallel branches"), to(sync)));
+  const auto words =
+      isRace(state) ? "starts a race of its branches" : "starts its parallel branches";
+  start.push_back(at(origin(state.statement->range, words), to(sync)));
   addState(process, state.name, place, unlessHeld(sequence(std::move(start))), lineOf(state));
   addState(process, sync, place, watched(whenItMay(join(state)), abortStatements(running, true)));
 }
@@ -304,7 +198,9 @@ Statement BodyProcess::join(const BodyState& state) {
   std::vector<fiacre::Expr> done;
   for (const auto& branch : state.branches) done.push_back(calls.isDone(branch.name));
   done.push_back(mayGoOn());
-  const auto words = origin(state.statement->range, "all parallel branches have ended");
+  const auto words = origin(state.statement->range,
+                            isRace(state) ? "a branch has won the race, and the others have ended"
+                                          : "all parallel branches have ended");
   auto all = conjunction(std::move(done));
   causedBy(context, words, all);
   return sequence({atOnce(), on(std::move(all)), at(words, to(state.next))});
@@ -392,7 +288,7 @@ std::vector<std::string> statesOf(const Context& context, const BodyState& state
   const bool calls = state.statement->kind == StatementKind::Call;
   if (calls && context.plan.find(state.statement->head.text)->shared())
     states.push_back(busyState(state));
-  if (calls || state.statement->kind == StatementKind::Parallel) states.push_back(syncState(state));
+  if (calls || syntax::runsBranches(*state.statement)) states.push_back(syncState(state));
   return states;
 }
 

@@ -3,6 +3,8 @@
 #include "codegen/process/calls.h"
 #include "codegen/process/skill_frame.h"
 
+#include <functional>
+
 namespace proskill::codegen {
 
 /// A body as states and transitions of a process. Skills, their branches and environments differ in
@@ -31,6 +33,9 @@ protected:
   /// Holds while no branch has ended the skill.
   virtual fiacre::Expr mayGoOn() { return boolean(true); }
 
+  /// Of what was stopped, as the skill goes on: what was called for this body tells how it ended.
+  [[nodiscard]] fiacre::Statement keepOutcomeOfStopped(std::string_view callee);
+
   [[nodiscard]] OriginId origin(syntax::Range range, std::string_view words = {}) {
     return context.origins.of(actor, range, words);
   }
@@ -45,6 +50,9 @@ private:
   void addCall(fiacre::Process& process, const BodyState& state);
   void addParallel(fiacre::Process& process, const BodyState& state);
   void addWaiting(fiacre::Process& process, const BodyState& state, fiacre::Statement main);
+  /// What the body waits for, or what can end it meanwhile.
+  [[nodiscard]] static fiacre::Statement watched(fiacre::Statement main,
+                                                 std::vector<fiacre::Statement> abortStatements);
   [[nodiscard]] fiacre::Statement unlessHeld(fiacre::Statement step);
   [[nodiscard]] fiacre::Statement whenItMay(fiacre::Statement main);
   [[nodiscard]] fiacre::Statement waitFor(const BodyState& state);
@@ -53,6 +61,8 @@ private:
   [[nodiscard]] fiacre::Statement callNow(const BodyState& state, const std::string& sync);
   [[nodiscard]] fiacre::Expr argumentsOf(const syntax::Statement& call);
   [[nodiscard]] fiacre::Statement keepOutcome(std::string_view callee);
+  void eachOutcomeField(std::string_view callee,
+                        const std::function<void(const fiacre::Expr&, fiacre::Expr)>& visit);
   [[nodiscard]] fiacre::Statement returnFrom(const BodyState& state);
   [[nodiscard]] fiacre::Statement goOnAfter(const BodyState& state, const SkillPlan& callee,
                                             syntax::Range range, const std::string& target);
@@ -70,6 +80,10 @@ private:
 /// The process of a composite skill's body, or of a branch of it.
 [[nodiscard]] const std::string& processOf(Context& context, const SkillPlan& skill,
                                            const BodyAutomaton& thread);
+
+/// Where a call, or parallel branches, are awaited; where a call waits until its skill is free.
+[[nodiscard]] std::string syncState(const BodyState& state);
+[[nodiscard]] std::string busyState(const BodyState& state);
 
 /// The states in which control stands before or within the statement of a body's state.
 [[nodiscard]] std::vector<std::string> statesOf(const Context& context, const BodyState& state);

@@ -51,9 +51,9 @@ Expr Calls::isGone(std::string_view callee) {
 
 Statement Calls::release(std::string_view callee) {
   if (!isShared(callee)) return sequence({});
-  const auto isMine = equal(caller(callee), me);
-  return sequence({assign(returned(callee), conjunction({returned(callee), negation(isMine)})),
-                   assign(caller(callee), conditional(isMine, name("None"), caller(callee)))});
+  const auto mine = isMine(callee);
+  return sequence({assign(returned(callee), conjunction({returned(callee), negation(mine)})),
+                   assign(caller(callee), conditional(mine, name("None"), caller(callee)))});
 }
 
 } // namespace proskill::codegen

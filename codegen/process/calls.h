@@ -26,6 +26,8 @@ public:
   [[nodiscard]] fiacre::Statement stop(std::string_view callee);
   /// It does not, or no more, run for this process.
   [[nodiscard]] fiacre::Expr isGone(std::string_view callee);
+  /// It was called by this process, which has not yet seen its end.
+  [[nodiscard]] fiacre::Expr isMine(std::string_view callee) { return equal(caller(callee), me); }
   /// Acknowledges its end if it has run for this process.
   [[nodiscard]] fiacre::Statement release(std::string_view callee);
 

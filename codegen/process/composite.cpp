@@ -1,7 +1,6 @@
 #include "codegen/process/composite.h"
 
 #include "codegen/process/body_process.h"
-#include "codegen/process/watchdog.h"
 #include "codegen/term/conditions.h"
 #include "codegen/term/grounds.h"
 
@@ -63,6 +62,7 @@ protected:
     std::vector<Statement> releases;
     for (const auto callee : calleesOf(body)) {
       gone.push_back(calls.isGone(callee));
+      if (!body.racers.empty()) releases.push_back(keepOutcomeOfStopped(callee));
       releases.push_back(calls.release(callee));
     }
     all.push_back(on(conjunction(std::move(gone))));
@@ -72,12 +72,13 @@ protected:
              "Nothing that it called is left running.");
   }
 
-  /// All guards of the skill are true.
+  /// All guards of the skill are true, and no race that it is in has been won by another branch.
   Expr mayStep() override {
-    std::vector<Expr> guards;
+    std::vector<Expr> all;
     for (const auto& invariant : skill.skill().invariants)
-      guards.push_back(condition(context, invariant.guard));
-    return conjunction(std::move(guards));
+      all.push_back(condition(context, invariant.guard));
+    for (const auto& racer : body.racers) all.push_back(negation(context.cellField(racer, "stop")));
+    return conjunction(std::move(all));
   }
 
   Expr mayGoOn() override {
@@ -264,14 +265,14 @@ private:
 
   Statement start(std::string_view first, std::string_view rest) {
     auto begin = at(causedBy(context, origin(range(), "starts"), isCalled()), to(first));
-    if (!skill.mayStrikeBranches()) return begin;
+    if (!skill.mayStrike(body)) return begin;
     auto stopEarly = sequence({returnNow(range(), "is stopped before it starts"), to(rest)});
     return ifThenElse(context.cellField(body.name, "stop"), std::move(stopEarly), std::move(begin));
   }
 
   Statement returnNow(syntax::Range place, std::string_view words) {
     std::vector<Statement> all;
-    if (skill.mayStrikeBranches())
+    if (skill.mayStrike(body))
       all.push_back(assign(context.cellField(body.name, "stop"), boolean(false)));
     all.push_back(
         at(origin(place, words), assign(context.cellField(body.name, "caller"), name("None"))));
@@ -285,7 +286,7 @@ private:
   std::vector<Statement> abortStatements(const std::vector<std::string_view>& running,
                                          bool joining) override {
     static_cast<void>(joining);
-    if (!skill.mayStrikeBranches()) return {};
+    if (!skill.mayStrike(body)) return {};
     const auto stop = context.cellField(body.name, "stop");
     auto asked = at(causedBy(context, origin(range(), "is asked to stop"), stop), on(stop));
     return {strike(sequence({atOnce(), std::move(asked)}), running, sequence({}))};
@@ -293,7 +294,13 @@ private:
 
   std::vector<Statement> abortStatementsWhereHeld() override { return abortStatements({}, false); }
 
-  std::optional<Statement> atEnd() override { return returnControl(range(), "ends"); }
+  std::optional<Statement> atEnd() override {
+    if (body.rivals.empty()) return returnControl(range(), "ends");
+    std::vector<Statement> all;
+    for (const auto& rival : body.rivals) all.push_back(calls.stop(rival));
+    all.push_back(returnControl(range(), "ends first and wins the race"));
+    return sequence(std::move(all));
+  }
 
   /// The first branch that ends the skill decides how.
   Statement conclude(const syntax::Statement& statement) override {

@@ -8,4 +8,8 @@ namespace proskill::codegen {
 /// and its watchdog where it has a time interval.
 [[nodiscard]] std::vector<fiacre::Process> compositeSkill(Context& context, const SkillPlan& skill);
 
+/// The process that sees whether a composite skill takes too little or too much time: exact at the
+/// bounds offline, to a tick at runtime. \pre the skill has a time interval.
+[[nodiscard]] fiacre::Process watchdog(Context& context, const SkillPlan& skill);
+
 } // namespace proskill::codegen

@@ -1,4 +1,4 @@
-#include "codegen/process/watchdog.h"
+#include "codegen/process/composite.h"
 
 #include "codegen/process/skill_frame.h"
 #include "codegen/term/grounds.h"

@@ -28,6 +28,7 @@ std::string_view wordFor(Kind kind) {
   case Kind::Label: return "label";
   case Kind::Goto: return "goto";
   case Kind::Parallel: return "parallel";
+  case Kind::Race: return "race";
   case Kind::Set: return "set";
   case Kind::Printf: return "printf";
   case Kind::Success: return "success";
@@ -71,6 +72,7 @@ std::string_view objectOf(const syntax::Statement& statement) {
   case Kind::WaitTime:
   case Kind::Break:
   case Kind::Parallel:
+  case Kind::Race:
   case Kind::Printf:
   case Kind::Choose: return {};
   }

@@ -15,6 +15,13 @@ fiacre::Type unionOf(const std::vector<std::string>& constructors) {
   return type;
 }
 
+bool mayStrikeSome(const SkillPlan& skill) {
+  bool found = skill.mayStrike();
+  forEachThread(*skill.body,
+                [&](const BodyAutomaton& thread) { found |= skill.mayStrike(thread); });
+  return found;
+}
+
 } // namespace
 
 SkillTypes::SkillTypes(Context& context) : context(context) {
@@ -41,7 +48,7 @@ void SkillTypes::findFields() {
     fields.push_back({"val", namedType("skill_result"), name("no_result"), "of the last call"});
   fields.push_back({"inv_active", boolType(), boolean(false), "it is running"});
   if (any([](const SkillPlan& skill) {
-        return skill.mayBeStopped() || (skill.body && skill.mayStrikeBranches());
+        return skill.mayBeStopped() || (skill.body && mayStrikeSome(skill));
       }))
     fields.push_back({"stop", boolType(), boolean(false), "it was asked to stop"});
   if (any([](const SkillPlan& skill) { return skill.mayLinger(); }))

@@ -68,7 +68,7 @@
      (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
     ("(\\(include\\)\\_>" 1 font-lock-preprocessor-face)
     (,(concat "(" (regexp-opt '("if" "case" "while" "do" "do-until" "set" "label" "goto" "emit" "success"
-                                "failure" "choose" "printf" "//")
+                                "failure" "choose" "race" "printf" "//")
                               t)
               "\\_>")
      1 font-lock-keyword-face)

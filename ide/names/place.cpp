@@ -200,7 +200,7 @@ Place inStatement(Items items) {
   if (head == "case") return inCase(items);
   if (head == "do") return inDo(items);
   if (isOneOf(head, {"while", "do-until"})) return just(first ? Slot::Condition : Slot::Statement);
-  if (isOneOf(head, {"//", "choose"})) return just(Slot::Branch);
+  if (isOneOf(head, {"//", "race", "choose"})) return just(Slot::Branch);
   if (head == "set") return just(Slot::Effects);
   if (head == "printf") return just(first ? Slot::Nothing : Slot::PrintArgument);
   if (head == "goto") return name(Slot::Label);

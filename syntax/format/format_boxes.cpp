@@ -157,6 +157,7 @@ private:
     case NodeKind::PreconditionList:
     case NodeKind::InvariantList: return box.children > 1;
     case NodeKind::Parallel:
+    case NodeKind::Race:
     case NodeKind::Choose:
     case NodeKind::If:
     case NodeKind::Case:

@@ -214,6 +214,7 @@ enum class StatementKind : std::uint8_t {
   Label,    // name
   Goto,     // name
   Parallel, // branches
+  Race,     // branches
   Set,      // effects
   Printf,   // format, arguments
   Success,  // name: the tag

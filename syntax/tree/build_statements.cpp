@@ -268,6 +268,7 @@ void readHeaded(Builder& builder, const Node& node, Statement& statement) {
   case NodeKind::Failure: return readNamed(builder, parts, statement, StatementKind::Failure);
   case NodeKind::Emit: return readNamed(builder, parts, statement, StatementKind::Emit);
   case NodeKind::Parallel: return readBranches(builder, parts, statement, StatementKind::Parallel);
+  case NodeKind::Race: return readBranches(builder, parts, statement, StatementKind::Race);
   case NodeKind::Choose: return readBranches(builder, parts, statement, StatementKind::Choose);
   case NodeKind::Printf: return readPrintf(builder, parts, statement);
   case NodeKind::Set:

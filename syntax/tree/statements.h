@@ -13,6 +13,11 @@ template <class Visit> void forEachStatement(const Block& block, Visit&& visit) 
   }
 }
 
+/// Its branches run at the same time.
+[[nodiscard]] inline bool runsBranches(const Statement& statement) {
+  return statement.kind == StatementKind::Parallel || statement.kind == StatementKind::Race;
+}
+
 /// A wait for a condition that ends after its `duration`, with the statements of `branches[0]`.
 [[nodiscard]] inline bool hasTimeout(const Statement& statement) {
   return statement.kind == StatementKind::WaitCondition && !statement.branches.empty();

@@ -82,6 +82,7 @@ TEST_CASE("a jump stays in its body or branch") {
   CHECK(findings(mission("(label a) (// ((goto a)) ((^ 1)))")) == "PS0431 a");
   CHECK(findings(mission("(goto a) (// ((label a)) ((^ 1)))")) == "PS0431 a");
   CHECK(findings(mission("(// ((label a)) ((goto a)))")) == "PS0431 a");
+  CHECK(findings(mission("(race ((label a)) ((^ 1) (goto a)))")) == "PS0431 a");
   CHECK(findings(mission("(goto a)") + "(defskill other :body ((label a)))") == "PS0207 a");
 }
 
@@ -106,6 +107,7 @@ TEST_CASE("an environment makes events and interrupts happen, and does nothing i
   CHECK(environment("(success done)") == "PS0433 success");
   CHECK(environment("(failure done)") == "PS0433 failure");
   CHECK(environment("(// ((emit drained)) ((emit charged)))") == "PS0433 //");
+  CHECK(environment("(race ((emit drained)) ((emit charged)))") == "PS0433 race");
   CHECK(environment("(^ (level 1) :effects (battery Low))") == "PS0433 (battery Low)");
   CHECK(findings(mission("(emit drained)")) == "PS0432 emit");
   CHECK(findings(mission("(choose ((^ 1)) ((^ 2)))")) == "PS0432 choose");

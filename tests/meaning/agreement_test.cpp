@@ -78,6 +78,20 @@ TEST_CASE("so they are with several callers, resources and an environment") {
   CHECK(tally.tooLarge < tally.programs * 2 / 3);
 }
 
+TEST_CASE("so are those of races") {
+  const auto tally = compareAll(3'000'000, 600,
+                                {.composites = 0,
+                                 .monitors = 1,
+                                 .statements = 2,
+                                 .branches = 3,
+                                 .properties = 4,
+                                 .seconds = 2,
+                                 .halves = 0,
+                                 .forks = 70,
+                                 .races = 80});
+  CHECK(tally.tooLarge < tally.programs * 2 / 3);
+}
+
 TEST_CASE("so are those of patterns with scopes and times") {
   const auto tally = compareAll(
       2'000'000, 600,

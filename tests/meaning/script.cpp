@@ -67,11 +67,13 @@ private:
       for (const auto& each : statement.branches) targets.push_back(block(each, next, afterLoop));
       break;
     case StatementKind::Parallel:
+    case StatementKind::Race:
       for (const auto& each : statement.branches) branches.push_back(branch(each));
       break;
     case StatementKind::Call: break;
     default: break;
     }
+    if (statement.kind == StatementKind::Race) letCompete(branches);
     auto& made = script.threads[me].places[here];
     made.call = callOf(statement);
     if (made.call) noteCall(*made.call);
@@ -84,6 +86,12 @@ private:
     if (statement.kind == StatementKind::Call) return &statement;
     const bool isCase = statement.kind == StatementKind::Case;
     return isCase ? &statement.branches[0].statements[0] : nullptr;
+  }
+
+  void letCompete(const std::vector<int>& branches) {
+    for (const int each : branches)
+      for (const int other : branches)
+        if (other != each) script.threads[each].rivals.push_back(other);
   }
 
   int branch(const Block& body) {

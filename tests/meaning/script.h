@@ -23,13 +23,14 @@ struct Place {
   int next = 0;                                 ///< the place behind the statement
   std::vector<int> targets;  ///< WaitCondition: the timeout; If, Case: by arm; While, DoUntil: the
                              ///< body; Choose: by branch
-  std::vector<int> branches; ///< Parallel: threads
+  std::vector<int> branches; ///< Parallel, Race: threads
 };
 
 /// Who executes statements: a composite skill, a parallel branch of one, or the environment.
 struct Thread {
-  int skill = kNobody;  ///< the composite skill; nobody: the environment
-  int parent = kNobody; ///< of a branch: the thread with the `//`
+  int skill = kNobody;     ///< the composite skill; nobody: the environment
+  int parent = kNobody;    ///< of a branch: the thread with the `//`
+  std::vector<int> rivals; ///< of a branch of a race: the others, if any
   std::vector<Place> places;
   int entry = 0;
   std::map<std::string_view, int> labels;

@@ -35,6 +35,8 @@ private:
 
   /// A body whose guard is false does nothing more.
   [[nodiscard]] bool mayGoOn(int thread) const;
+  [[nodiscard]] bool hasLost(int thread) const;
+  [[nodiscard]] bool isInRace(int thread) const;
   /// Control stands where time can pass.
   [[nodiscard]] bool isWaiting(int thread) const;
   void ofCalledBranch(int thread);

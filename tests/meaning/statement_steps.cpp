@@ -25,7 +25,8 @@ void Steps::ofStatement(int thread, const Place& place) {
     return go(thread, look.holds(statement.condition, thread) ? place.targets[0] : place.next);
   case StatementKind::DoUntil:
     return go(thread, look.holds(statement.condition, thread) ? place.next : place.targets[0]);
-  case StatementKind::Parallel: return ofFork(thread, place);
+  case StatementKind::Parallel:
+  case StatementKind::Race: return ofFork(thread, place);
   case StatementKind::Set: return go(thread, place.next, &statement.effects);
   case StatementKind::Success:
   case StatementKind::Failure: return ofOutcome(thread, statement);
@@ -61,6 +62,7 @@ void Steps::ofBodyEnd(int thread) {
   if (!of.isBranch())
     return end(of.skill, plainSuccess(*script.skills[of.skill].node), When::now());
   auto ended = change();
+  ended.stopRivals(thread);
   ended.endBranch(thread);
   add(std::move(ended));
 }

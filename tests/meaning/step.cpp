@@ -166,6 +166,11 @@ void Change::goTo(int thread, int place, Control control) {
 
 void Change::endBranch(int thread) { goTo(thread, 0, Control::Off); }
 
+void Change::stopRivals(int thread) {
+  for (const int rival : script.threads[thread].rivals)
+    if (step.after.threads[rival].control != Control::Off) step.after.threads[rival].stop = true;
+}
+
 void Change::strike(int thread, const Ending& ending) {
   auto& state = step.after.threads[thread];
   const auto& place = script.threads[thread].places[state.place];

@@ -36,6 +36,8 @@ public:
   void goTo(int thread, int place, Control control = Control::Before);
   void wait(int thread, Control control) { goTo(thread, after().threads[thread].place, control); }
   void endBranch(int thread);
+  /// It has won its race, if it is in one: the others are to stop.
+  void stopRivals(int thread);
   /// Asks what the thread is waiting for to stop, and notes what comes when it has.
   void strike(int thread, const Ending& ending);
 

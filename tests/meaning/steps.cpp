@@ -120,7 +120,20 @@ void Steps::ofThread(int thread) {
 
 bool Steps::mayGoOn(int thread) const {
   const int skill = script.threads[thread].skill;
-  return skill == kNobody || look.guardsHold(skill);
+  return skill == kNobody || (look.guardsHold(skill) && !hasLost(thread));
+}
+
+/// Another branch has won a race that the thread is in.
+bool Steps::hasLost(int thread) const {
+  for (int at = thread; at != kNobody; at = script.threads[at].parent)
+    if (now.threads[at].stop && !script.threads[at].rivals.empty()) return true;
+  return false;
+}
+
+bool Steps::isInRace(int thread) const {
+  for (int at = thread; at != kNobody; at = script.threads[at].parent)
+    if (!script.threads[at].rivals.empty()) return true;
+  return false;
 }
 
 bool Steps::isWaiting(int thread) const {
@@ -150,7 +163,10 @@ void Steps::ofStopping(int thread) {
     if (place.branches.empty()) {
       const int callee = script.skill(place.call->head.text);
       if (isOutstanding(callee, thread)) return;
-      if (now.skills[callee].caller == thread) {
+      // Behind a race the body goes on, and may look at how what was stopped has ended.
+      if (now.skills[callee].caller == thread && isInRace(thread)) {
+        made.seeReturn(callee, thread);
+      } else if (now.skills[callee].caller == thread) {
         made.after().skills[callee].phase = Phase::Idle;
         made.after().skills[callee].caller = kNobody;
       }
@@ -193,8 +209,7 @@ void Steps::ofGuards(int thread) {
   if (of.skill == kNobody) return;
   const auto& node = *script.skills[of.skill].node;
   if (of.isBranch()) {
-    if (!look.guardsHold(of.skill) && !isWaiting(thread) && now.threads[thread].stop)
-      strike(thread, {});
+    if (!mayGoOn(thread) && !isWaiting(thread) && now.threads[thread].stop) strike(thread, {});
     return;
   }
   for (const auto& invariant : node.invariants)

@@ -88,6 +88,7 @@ private:
     if (inBranch > 0 && each.kind == StatementKind::Success) ++seen["success in a branch"];
     if (inBranch > 0 && each.kind == StatementKind::Failure) ++seen["failure in a branch"];
     if (inBranch > 0 && each.kind == StatementKind::Parallel) ++seen["parallel in a branch"];
+    if (inBranch > 0 && each.kind == StatementKind::Race) ++seen["race in a branch"];
     if (each.kind == StatementKind::WaitTime) interval(each.duration);
     if (each.kind == StatementKind::WaitCondition && !each.effects.items.empty())
       ++seen["wait with effects"];
@@ -101,7 +102,7 @@ private:
       if (arm.condition) expression(*arm.condition);
       block(arm.body, inBranch);
     }
-    bool parallel = each.kind == StatementKind::Parallel;
+    bool parallel = syntax::runsBranches(each);
     for (const auto& branch : each.branches) block(branch, inBranch + (parallel ? 1 : 0));
   }
 
@@ -142,8 +143,8 @@ TEST_CASE("random programs use every statement of the language") {
   }
   for (const char* special :
        {"wait with effects", "wait with timeout", "elseif", "else", "case with else",
-        "success in a branch", "failure in a branch", "parallel in a branch", "unbounded interval",
-        "open interval", "several effects"}) {
+        "success in a branch", "failure in a branch", "parallel in a branch", "race in a branch",
+        "unbounded interval", "open interval", "several effects"}) {
     INFO(special);
     CHECK(census.of(std::string(special)) >= 20);
   }

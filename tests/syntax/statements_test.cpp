@@ -139,6 +139,16 @@ TEST_CASE("branches in parallel, nested") {
   CHECK(parallel->branches[1].statements.at(1).branches.size() == 2);
 }
 
+TEST_CASE("a race has branches") {
+  Body race("(race ((x) (break)) () ((race ((y)) ((^ 1)))))");
+  CHECK(race.codes() == "");
+  CHECK(race->kind == StatementKind::Race);
+  REQUIRE(race->branches.size() == 3);
+  CHECK(race->branches[2].statements.at(0).branches.size() == 2);
+  CHECK(Body("(race)").codes() == "PS0122");
+  CHECK(Body("(race (x) ((^ 1)))").codes() == "PS0122");
+}
+
 TEST_CASE("the other statements") {
   Body body("(label again) (goto again) (set (a B)) (set ((a B) (c 3))) (printf \"%d%%\" level)\n"
             "(success done) (failure cold) (emit gust)");

@@ -12,6 +12,7 @@
   (do)
   (do_until)
   (parallel)
+  (race)
   (choose)
   (precondition_list)
   (invariant_list)

@@ -106,7 +106,7 @@
 ["while" "do" "do-until" "until" "break"] @keyword.repeat
 (until operator: _ @operator)
 ["success" "failure"] @keyword.return
-["//" "choose" "^"] @keyword.coroutine
+["//" "race" "choose" "^"] @keyword.coroutine
 ["set" "label" "goto" "emit"] @keyword
 "printf" @function.builtin
 

@@ -70,6 +70,7 @@
   (command)
   (wait)
   (parallel)
+  (race)
   (choose)
   (set)
   (printf)

@@ -110,6 +110,7 @@ private:
     case StatementKind::Case:
     case StatementKind::Choose: return "no path through this continues";
     case StatementKind::Parallel: return "not all of these branches can end";
+    case StatementKind::Race: return "none of these branches can end";
     case StatementKind::Call: return fmt::format("`{}` never returns", before.name.text);
     case StatementKind::Unknown:
     case StatementKind::Interrupt:

@@ -119,7 +119,8 @@ LooseEnds Builder::statement(const Statement& s, LooseEnds ends) {
   case StatementKind::While: return whileLoop(s, ends);
   case StatementKind::DoUntil: return untilLoop(s, std::move(ends));
   case StatementKind::Choose: return choice(s, ends);
-  case StatementKind::Parallel: return fork(s, ends);
+  case StatementKind::Parallel:
+  case StatementKind::Race: return fork(s, ends);
   case StatementKind::Set: {
     NodeId node = place(NodeKind::Set, s, ends);
     graph().nodes[node].effects = &s.effects;

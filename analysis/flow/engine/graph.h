@@ -23,7 +23,7 @@ enum class NodeKind : std::uint8_t {
   Delay,     ///< for some time
   Test,      ///< of an `if`, `while` or `do`
   Choose,
-  Fork, ///< until all branches have ended
+  Fork, ///< until all branches have ended; of a race, one, and the others have stopped
   Set,
   Emit,
   Step,  ///< a message, a jump, a label: nothing changes
@@ -58,6 +58,10 @@ struct Node {
   std::vector<GraphId> branches; ///< Fork: graphs of the same skill
   std::vector<Edge> edges;
 
+  /// Fork: the first branch to end ends the others.
+  [[nodiscard]] bool isRace() const {
+    return statement && statement->kind == syntax::StatementKind::Race && branches.size() > 1;
+  }
   /// Time can pass here, so that the skill watches its guards and whether it is to stop.
   [[nodiscard]] bool waits() const {
     return kind == NodeKind::Call || kind == NodeKind::Wait || kind == NodeKind::Delay ||

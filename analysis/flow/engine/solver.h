@@ -99,6 +99,8 @@ private:
   [[nodiscard]] State returned(const State& before, const State& exit, ProcessId process,
                                NodeId node) const;
   [[nodiscard]] State refused(const State& before, ProcessId process, NodeId node) const;
+  [[nodiscard]] Cases endedBranch(const Cases& known, ProcessId process, ProcessId branch) const;
+  void stopRivals(ProcessId process, NodeId node);
   [[nodiscard]] Cases joined(const State& before, ProcessId process, NodeId node) const;
   [[nodiscard]] bool mayStop(ProcessId process) const;
   [[nodiscard]] bool isUnstoppable(ProcessId process) const;

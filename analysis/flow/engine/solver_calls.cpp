@@ -121,28 +121,50 @@ void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
   }
 }
 
-/// After all branches: what holds for the end of each of them.
+/// What is known, and what holds for the end of the branch.
+Cases Solver::endedBranch(const Cases& known, ProcessId process, ProcessId branch) const {
+  const Process& self = model[process];
+  const Process& thread = model[branch];
+  Cases result;
+  for (const State& each : known.all())
+    for (const State& end : cases(branch, thread.graph->end)) {
+      State both = each;
+      for (Slot slot = 0; both.reachable && slot < thread.slots.size(); ++slot) {
+        auto mine = self.slots.find(thread.slots[slot]);
+        if (!mine) continue;
+        both.values[*mine] &= end.values[slot];
+        both.reachable = !both.values[*mine].empty();
+      }
+      result.add(std::move(both), mostCases);
+    }
+  return result;
+}
+
+/// After all branches; after a race, what holds for the end of one of them.
 Cases Solver::joined(const State& before, ProcessId process, NodeId id) const {
   const Process& self = model[process];
-  Cases result;
-  result.add(during(before, process, id), mostCases);
-  for (ProcessId branch : self.actions[id].branches) {
-    const Process& thread = model[branch];
-    Cases further;
-    for (const State& known : result.all())
-      for (const State& end : cases(branch, thread.graph->end)) {
-        State both = known;
-        for (Slot slot = 0; both.reachable && slot < thread.slots.size(); ++slot) {
-          auto mine = self.slots.find(thread.slots[slot]);
-          if (!mine) continue;
-          both.values[*mine] &= end.values[slot];
-          both.reachable = !both.values[*mine].empty();
-        }
-        further.add(std::move(both), mostCases);
-      }
-    result = std::move(further);
+  Cases during;
+  during.add(this->during(before, process, id), mostCases);
+  if (!(*self.graph)[id].isRace()) {
+    for (ProcessId branch : self.actions[id].branches)
+      during = endedBranch(during, process, branch);
+    return during;
   }
-  return result;
+  Cases any;
+  for (ProcessId branch : self.actions[id].branches) {
+    const Cases ended = endedBranch(during, process, branch);
+    for (const State& state : ended.all()) any.add(state, mostCases);
+  }
+  return any;
+}
+
+/// A branch that can end stops the others.
+void Solver::stopRivals(ProcessId process, NodeId id) {
+  if (!(*model[process].graph)[id].isRace()) return;
+  const std::vector<ProcessId>& branches = model[process].actions[id].branches;
+  for (ProcessId first : branches)
+    for (ProcessId other : branches)
+      if (other != first && reachable(first, model[first].graph->end)) mark(stopped, other);
 }
 
 void Solver::fork(ProcessId process, NodeId id, NodeId next) {
@@ -151,6 +173,7 @@ void Solver::fork(ProcessId process, NodeId id, NodeId next) {
   for (const State& before : all) {
     for (ProcessId branch : self.actions[id].branches)
       enter(branch, project(before, self, model[branch]));
+    stopRivals(process, id);
     const Cases after = joined(before, process, id);
     for (const State& state : after.all()) arrive(process, next, state);
   }

@@ -109,6 +109,7 @@ Duration Durations::ofCall(ProcessId process, NodeId node) {
 }
 
 Duration Durations::ofFork(ProcessId process, NodeId node) {
+  if ((*system[process].graph)[node].isRace()) return ofRace(process, node);
   Duration all{{0, 1}, Rational{0, 1}};
   for (ProcessId branch : system[process].actions[node].branches) {
     if (!known[branch]) return {{0, 1}, std::nullopt};
@@ -118,6 +119,32 @@ Duration Durations::ofFork(ProcessId process, NodeId node) {
     all.most = all.most && last ? Date(std::max(*all.most, *last)) : std::nullopt;
   }
   return all;
+}
+
+/// The first to end; a branch that has called what must not be stopped keeps the others waiting.
+Duration Durations::ofRace(ProcessId process, NodeId node) {
+  Date least;
+  Date first;
+  Date held = Rational{0, 1};
+  for (ProcessId branch : system[process].actions[node].branches) {
+    if (!known[branch]) return {{0, 1}, std::nullopt};
+    const Date& last = known[branch]->latestExit;
+    if (last && (!first || *last < *first)) first = last;
+    if (mayHoldOut(branch)) held = held && last ? Date(std::max(*held, *last)) : std::nullopt;
+    if (!known[branch]->whole) continue;
+    least = least ? std::min(*least, known[branch]->whole->least) : known[branch]->whole->least;
+  }
+  const Date most = first && held ? Date(std::max(*first, *held)) : std::nullopt;
+  return {least.value_or(Rational{0, 1}), most};
+}
+
+bool Durations::mayHoldOut(ProcessId branch) const {
+  bool found = false;
+  forEach(system.activity(branch), [&](std::size_t id) {
+    const Process& each = system[static_cast<ProcessId>(id)];
+    found |= each.kind == ProcessKind::Skill && system.skill(each).unstoppable;
+  });
+  return found;
 }
 
 Duration Durations::ofNode(ProcessId process, NodeId id) {

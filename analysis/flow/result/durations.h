@@ -39,6 +39,8 @@ private:
   [[nodiscard]] bool isReady(ProcessId process, std::vector<ProcessId>& needed) const;
   [[nodiscard]] Duration ofCall(ProcessId process, NodeId node);
   [[nodiscard]] Duration ofFork(ProcessId process, NodeId node);
+  [[nodiscard]] Duration ofRace(ProcessId process, NodeId node);
+  [[nodiscard]] bool mayHoldOut(ProcessId branch) const;
   [[nodiscard]] bool mayBeAwaited(ProcessId caller, ProcessId callee) const;
   [[nodiscard]] static Date earliestEnd(const Unrolled& ways, const std::vector<Duration>& times);
   [[nodiscard]] static Date latestExit(const Unrolled& ways, const std::vector<Duration>& times);

@@ -42,8 +42,12 @@ IdSet threadsAround(const System& system, ProcessId thread) {
   return around;
 }
 
+bool isInRace(const System& system, const Process& branch) {
+  return (*system[branch.parent].graph)[branch.graph->fork].isRace();
+}
+
 /// Others may end it at once: a guard of who forked or called it, a branch beside one of them that
-/// ends the skill, or an interrupt.
+/// ends the skill or wins a race, or an interrupt.
 bool mayBeEnded(const System& system, ProcessId thread) {
   const IdSet around = threadsAround(system, thread);
   for (ProcessId other = 0; other < system.size(); ++other) {
@@ -51,7 +55,8 @@ bool mayBeEnded(const System& system, ProcessId thread) {
     if (other != thread && around.contains(other) && hasNode(process, NodeKind::InvariantFailure))
       return true;
     if (!around.contains(other) && process.kind == ProcessKind::Branch &&
-        around.contains(process.parent) && hasNode(process, NodeKind::Leave))
+        around.contains(process.parent) &&
+        (hasNode(process, NodeKind::Leave) || isInRace(system, process)))
       return true;
     if (other == thread || !process.graph) continue;
     for (NodeId node = 0; node < process.actions.size(); ++node)

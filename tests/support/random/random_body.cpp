@@ -90,8 +90,13 @@ Form Bodies::simple(Place place) {
 }
 
 Form Bodies::compound(Place place) {
-  if (random.chance(25)) return branches(place, place.environment ? "choose" : "//");
+  if (random.chance(size.forks)) return branches(place, fork(place));
   return random.chance(65) ? choice(place) : loop(place);
+}
+
+const char* Bodies::fork(Place place) {
+  if (place.environment) return "choose";
+  return random.chance(size.races) ? "race" : "//";
 }
 
 Form Bodies::wait(Place place) {

@@ -45,6 +45,7 @@ private:
   [[nodiscard]] Form print();
   [[nodiscard]] Form choice(Place place);
   [[nodiscard]] Form loop(Place place);
+  [[nodiscard]] const char* fork(Place place);
   [[nodiscard]] Form branches(Place place, const char* head);
   [[nodiscard]] Form interruptOf(Place place);
 

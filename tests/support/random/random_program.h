@@ -27,6 +27,8 @@ struct ProgramSize {
   unsigned library = 10;     ///< per cent of programs without a main skill
   unsigned scopes = 0;       ///< per cent of properties that have a scope or a time
   unsigned every = 30;       ///< per cent of events that come by themselves
+  unsigned forks = 25;       ///< per cent of compound statements
+  unsigned races = 40;       ///< per cent of forks that are races
   unsigned labels = 0;       ///< per cent of tests, waits and interrupts with a label before them
 };
 

@@ -107,7 +107,7 @@
 ["while" "do" "do-until" "until" "break"] @keyword.control.repeat
 (until operator: _ @operator)
 ["success" "failure"] @keyword.control.return
-["//" "choose" "^"] @keyword.control
+["//" "race" "choose" "^"] @keyword.control
 ["set" "label" "goto" "emit"] @keyword
 "printf" @function.builtin
 

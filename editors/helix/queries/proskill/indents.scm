@@ -38,6 +38,7 @@
 ; What has a head word: below the part behind it.
 ([
   (parallel . "(" . _ @first . (_) @anchor)
+  (race . "(" . _ @first . (_) @anchor)
   (choose . "(" . _ @first . (_) @anchor)
   (call . "(" . (_) @first . (_) @anchor)
   (command . "(" . (_) @first . (_) @anchor)
