@@ -24,7 +24,8 @@ struct Options {
   Edition edition = Edition::Compact;
   StateVariableAutomata automata = StateVariableAutomata::Exact;
   std::string mainSkill; ///< empty: the one that no other skill calls
-  bool fairRuns = true;  ///< the program's own properties are about fair runs: verify::Question
+  /// The program's own properties that do not say `:fair` are about fair runs: verify::Question.
+  bool fairRuns = true;
   std::int64_t ticksPerSecond = 100; ///< of the runtime edition
   /// Executed: what the program says of its environment is part of the model, as is the most
   /// general caller; else events and interrupts from outside are reported by somebody.

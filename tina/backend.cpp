@@ -108,8 +108,8 @@ private:
       if (kind == PatternKind::Progress || kind == PatternKind::NoError)
         outcome.result.answers[i].reason = "Fiacre cannot express this property";
       else if (questions[i].fair)
-        outcome.result.answers[i].reason =
-            "Tina cannot exclude unfair runs; with `--runs all` it considers all of them";
+        outcome.result.answers[i].reason = "Tina cannot exclude unfair runs; with `:fair nil` or "
+                                           "`--runs all` it considers all of them";
       else
         order.push_back(i);
     }

@@ -89,7 +89,15 @@ const pattern = ($, head) =>
     $,
     field('head', head),
     repeat($._proposition),
-    keyedFields($, $.after_field, $.before_field, $.within_field, $.for_field, $.lasting_field),
+    keyedFields(
+      $,
+      $.after_field,
+      $.before_field,
+      $.within_field,
+      $.for_field,
+      $.lasting_field,
+      $.fair_field,
+    ),
   );
 
 const PATTERNS = [
@@ -469,6 +477,7 @@ module.exports = grammar({
     within_field: $ => keyed($, ':within', $.list),
     for_field: $ => keyed($, ':for', $.list),
     lasting_field: $ => keyed($, ':lasting', $.list),
+    fair_field: $ => keyed($, ':fair', $.list),
 
     _proposition: $ => choice($._loose, $.boolean, $._proposition_form),
     _property_operand: $ => choice($._proposition, $.keyword),

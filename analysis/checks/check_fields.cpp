@@ -19,7 +19,8 @@ constexpr std::string_view kStateVariable[] = {":init", ":min", ":max", ":states
 constexpr std::string_view kEvent[] = {":every", ":effects"};
 constexpr std::string_view kResource[] = {":capacity"};
 constexpr std::string_view kEnvironment[] = {":body"};
-constexpr std::string_view kProperty[] = {":after", ":before", ":within", ":for", ":lasting"};
+constexpr std::string_view kProperty[] = {":after", ":before",  ":within",
+                                          ":for",   ":lasting", ":fair"};
 constexpr std::string_view kSkill[] = {
     ":input",     ":precondition", ":start",         ":invariant", ":time_interval",
     ":action",    ":interrupt",    ":interruptible", ":success",   ":failure",
@@ -97,7 +98,7 @@ public:
     context.each(program.events,
                  [&](const auto& it) { fields("event", it, kEvent).require({":effects"}); });
     context.each(program.resources, [&](const auto& it) { fields("resource", it, kResource); });
-    context.each(program.properties, [&](const auto& it) { fields("property", it, kProperty); });
+    context.each(program.properties, [&](const auto& it) { property(it); });
     context.each(program.environments, [&](const auto& it) {
       fields("environment", it, kEnvironment).require({":body"});
     });
@@ -130,6 +131,13 @@ private:
     } else {
       it.report(Code::NoDomain);
     }
+  }
+
+  void property(const Definition<syntax::Property>& property) {
+    Fields it = fields("property", property, kProperty);
+    if (property->within && property->within->upper)
+      it.refuse(":fair", "selects among runs without end, and a property with an upper time limit "
+                         "does not depend on them");
   }
 
   void skill(const Definition<syntax::Skill>& skill) {

@@ -111,8 +111,8 @@ void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
        group::kAdvanced, reductionNames());
   addChoice<bool>(
       command, "--runs", arguments.fairRuns, {{"fair", true}, {"all", false}},
-      "Which runs without end count for your properties. fair: time goes on, and actions "
-      "without a time limit end; all: every run, as in Tina",
+      "Which runs without end count for your properties that do not say :fair. fair: time goes "
+      "on, and actions without a time limit end; all: every run, as in Tina",
       group::kAdvanced);
   show(command.add_flag("--expanded", arguments.expanded,
                         "Verify the expanded model, with one state per step of a skill"),

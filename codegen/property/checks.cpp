@@ -181,7 +181,8 @@ private:
       check.operands.push_back(context.origins.excerpt(property.file, operand.range));
     check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
     auto pattern = patternOf(context, observer, property.node());
-    check.fair = context.options.fairRuns && fiacre::isAboutEndlessRuns(pattern);
+    check.fair =
+        property->fair.value_or(context.options.fairRuns) && fiacre::isAboutEndlessRuns(pattern);
     put(std::move(check), std::move(pattern));
   }
 

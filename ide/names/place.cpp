@@ -67,6 +67,7 @@ constexpr std::array kFieldValues{
     FieldValue{":within", Slot::Interval},
     FieldValue{":for", Slot::Interval},
     FieldValue{":lasting", Slot::Nothing},
+    FieldValue{":fair", Slot::Interruptible},
 };
 
 Place valueOf(const Item& keyword) {
@@ -97,9 +98,9 @@ Place inDefinition(Items items) {
 
 Place inPattern(Items items) {
   const auto head = items.front().text;
-  if (head == "ltl") return just(Slot::Temporal);
   std::size_t after = 0;
   if (lastKeyword(items, after)) return amongFields(items, WordKind::PatternField);
+  if (head == "ltl" && items.size() == 1) return just(Slot::Temporal);
   const std::size_t operands = isOneOf(head, {"leadsto", "precedes"}) ? 2 : 1;
   if (items.size() <= operands && head != "deadlockfree") return just(Slot::Proposition);
   return field(WordKind::PatternField);

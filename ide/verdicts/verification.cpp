@@ -74,6 +74,12 @@ Verdict verdictOf(const codegen::Check& check, verify::Truth truth) {
   return holds ? Verdict::Unreachable : Verdict::Reachable;
 }
 
+/// Who reads the verdict on an own property on runs without end has to know which runs count.
+bool isOfAllRuns(const codegen::Model& model, const codegen::Check& check) {
+  return check.kind == "property" && !check.fair && !model.provenance.byHand &&
+         fiacre::isAboutEndlessRuns(model.fiacre.properties[check.property].pattern);
+}
+
 VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen::Model& model) {
   VerdictRow result;
   result.check = &check;
@@ -88,6 +94,8 @@ VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen
       result.trace->summary.replace(result.trace->summary.size() - 1, 1, ": " + waits + ".");
   }
   result.reason = answer.reason;
+  if (result.reason.empty() && isOfAllRuns(model, check))
+    result.reason = "of all runs, fair or not";
   return result;
 }
 

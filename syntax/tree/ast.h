@@ -284,6 +284,7 @@ struct Property {
   std::optional<Interval> within;
   std::optional<Interval> forDuration;
   std::optional<Rational> lasting; ///< seconds
+  std::optional<bool> fair;        ///< it is about fair runs, or about all; absent: as it is asked
 };
 
 struct Environment {

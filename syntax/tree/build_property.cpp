@@ -52,6 +52,22 @@ std::optional<Expr> propositionField(Builder& builder, Field& field) {
   return expressionOf(builder, *value, Context::Proposition);
 }
 
+std::optional<bool> fairField(Builder& builder, Field& field) {
+  constexpr auto kNeeds = "`t` or `nil`";
+  const Node* value = onlyValue(builder, field, kNeeds);
+  if (!value) return std::nullopt;
+  const auto word = builder.textOf(*value);
+  if (word == "t" || word == "nil") return word == "t";
+  reportMalformed(builder, field, *value, kNeeds);
+  return std::nullopt;
+}
+
+/// What happens in the end may depend on which runs without end count.
+bool isAboutTheEnd(PropertyKind kind) {
+  return kind == PropertyKind::Present || kind == PropertyKind::LeadsTo ||
+         kind == PropertyKind::InfinitelyOften || kind == PropertyKind::Ltl;
+}
+
 bool takes(PropertyKind kind, NodeKind field) {
   switch (field) {
   case NodeKind::WithinField: return kind == PropertyKind::LeadsTo || kind == PropertyKind::Present;
@@ -59,15 +75,18 @@ bool takes(PropertyKind kind, NodeKind field) {
   case NodeKind::BeforeField: return kind == PropertyKind::Present || kind == PropertyKind::Absent;
   case NodeKind::ForField: return kind == PropertyKind::Absent;
   case NodeKind::LastingField: return kind == PropertyKind::Present;
+  case NodeKind::FairField: return isAboutTheEnd(kind);
   default: return false;
   }
 }
 
 Keywords fieldsOf(PropertyKind kind) {
   switch (kind) {
-  case PropertyKind::LeadsTo: return {":within"};
-  case PropertyKind::Present: return {":after", ":before", ":within", ":lasting"};
+  case PropertyKind::LeadsTo: return {":within", ":fair"};
+  case PropertyKind::Present: return {":after", ":before", ":within", ":lasting", ":fair"};
   case PropertyKind::Absent: return {":after", ":before", ":for"};
+  case PropertyKind::InfinitelyOften:
+  case PropertyKind::Ltl: return {":fair"};
   default: return {};
   }
 }
@@ -83,6 +102,7 @@ void readField(Builder& builder, const Node& node, Property& property) {
   case NodeKind::AfterField: property.after = propositionField(builder, field); return;
   case NodeKind::BeforeField: property.before = propositionField(builder, field); return;
   case NodeKind::WithinField: property.within = intervalField(builder, field); return;
+  case NodeKind::FairField: property.fair = fairField(builder, field); return;
   case NodeKind::ForField: property.forDuration = intervalField(builder, field); return;
   default: property.lasting = secondsField(builder, field);
   }

@@ -113,6 +113,16 @@ TEST_CASE("an environment makes events and interrupts happen, and does nothing i
   CHECK(findings(mission("(choose ((^ 1)) ((^ 2)))")) == "PS0432 choose");
 }
 
+TEST_CASE("with an upper time limit it does not matter which runs without end are fair") {
+  const auto present = [](const std::string& fields) {
+    return findings("(defsv s :states (A B) :init A) (defproperty p (present (s B) " + fields +
+                    "))");
+  };
+  CHECK(present(":within [0,2] :fair t") == "PS0403 :fair");
+  CHECK(present(":within [2,...[ :fair t") == "");
+  CHECK(present(":lasting 2 :fair nil") == "");
+}
+
 TEST_CASE("a skill that is never stopped is not interrupted either") {
   CHECK(findings("(defskill s :interruptible nil :interrupt () :action (s))") ==
         "PS0403 :interrupt");

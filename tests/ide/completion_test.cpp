@@ -122,7 +122,8 @@ TEST_CASE("the fields that are not there yet") {
   CHECK(labelsIn("(defskill f :body ((^ (battery Low) ^") == Labels{":effects", ":timeout"});
   CHECK(labelsIn("(defskill f :body ((^ [1,2] ^") == Labels{":effects", ":timeout"});
   CHECK(labelsIn("(defproperty p (present (running takeoff) ^") ==
-        Labels{":after", ":before", ":within", ":for", ":lasting"});
+        Labels{":after", ":before", ":within", ":for", ":fair", ":lasting"});
+  CHECK(labelsIn("(defproperty p (ltl (running takeoff) :fair ^") == Labels{"nil", "t"});
 }
 
 TEST_CASE("nothing is offered in a list where only a keyword fits") {

@@ -67,17 +67,17 @@ std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
   case PropertyKind::Never:
   case PropertyKind::Absent:
   case PropertyKind::Reachable: return !sometimes(property.operands[0], true);
-  case PropertyKind::Present: return !avoiding(property.operands[0])[0];
+  case PropertyKind::Present: return !avoiding(property, property.operands[0])[0];
   case PropertyKind::InfinitelyOften:
-    return std::ranges::none_of(avoiding(property.operands[0]), std::identity{});
-  case PropertyKind::LeadsTo: return !canMiss(property.operands[0], property.operands[1]);
+    return std::ranges::none_of(avoiding(property, property.operands[0]), std::identity{});
+  case PropertyKind::LeadsTo: return !canMiss(property);
   case PropertyKind::Precedes: return !canPrecede(property.operands[1], property.operands[0]);
   case PropertyKind::DeadlockFree: return !runs.canStop();
   case PropertyKind::Ltl:
-    return holdsInAllRuns(property.operands[0], script, runs,
-                          [this](const auto& wish, const auto& now, const auto& facts) {
-                            return isTrueAt(wish, now, facts);
-                          });
+    return holdsInRuns(property, script, runs,
+                       [this](const auto& wish, const auto& now, const auto& facts) {
+                         return isTrueAt(wish, now, facts);
+                       });
   case PropertyKind::Missing: return std::nullopt;
   }
   return std::nullopt;
@@ -133,21 +133,25 @@ bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
   });
 }
 
-/// From which situations some fair run never sees it.
-std::vector<bool> Verdicts::avoiding(const syntax::Expr& wish) const {
+/// From which situations some run that counts never sees it.
+std::vector<bool> Verdicts::avoiding(const syntax::Property& property,
+                                     const syntax::Expr& wish) const {
   const auto& nodes = runs.nodes();
   std::vector<bool> without(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     without[i] = !isTrueAt(wish, nodes[i].situation, {});
-  return goOnFairly(script, runs, without, [&](std::size_t node, std::size_t edge) {
+  const auto misses = [&](std::size_t node, std::size_t edge) {
     return !isTrueAt(wish, nodes[node].situation, nodes[node].edges[edge].facts);
-  });
+  };
+  return goOn(countedBy(property), script, runs, without, misses);
 }
 
 /// Whether `cause` is seen at some point, and from there on, that point included, no `wish`.
-bool Verdicts::canMiss(const syntax::Expr& cause, const syntax::Expr& wish) const {
+bool Verdicts::canMiss(const syntax::Property& property) const {
+  const auto& cause = property.operands[0];
+  const auto& wish = property.operands[1];
   const auto& nodes = runs.nodes();
-  const auto alive = avoiding(wish);
+  const auto alive = avoiding(property, wish);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto& now = nodes[i].situation;
     if (alive[i] && isTrueAt(cause, now, {})) return true;

@@ -21,8 +21,9 @@ private:
   [[nodiscard]] bool isTrueAt(const syntax::Expr& wish, const Situation& situation,
                               const std::vector<Fact>& facts) const;
   [[nodiscard]] bool sometimes(const syntax::Expr& wish, bool value) const;
-  [[nodiscard]] std::vector<bool> avoiding(const syntax::Expr& wish) const;
-  [[nodiscard]] bool canMiss(const syntax::Expr& cause, const syntax::Expr& wish) const;
+  [[nodiscard]] std::vector<bool> avoiding(const syntax::Property& property,
+                                           const syntax::Expr& wish) const;
+  [[nodiscard]] bool canMiss(const syntax::Property& property) const;
   [[nodiscard]] bool canPrecede(const syntax::Expr& late, const syntax::Expr& early) const;
   [[nodiscard]] bool isAt(std::string_view label, const Situation& situation) const;
   [[nodiscard]] std::optional<Fact> factOf(const codegen::Check& check,

@@ -55,6 +55,18 @@ TEST_CASE("the fields of a pattern") {
   CHECK(present->fields.size() == 2);
 }
 
+TEST_CASE("a property of what happens in the end says which runs count") {
+  const auto fair = [](const std::string& pattern) {
+    return Parsed<Property>("(defproperty p " + pattern + ")")->fair;
+  };
+  CHECK(fair("(infinitelyoften (a B) :fair nil)") == false);
+  CHECK(fair("(ltl ([] (a B)) :fair t)") == true);
+  CHECK_FALSE(fair("(present (a B))").has_value());
+  CHECK(codes("(leadsto (a B) (c D) :fair nil)") == "");
+  CHECK(codes("(leadsto (a B) (c D) :fair always)") == "PS0115");
+  CHECK(codes("(always (a B) :fair t)") == "PS0113");
+}
+
 TEST_CASE("malformed properties are one diagnostic each") {
   CHECK(codes("") == "PS0127");
   CHECK(codes("()") == "PS0110");

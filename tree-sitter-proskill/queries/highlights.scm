@@ -65,6 +65,7 @@
 (within_field keyword: _ @property)
 (for_field keyword: _ @property)
 (lasting_field keyword: _ @property)
+(fair_field keyword: _ @property)
 
 ; Values.
 (states_field value: (name_list (symbol) @constant))

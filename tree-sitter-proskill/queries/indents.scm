@@ -44,6 +44,7 @@
   (within_field)
   (for_field)
   (lasting_field)
+  (fair_field)
   (unknown_field)
   (precondition)
   (invariant)

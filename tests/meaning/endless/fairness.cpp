@@ -52,8 +52,6 @@ bool isUnbounded(const Node& node) {
          });
 }
 
-} // namespace
-
 bool isFair(const Script& script, const Runs& runs, const Circle& circle) {
   const bool passes = circle.timeGoesOn || std::ranges::any_of(circle.nodes, [&](std::size_t node) {
                         return isUnbounded(runs.nodes()[node]);
@@ -68,13 +66,30 @@ bool isFair(const Script& script, const Runs& runs, const Circle& circle) {
   return true;
 }
 
-bool mayRest(const Script& script, const Runs& runs, std::size_t node) {
+/// No step is possible, now or later.
+bool isStuck(const Runs& runs, std::size_t node) {
+  for (std::set<std::size_t> seen; seen.insert(node).second;) {
+    if (!runs.nodes()[node].edges.empty()) return false;
+    if (!runs.nodes()[node].later) return true;
+    node = *runs.nodes()[node].later;
+  }
+  return true;
+}
+
+} // namespace
+
+bool counts(Counted counted, const Script& script, const Runs& runs, const Circle& circle) {
+  return counted == Counted::All ? circle.hasStep : isFair(script, runs, circle);
+}
+
+bool mayRest(Counted counted, const Script& script, const Runs& runs, std::size_t node) {
+  if (counted == Counted::All) return isStuck(runs, node);
   return isUnbounded(runs.nodes()[node]) &&
          !somethingLastsForEver(script, runs, {.nodes = {node}, .timeGoesOn = true});
 }
 
-std::vector<bool> goOnFairly(const Script& script, const Runs& runs, const std::vector<bool>& nodes,
-                             const Allowed& edge) {
+std::vector<bool> goOn(Counted counted, const Script& script, const Runs& runs,
+                       const std::vector<bool>& nodes, const Allowed& edge) {
   struct Way {
     std::size_t target;
     bool time;
@@ -103,6 +118,7 @@ std::vector<bool> goOnFairly(const Script& script, const Runs& runs, const std::
       auto& circle = circles[component[i]];
       circle.nodes.insert({i, way.target});
       circle.timeGoesOn = circle.timeGoesOn || way.time;
+      circle.hasStep = circle.hasStep || !way.time;
     }
   std::vector<bool> good(count);
   std::vector<std::size_t> todo;
@@ -112,10 +128,10 @@ std::vector<bool> goOnFairly(const Script& script, const Runs& runs, const std::
     todo.push_back(node);
   };
   for (const auto& [_, circle] : circles)
-    if (isFair(script, runs, circle))
+    if (counts(counted, script, runs, circle))
       for (auto node : circle.nodes) mark(node);
   for (std::size_t i = 0; i < count; ++i)
-    if (mayRest(script, runs, i)) mark(i);
+    if (mayRest(counted, script, runs, i)) mark(i);
   while (!todo.empty()) {
     const auto node = todo.back();
     todo.pop_back();

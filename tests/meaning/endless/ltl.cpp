@@ -131,7 +131,8 @@ private:
 /// Looks for a run that makes the formula false: a circle in which nothing is put off for ever.
 class Search {
 public:
-  Search(const Script& from, const Runs& of, const Seen& in) : script(from), runs(of), seen(in) {}
+  Search(Counted which, const Script& from, const Runs& of, const Seen& in)
+      : counted(which), script(from), runs(of), seen(in) {}
 
   /// Nothing where there are too many places.
   std::optional<bool> findsRun(const Wish& wish) {
@@ -173,7 +174,7 @@ private:
       places[place].arcs.push_back({target, false, {}});
     };
     if (node.later) goOn(*node.later, false);
-    if (mayRest(script, runs, at)) goOn(at, true);
+    if (mayRest(counted, script, runs, at)) goOn(at, true);
   }
 
   void step(std::size_t place, std::size_t next, const std::vector<Fact>& facts, bool rests) {
@@ -199,16 +200,18 @@ private:
         auto& circle = circles[component[i]];
         circle.nodes.insert({places[i].node, places[arc.target].node});
         circle.timeGoesOn = circle.timeGoesOn || !arc.step;
+        circle.hasStep = circle.hasStep || arc.step;
         if (!arc.step) continue;
         const auto [entry, first] = late.try_emplace(component[i], arc.late);
         if (!first)
           std::erase_if(entry->second, [&](const Wish& wish) { return !arc.late.contains(wish); });
       }
     return std::ranges::any_of(late, [&](const auto& entry) {
-      return entry.second.empty() && isFair(script, runs, circles[entry.first]);
+      return entry.second.empty() && counts(counted, script, runs, circles[entry.first]);
     });
   }
 
+  Counted counted;
   const Script& script;
   const Runs& runs;
   const Seen& seen;
@@ -218,10 +221,11 @@ private:
 
 } // namespace
 
-std::optional<bool> holdsInAllRuns(const Expr& formula, const Script& script, const Runs& runs,
-                                   const Seen& seen) {
+std::optional<bool> holdsInRuns(const syntax::Property& property, const Script& script,
+                                const Runs& runs, const Seen& seen) {
+  const Expr& formula = property.operands[0];
   if (hasNext(formula)) return std::nullopt;
-  const auto violated = Search(script, runs, seen).findsRun({&formula, false});
+  const auto violated = Search(countedBy(property), script, runs, seen).findsRun({&formula, false});
   if (!violated) return std::nullopt;
   return !*violated;
 }

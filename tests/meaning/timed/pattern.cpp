@@ -127,13 +127,12 @@ private:
     return found;
   }
 
-  /// Whether a fair run from one of these goes on for ever where all is `allowed`.
+  /// Whether a run that counts goes on from one of these for ever where all is `allowed`.
   [[nodiscard]] bool canGoOn(const Points& from, const Predicate& allowed) const {
     std::vector<bool> nodes(runs.nodes().size());
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = allowed({i, {}});
-    const auto alive = goOnFairly(script, runs, nodes, [&](std::size_t node, std::size_t edge) {
-      return allowed({node, edge});
-    });
+    const auto mayPass = [&](std::size_t node, std::size_t edge) { return allowed({node, edge}); };
+    const auto alive = goOn(countedBy(property), script, runs, nodes, mayPass);
     return std::ranges::any_of(from, [&](const Point& point) {
       if (!point.edge) return static_cast<bool>(alive[point.node]);
       return allowed(point) && alive[runs.nodes()[point.node].edges[*point.edge].target];

@@ -193,7 +193,18 @@ private:
       body = ofRuns();
     else if (!random.chance(15))
       body = {random.pick(heads), phrase.proposition(2)};
+    addFair(body);
     program.push_back({"defproperty", "wish" + std::to_string(number), body});
+  }
+
+  /// To what may depend on which runs without end count.
+  void addFair(Form& body) {
+    const auto& head = body.items.front().word;
+    const bool isOfEnd =
+        head == "present" || head == "infinitelyoften" || head == "leadsto" || head == "ltl";
+    const bool isTimed = std::ranges::find(body.items, Form(":within")) != body.items.end();
+    if (isOfEnd && !isTimed && random.chance(30))
+      body.addAll({":fair", random.chance(70) ? "nil" : "t"});
   }
 
   /// A pattern with scopes and times, all that has a meaning.

@@ -66,6 +66,7 @@
 (within_field keyword: _ @attribute)
 (for_field keyword: _ @attribute)
 (lasting_field keyword: _ @attribute)
+(fair_field keyword: _ @attribute)
 
 ; Values.
 (states_field value: (name_list (symbol) @constant))
