@@ -27,3 +27,18 @@ export async function saved({ editor, root }, frame, menu, format, name) {
   });
   return readFileSync(file);
 }
+
+/** A trace or a run, by the editor's own dialog. This reads its folder first, and then writes the folder's name over what was typed. */
+export async function openFromFile({ editor, root }, name) {
+  const path = join(root, name);
+  await editor.command('ProSkill: Open Trace or Run from File');
+  const input = editor.quickInput().locator('input.input');
+  await expect('the dialog in a folder', async () => (await input.inputValue()).startsWith(root));
+  await editor.quickInput().locator('.monaco-list-row[aria-label=".."]').waitFor();
+  await expect('the dialog to take it', async () => {
+    if (!(await editor.quickInput().count())) return true;
+    if ((await input.inputValue({ timeout: 1000 })) === path) await editor.press('Enter');
+    else await input.fill(path, { timeout: 1000 });
+    return false;
+  });
+}

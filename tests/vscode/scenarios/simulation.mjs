@@ -2,6 +2,7 @@
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
+import { openFromFile } from '../panel.mjs';
 
 const kFile = 'simulated/lamp.proskill';
 const kProgram = `(defsv lamp :states (On Off) :init Off :transitions :all)
@@ -26,18 +27,6 @@ async function take(frame, text) {
   const before = await steps(frame);
   await frame.locator('.choice').filter({ hasText: text }).first().click();
   await expect(`a step more for "${text}"`, async () => (await steps(frame)) === before + 1);
-}
-
-/** By the editor's own dialog. */
-async function chooseFile({ editor, root }, name) {
-  const input = editor.quickInput().locator('input.input');
-  await expect('the dialog in a folder', async () => (await input.inputValue()).startsWith(root));
-  await input.fill(join(root, name));
-  await expect('the dialog to take it', async () => {
-    if (!(await editor.quickInput().count())) return true;
-    await editor.press('Enter');
-    return false;
-  });
 }
 
 export const scenarios = {
@@ -85,8 +74,7 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
     // The test in another session.
     await editor.openFile(kFile);
-    await editor.command('ProSkill: Open Trace or Run from File');
-    await chooseFile(world, 'mission.run.json');
+    await openFromFile(world, 'mission.run.json');
     frame = await editor.panel('.simulation-view');
     await frame.locator('.notice.passed').filter({ hasText: 'The test passes' }).waitFor();
     await editor.picture('simulation-passes');

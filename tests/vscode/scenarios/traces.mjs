@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
-import { choose, saved } from '../panel.mjs';
+import { choose, openFromFile, saved } from '../panel.mjs';
 import { failing, verified } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
@@ -11,19 +11,6 @@ const kDrone = 'drone/drone.proskill';
 const lens = (page, text) => page.locator('.codelens-decoration', { hasText: '2 bad, 8 warnings' }).locator('a', { hasText: text });
 const steps = (frame) => frame.locator('.step');
 const count = (frame) => frame.locator('.count').textContent();
-
-async function openFromFile({ editor, root }, name) {
-  await editor.command('ProSkill: Open Trace or Run from File');
-  const input = editor.quickInput().locator('input.input');
-  await expect('the dialog in a folder', async () => (await input.inputValue()).startsWith(root));
-  await editor.quickInput().locator('.monaco-list-row[aria-label=".."]').waitFor();
-  await input.fill(join(root, name));
-  await expect('the dialog to take it', async () => {
-    if (!(await editor.quickInput().count())) return true;
-    await editor.press('Enter');
-    return false;
-  });
-}
 
 export const scenarios = {
   /** The lenses of the mission: verify it, open a trace of it, show its body. */
