@@ -273,8 +273,9 @@ bool mayBeHeldUp(const System& system, ProcessId caller, ProcessId callee) {
   if (std::ranges::any_of(system.callers(callee),
                           [&](const Site& site) { return beside.contains(site.caller); }))
     return true;
+  if (needed.empty()) return false;
   for (ProcessId other = 0; other < system.size(); ++other)
-    if ((beside.contains(other) || system.activity(other).contains(caller)) && holds(other))
+    if (holds(other) && (beside.contains(other) || system.activity(other).contains(caller)))
       return true;
   return false;
 }
