@@ -246,6 +246,7 @@ void work(const WorkerJob& job, const std::string& directory) {
       model, job.names, options,
       [&](std::size_t index, const ide::VerdictRow& row) { handover.decided(index, row); });
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
+  if (known) (void)known->save(); // who gets the report may end this process at once
   handover.end(std::move(*result));
 }
 

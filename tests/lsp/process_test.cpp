@@ -73,7 +73,7 @@ public:
 
 private:
   static process::Child started() {
-    auto made = process::Child::start({PROSKILL_PROGRAM, "lsp"});
+    auto made = process::Child::start({PROSKILL_PROGRAM, "lsp", "--no-cache"});
     REQUIRE(made);
     return std::move(*made);
   }

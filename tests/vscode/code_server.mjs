@@ -28,7 +28,7 @@ export class CodeServer {
   constructor(folder) {
     this.home = mkdtempSync(join(tmpdir(), 'proskill-editor-'));
     this.entry = join(folder, 'node_modules/code-server/out/node/entry.js');
-    this.env = { ...process.env, HOME: this.home, XDG_CONFIG_HOME: join(this.home, 'config'), XDG_DATA_HOME: join(this.home, 'share') };
+    this.env = { ...process.env, HOME: this.home, XDG_CACHE_HOME: join(this.home, 'cache'), XDG_CONFIG_HOME: join(this.home, 'config'), XDG_DATA_HOME: join(this.home, 'share') };
     delete this.env.VSCODE_IPC_HOOK_CLI;
     this.folders = ['--user-data-dir', join(this.home, 'data'), '--extensions-dir', join(this.home, 'extensions')];
     mkdirSync(join(this.home, 'data/User'), { recursive: true });

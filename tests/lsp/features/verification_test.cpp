@@ -1,5 +1,6 @@
 #include "tests/lsp/support/session.h"
 #include "tests/support/run.h"
+#include "tests/where.h"
 
 #include <catch2/catch.hpp>
 
@@ -265,6 +266,20 @@ TEST_CASE("a client that puts verdicts together is told those alone that have ch
   until("done", false);
   CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "holds");
   CHECK(known.size() == verified.size());
+}
+
+TEST_CASE("another server has the verdicts of the one before") {
+  const TemporaryDirectory files;
+  for (const bool known : {false, true}) {
+    Session session(withWorker({PROSKILL_PROGRAM, "verify-worker", "--cache", files.path("kept")}));
+    openLamp(session, kBad);
+    const auto result = session.result("proskill/verify", verifying(kMain));
+    CHECK((result["exploration"]["classes"] == 0) == known);
+    CHECK(verdictOn(result, "lamp.no_forbidden_transition") == "violated");
+    auto params = document(kMain);
+    params["name"] = "lamp.no_forbidden_transition";
+    CHECK(session.result("proskill/trace", params)["steps"].size() >= 2);
+  }
 }
 
 TEST_CASE("an edit makes verdicts stale at once; what is taken back makes them current") {

@@ -144,7 +144,7 @@ NO_REQUESTS = {'positionEncoding', 'textDocumentSync', 'notebookDocumentSync', '
 
 def session(program):
     """Calls everything, of a program without mistakes and of one with many. Returns what was said."""
-    client = Client([program, 'lsp', '--debounce', '0'], recording=True, settings={'diagnostics': {'style': True}})
+    client = Client([program, 'lsp', '--debounce', '0', '--no-cache'], recording=True, settings={'diagnostics': {'style': True}})
     drone = ROOT / 'examples' / 'drone'
     offered = client.initialize({**CAPABILITIES, 'workspace': {**CAPABILITIES['workspace'], 'symbol': {}}},
                                 workspaceFolders=[{'uri': drone.as_uri(), 'name': 'drone'}], trace='verbose')['capabilities']

@@ -73,7 +73,7 @@ def verdicts(client, types, uri):
 
 def main():
     types = Types((ROOT / 'docs' / 'lsp.md').read_text())
-    client = Client([sys.argv[1], 'lsp', '--debounce', '0'])
+    client = Client([sys.argv[1], 'lsp', '--debounce', '0', '--no-cache'])
     client.initialize(CAPABILITIES, initializationOptions={'verify': {'live': False}})
     for uri, text in [(DRONE.as_uri(), DRONE.read_text()), ('untitled:small', SMALL)]:
         client.open(uri, text)

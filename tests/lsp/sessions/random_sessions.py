@@ -197,7 +197,7 @@ def main():
     while (time.monotonic() - begin < arguments.seconds) if arguments.seconds else done < arguments.sessions:
         seed = arguments.seed + done
         try:
-            Session([arguments.program, 'lsp', '--debounce', '0'], seed, arguments.steps).run()
+            Session([arguments.program, 'lsp', '--debounce', '0', '--no-cache'], seed, arguments.steps).run()
         except BaseException:
             print(f'the session of seed {seed} failed', file=sys.stderr)
             raise

@@ -14,7 +14,7 @@ URI = 'file:///nowhere/lamp.proskill'
 
 
 def server(**more):
-    return Client([PROGRAM, 'lsp', '--debounce', '0'], **more)
+    return Client([PROGRAM, 'lsp', '--debounce', '0', '--no-cache'], **more)
 
 
 def started(**more):

@@ -176,7 +176,7 @@ def cells_of_a_notebook_are_one_program():
 def requests_are_logged_and_traced():
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, 'log')
-        client = Client([PROGRAM, 'lsp', '--log', log])
+        client = Client([PROGRAM, 'lsp', '--no-cache', '--log', log])
         client.initialize(trace='messages')
         client.open(URI, LAMP)
         client.result('textDocument/definition', at(URI, 0, 8))
