@@ -42,8 +42,12 @@ IdSet threadsAround(const System& system, ProcessId thread) {
   return around;
 }
 
-bool isInRace(const System& system, const Process& branch) {
-  return (*system[branch.parent].graph)[branch.graph->fork].isRace();
+/// It is a branch of a race that one of the threads is another branch of.
+bool racesWith(const System& system, const Process& branch, const IdSet& threads) {
+  const NodeId fork = branch.graph->fork;
+  if (!(*system[branch.parent].graph)[fork].isRace()) return false;
+  const auto& branches = system[branch.parent].actions[fork].branches;
+  return std::ranges::any_of(branches, [&](ProcessId each) { return threads.contains(each); });
 }
 
 /// Others may end it at once: a guard of who forked or called it, a branch beside one of them that
@@ -56,7 +60,7 @@ bool mayBeEnded(const System& system, ProcessId thread) {
       return true;
     if (!around.contains(other) && process.kind == ProcessKind::Branch &&
         around.contains(process.parent) &&
-        (hasNode(process, NodeKind::Leave) || isInRace(system, process)))
+        (hasNode(process, NodeKind::Leave) || racesWith(system, process, around)))
       return true;
     if (other == thread || !process.graph) continue;
     for (NodeId node = 0; node < process.actions.size(); ++node)
