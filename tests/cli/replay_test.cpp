@@ -4,9 +4,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
-#include <fstream>
-
 using namespace proskill;
 using Json = nlohmann::json;
 
@@ -17,17 +14,15 @@ const std::string kDockToReplay = std::string(PROSKILL_SOURCE_DIR) + "/docs/tour
 /// A saved run in a file of its own.
 class SavedRun {
 public:
-  explicit SavedRun(const Json& run) { std::ofstream(path) << run; }
-  ~SavedRun() { std::filesystem::remove(path); }
-  SavedRun(const SavedRun&) = delete;
-  SavedRun& operator=(const SavedRun&) = delete;
+  explicit SavedRun(const Json& run) : path(directory.write("saved.run.json", run.dump())) {}
 
   [[nodiscard]] test::Finished replayed() const {
     return test::run({PROSKILL_PROGRAM, "replay", kDockToReplay, path});
   }
 
 private:
-  std::string path = std::filesystem::temp_directory_path() / "proskill_replay_test.run.json";
+  test::TemporaryDirectory directory;
+  std::string path;
 };
 
 Json stepsTo(const std::string& result) {

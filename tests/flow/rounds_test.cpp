@@ -65,6 +65,14 @@ TEST_CASE("A loop that a refused call keeps going is told at its beginning") {
   CHECK(told("(while true (drive) (if (/= drive.status success) break))").empty());
 }
 
+TEST_CASE("A precondition on the skill's own status sees it reset by the call") {
+  const std::string once = "(defskill s :precondition (p (= s.status no_status)) :action (a))";
+  CHECK(codes(once + "(defskill m :body ((s) (s)))").empty());
+  CHECK(codes("(defskill s :precondition (p (= s.status success)) :action (a))"
+              "(defskill m :body ((s) (s)))")
+            .starts_with("PS0802"));
+}
+
 TEST_CASE("A refused call that skills beside rule out is not told") {
   const std::string others = "(defsv cabin :states (Idle Doors Motor) :init Idle)\n"
                              "(defsv doors :states (Closed Open) :init Closed)\n"

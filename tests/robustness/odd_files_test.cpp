@@ -213,5 +213,5 @@ TEST_CASE("formulas that are named cannot double without end") {
   }
   const auto done = onUsualStack("check --format short", files.write("double.fcr", text));
   CHECK(done.exitCode == 1);
-  CHECK(done.out.find("become too large") != std::string::npos);
+  CHECK(done.out.find("too large with the named formulas") != std::string::npos);
 }

@@ -120,6 +120,7 @@ private:
   }
   void mark(std::vector<bool>& flags, ProcessId process);
   [[nodiscard]] State project(const State& state, const Process& from, const Process& to) const;
+  [[nodiscard]] State entryOf(const State& before, ProcessId caller, NodeId call) const;
   void summarise();
 
   const System& model;

@@ -13,6 +13,18 @@ State Solver::project(const State& state, const Process& from, const Process& to
   return result;
 }
 
+/// The call resets the skill's status and result first, so that is what its preconditions see.
+State Solver::entryOf(const State& before, ProcessId caller, NodeId call) const {
+  const Process& self = model[caller];
+  const Process& callee = model[self.actions[call].target];
+  State entry = project(before, self, callee);
+  if (!entry.reachable) return entry;
+  for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
+    if (auto slot = callee.slots.find(model.variables().of(kind, callee.definition)))
+      entry.values[*slot] = ValueSet::of(0);
+  return entry;
+}
+
 State Solver::during(const State& before, ProcessId process, NodeId node) const {
   State state = before;
   if (!state.reachable) return state;
@@ -28,10 +40,8 @@ State Solver::during(ProcessId process, NodeId node) const {
 }
 
 std::vector<State> Solver::atCallee(ProcessId caller, NodeId call) const {
-  const Process& self = model[caller];
-  const Process& callee = model[self.actions[call].target];
   std::vector<State> entries;
-  for (const State& before : cases(caller, call)) entries.push_back(project(before, self, callee));
+  for (const State& before : cases(caller, call)) entries.push_back(entryOf(before, caller, call));
   return entries;
 }
 
@@ -47,9 +57,8 @@ void Solver::enter(ProcessId process, State state) {
 }
 
 bool Solver::entersCall(const State& before, ProcessId process, NodeId id) const {
-  const Process& self = model[process];
-  const Process& callee = model[self.actions[id].target];
-  State entry = project(before, self, callee);
+  const Process& callee = model[model[process].actions[id].target];
+  State entry = entryOf(before, process, id);
   refineAll(entry, callee.actions[0].conditions, true);
   return entry.reachable;
 }
@@ -73,7 +82,7 @@ State Solver::refused(const State& before, ProcessId process, NodeId id) const {
   const Process& self = model[process];
   const Process& callee = model[self.actions[id].target];
   if (callee.actions[0].conditions.empty()) return {};
-  State entry = project(before, self, callee);
+  State entry = entryOf(before, process, id);
   refineAll(entry, callee.actions[0].conditions, false);
   if (!entry.reachable) return {};
   State state = before;
@@ -88,7 +97,7 @@ State Solver::refused(const State& before, ProcessId process, NodeId id) const {
 void Solver::call(ProcessId process, NodeId id, NodeId next) {
   ProcessId target = model[process].actions[id].target;
   const std::vector<State> all = cases(process, id);
-  for (const State& entry : atCallee(process, id)) enter(target, entry);
+  for (const State& before : all) enter(target, project(before, model[process], model[target]));
   const std::vector<State> ends = cases(target, model[target].graph->end);
   for (const State& before : all) {
     arrive(process, next, refused(before, process, id));

@@ -224,12 +224,21 @@ private:
     });
   }
 
+  /// The call resets it before the preconditions are looked at.
+  [[nodiscard]] bool isReset(const Process& callee, VariableId variable) const {
+    return variable == system.variables().of(VariableKind::Status, callee.definition) ||
+           variable == system.variables().of(VariableKind::Result, callee.definition);
+  }
+
   bool refuse(const Pass& pass, State& state, Need need) const {
     const Process& callee = calleeOf(pass.node);
     State entry{.reachable = true, .values = {}};
     for (VariableId variable : callee.slots.variables()) {
       const auto mine = self.slots.find(variable);
-      entry.values.push_back(mine ? state.values[*mine] : solver.ever(variable));
+      if (isReset(callee, variable))
+        entry.values.push_back(ValueSet::of(0));
+      else
+        entry.values.push_back(mine ? state.values[*mine] : solver.ever(variable));
     }
     if (!require(entry, callee.actions[0].conditions[pass.precondition], false, need)) return false;
     for (Slot slot = 0; slot < callee.slots.size(); ++slot)
