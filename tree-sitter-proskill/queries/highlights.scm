@@ -85,6 +85,7 @@
 (command (symbol) @constant)
 (monitor_field value: (symbol) @boolean)
 (interruptible_field value: (symbol) @boolean)
+(fair_field value: (symbol) @boolean)
 (input type: (symbol) @type)
 (access object: (symbol) @function)
 (access member: (symbol) @variable.member)

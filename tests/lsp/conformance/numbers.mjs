@@ -24,7 +24,7 @@ const files = {
 
 namespace proskill::rpc {
 
-/// Those of JSON-RPC and of the language server protocol.
+/// Error codes of JSON-RPC and of the language server protocol.
 ${enumeration('ErrorCode', errorCodes)}
 } // namespace proskill::rpc
 `,
