@@ -86,6 +86,7 @@
 (command (symbol) @constant)
 (monitor_field value: (symbol) @constant.builtin.boolean)
 (interruptible_field value: (symbol) @constant.builtin.boolean)
+(fair_field value: (symbol) @constant.builtin.boolean)
 (input type: (symbol) @type)
 (access object: (symbol) @function)
 (access member: (symbol) @variable.other.member)
