@@ -60,16 +60,20 @@ describe('answers that come late', () => {
     const { location } = steps[last];
     const earlier = steps[last - 1].location.file;
     await openTrace(it, served.url);
+    // The click below opens the trace at its last step, however late.
+    await it.locator('.steps').press('Home');
+    const step = () => it.locator('.step.current .number').textContent();
+    await eventually(async () => assert.equal(await step(), '1'));
     // What is held has not been read before: the program is sent anew, and texts are read again.
     const held = await hold(it, 'source', ({ uri }) => uri === earlier);
     await it.locator('button[title="Verify again"]').click();
     await click(it, found);
-    await eventually(async () => assert.equal(await shown(it), found.name));
+    await eventually(async () => assert.deepEqual([await shown(it), await step()], [found.name, String(steps.length)]));
     await it.locator('.steps').focus();
     await it.keyboard.press('Home');
     for (let i = 0; i < last; ++i) await it.keyboard.press('ArrowDown');
     await held.arrived;
-    assert.equal(await it.locator('.step.current .number').textContent(), String(last + 1));
+    assert.equal(await step(), String(last + 1));
     held.release();
     await eventually(async () => {
       const now = await marked(it);
