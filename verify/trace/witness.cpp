@@ -60,12 +60,13 @@ Witness::Witness(const System& whole, const Reductions& used, const fiacre::Prov
     : system(whole),
       enabling(whole, used.dropped),
       all(whole),
-      dropped(used.dropped),
+      dropped((whole.transitions.size() + 63) / 64),
       provenance(origins),
       limits(watch),
       played(whole, watch),
       changing(whole.transitions.size()) {
   if (used.freeInputs) open.emplace(*used.freeInputs, whole);
+  used.dropped.each([&](TransitionId id) { insert(dropped, id); });
 }
 
 /// Dates and replays the evidence. Says what is wrong with it, nothing where it stands.
@@ -74,6 +75,11 @@ std::string Witness::check(const Goal& goal, const Evidence& evidence,
   dating = dated(system, all, evidence, limits);
   if (!dating) return "the steps have no dates";
   return replay(system, goal, evidence, *dating, played);
+}
+
+std::string Witness::refutation(const Goal& goal, const Evidence& evidence) const {
+  std::optional<Dating> dating;
+  return check(goal, evidence, dating);
 }
 
 std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidence& evidence) const {
@@ -201,22 +207,25 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
 
 /// The steps with those of the dropped processes put in where they have to happen: at once.
 Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
-  if (dropped.empty()) return evidence;
+  if (std::ranges::all_of(dropped, [](Word bits) { return bits == 0; })) return evidence;
   Rewritten made;
   std::vector<Word> state = initialState(system);
+  TransitionSet enabled;
+  all.compute(state.data(), enabled);
   StepLog log;
   const auto take = [&](TransitionId id) {
     limits.check();
     made.steps.push_back(id);
-    return fire(system, id, state.data(), log) == Outcome::Done;
+    const bool isDone = fire(system, id, state.data(), log) == Outcome::Done;
+    all.update(id, state.data(), enabled);
+    return isDone;
   };
   const auto takeOne = [&](bool urgent) {
-    bool moved = false;
-    dropped.each([&](TransitionId id) {
-      if (moved || system.transitions[id].urgent != urgent) return;
-      moved = isEnabled(system, id, state.data()) && take(id);
+    Steps possible;
+    eachInBoth(enabled, dropped, [&](TransitionId id) {
+      if (system.transitions[id].urgent == urgent) possible.push_back(id);
     });
-    return moved;
+    return std::ranges::any_of(possible, take);
   };
   const auto settle = [&](bool alsoLater) {
     while (takeOne(true) || (alsoLater && takeOne(false))) {

@@ -21,6 +21,8 @@ public:
 
   /// What a search has found as steps of the whole system, as few as will do. \throw LimitMet
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
+  /// Replays such steps. \return why they do not stand; empty where they do. \throw LimitMet
+  [[nodiscard]] std::string refutation(const Goal& goal, const Evidence& evidence) const;
   /// The trace of such steps, or why they do not stand. \throw LimitMet
   [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal,
                                                         const Evidence& evidence) const;
@@ -36,7 +38,7 @@ private:
   const System& system;
   Enabling enabling; ///< of what the search looked at
   Enabling all;
-  const Bits& dropped;
+  TransitionSet dropped;          ///< what the search did not look at
   std::optional<FreeInputs> open; ///< as the search used them
   const fiacre::Provenance& provenance;
   LimitWatch& limits;
