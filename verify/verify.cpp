@@ -14,6 +14,7 @@
 #include "verify/trace/witness.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace proskill::verify {
@@ -140,32 +141,45 @@ private:
            (!compiled.system.hasPriorities || withPriorities.contains(reduction));
   }
 
-  /// Answers what was decided before.
+  /// Answers what was decided before: first what needs no replay, which takes time.
   void findKnown() {
     if (!options.answers) return;
-    const Reductions none;
-    const Witness witness(whole, none, provenance, limits);
+    std::map<std::size_t, Evidence> violations;
     for (std::size_t i = 0; i < questions.size(); ++i) {
       auto found = options.answers->find(questions[i]);
-      if (!found) continue;
-      const auto& goal = compiled.goals[i];
-      if (found->holds)
-        answer(i, {Truth::True, std::nullopt, {}});
-      else if (!replayKnown(i, goal, found->evidence, witness))
-        continue;
-      known.insert(i);
+      if (found && found->holds)
+        answerKnown(i, {Truth::True, std::nullopt, {}});
+      else if (found && fits(found->evidence, compiled.goals[i], whole))
+        violations.emplace(i, std::move(found->evidence));
     }
+    const Reductions none;
+    const Witness witness(whole, none, provenance, limits);
+    for (auto& [i, evidence] : violations) {
+      const auto& goal = compiled.goals[i];
+      evidence.monitor = goal.kind == GoalKind::Run ? &goal.monitor : nullptr;
+      auto made = shown(i, evidence, witness);
+      if (made) answerKnown(i, std::move(*made));
+    }
+  }
+
+  void answerKnown(std::size_t index, Answer made) {
+    answer(index, std::move(made));
+    known.insert(index);
     result.exploration.known = known.size();
   }
 
-  bool replayKnown(std::size_t index, const Goal& goal, Evidence& evidence,
-                   const Witness& witness) {
-    if (!fits(evidence, goal, whole)) return false;
-    evidence.monitor = goal.kind == GoalKind::Run ? &goal.monitor : nullptr;
+  /// The answer that steps of the whole system show, or why they show none. \throw LimitMet
+  [[nodiscard]] std::expected<Answer, std::string>
+  shown(std::size_t index, const Evidence& evidence, const Witness& witness) const {
+    const auto& goal = compiled.goals[index];
+    if (options.wantsTrace && !options.wantsTrace(index)) {
+      auto wrong = witness.refutation(goal, evidence);
+      if (!wrong.empty()) return std::unexpected(std::move(wrong));
+      return Answer{Truth::False, std::nullopt, {}};
+    }
     auto trace = witness.trace(goal, evidence);
-    if (!trace) return false;
-    answer(index, {Truth::False, std::move(*trace), {}});
-    return true;
+    if (!trace) return std::unexpected(std::move(trace.error()));
+    return Answer{Truth::False, std::move(*trace), {}};
   }
 
   /// Answers questions about states and steps, by one exploration.
@@ -213,11 +227,10 @@ private:
     const auto& goal = compiled.goals[index];
     try {
       const Evidence tidied = witness.tidied(goal, evidence);
-      auto trace = witness.trace(goal, tidied);
-      if (!trace)
-        return answer(index, unknown("internal error, please report it: " + trace.error()));
+      auto made = shown(index, tidied, witness);
+      if (!made) return answer(index, unknown("internal error, please report it: " + made.error()));
       keep(index, {false, tidied});
-      answer(index, {Truth::False, std::move(*trace), {}});
+      answer(index, std::move(*made));
     } catch (const LimitMet& limit) {
       answer(index, {Truth::False, std::nullopt, "without a trace: " + limit.which});
     }

@@ -149,6 +149,9 @@ struct Options {
   /// Gets the answer to each question, by its place, as soon as it is decided. Its trace is then
   /// not in the result, so that there is never more than one of it.
   std::function<void(std::size_t, Answer)> decided;
+  /// Whether anybody looks at the trace of the answer to a question; empty: at all of them. What
+  /// shows the answer is replayed all the same.
+  std::function<bool(std::size_t)> wantsTrace;
   std::function<double()> clock;  ///< seconds since some moment; empty: the machine's
   AnswerStore* answers = nullptr; ///< what is known of this model, and gets what is decided
 };

@@ -100,13 +100,27 @@ int deliver(const VerifyArguments& arguments, const report::VerifyReport& report
   return exitCodeOf(report.result, arguments.strict);
 }
 
+/// Only what is printed as text is chosen from; everything else has all of them.
+ide::WantedTraces wantedTraces(const VerifyArguments& arguments) {
+  const bool isText =
+      arguments.format == VerifyFormat::Text && arguments.backend.backend == Backend::Engine;
+  if (!isText || !arguments.saveTraces.empty() || !arguments.report.empty())
+    return ide::WantedTraces::All;
+  switch (arguments.traces) {
+  case report::ShowTraces::Failed: return ide::WantedTraces::Findings;
+  case report::ShowTraces::All: return ide::WantedTraces::All;
+  case report::ShowTraces::None: return ide::WantedTraces::None;
+  }
+  std::unreachable();
+}
+
 std::expected<ide::VerificationReport, verify::Unsupported>
 askEngine(const VerifyArguments& arguments, const codegen::Model& model) {
   ProgressLine progress;
   auto options = engineOptions(arguments, &progress);
   const auto known = cache::cacheFor(arguments.cache, model);
   options.answers = known.get();
-  auto report = ide::verifyModel(model, arguments.properties, options);
+  auto report = ide::verifyModel(model, arguments.properties, options, {}, wantedTraces(arguments));
   if (!known) return report;
   if (const auto problem = known->save())
     std::cerr << "warning: verdicts are not kept: " << syntax::printable(*problem) << '\n';

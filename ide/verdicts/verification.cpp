@@ -245,7 +245,7 @@ VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
 
 std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
-            verify::Options options, const OnRow& onRow) {
+            verify::Options options, const OnRow& onRow, WantedTraces wanted) {
   const auto asked = askedOf(model, names);
   auto questions = asked.questions;
   if (const auto beside = progressBeside(model, asked)) questions.push_back(*beside);
@@ -260,6 +260,11 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
     if (onRow) onRow(i, *rows[i]);
   };
   for (const auto& [process, _] : model.obliged) options.obliged.insert(process);
+  if (wanted != WantedTraces::All)
+    options.wantsTrace = [&](std::size_t i) {
+      return wanted == WantedTraces::Findings && i < asked.checks.size() &&
+             asked.checks[i]->good == codegen::Expectation::Holds;
+    };
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
   if (progressAt) progress = result->answers[*progressAt].truth;

@@ -107,10 +107,18 @@ struct Asked {
 /// Gets a row of the report to come, by its place, as soon as its property is decided.
 using OnRow = std::function<void(std::size_t, const VerdictRow&)>;
 
+/// Which traces somebody looks at; the others are not made.
+enum class WantedTraces : std::uint8_t {
+  All,
+  Findings, ///< of what may be bad
+  None,
+};
+
 /// Verdicts on the selected checks of the model, in the model's order, from one exploration.
 /// \param options its `decided` is not called
 [[nodiscard]] std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
-            verify::Options options, const OnRow& onRow = {});
+            verify::Options options, const OnRow& onRow = {},
+            WantedTraces wanted = WantedTraces::All);
 
 } // namespace proskill::ide

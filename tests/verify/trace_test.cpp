@@ -120,6 +120,24 @@ TEST_CASE("Processes that an exploration leaves out take their steps in the trac
   CHECK(trace.steps[1].date == trace.steps[0].date);
 }
 
+TEST_CASE("A trace that nobody looks at is not made, and the answer is the same") {
+  Model model;
+  model.add(process("p", {"a", "b", "c"},
+                    {from("a", {wait(1, 1), to("b")}), from("b", {wait(1, 1), to("c")})}));
+  for (const auto* state : {"b", "c", "a"}) model.ask(absentState(1, state));
+  model.ask(plain(fiacre::PatternKind::DeadlockFree));
+  for (auto options : reductionChoices()) {
+    options.wantsTrace = [](std::size_t question) { return question == 1; };
+    const auto answers = model.answers(options).answers;
+    REQUIRE(answers.size() == 4);
+    for (const auto& answer : answers) CHECK(answer.truth == verify::Truth::False);
+    CHECK_FALSE(answers[0].trace.has_value());
+    CHECK(answers[1].trace.value().steps.size() == 2);
+    CHECK_FALSE(answers[2].trace.has_value());
+    CHECK_FALSE(answers[3].trace.has_value());
+  }
+}
+
 TEST_CASE("A trace to the initial state has no steps") {
   Model model;
   model.add(process("p", {"a"}, {from("a", {wait(1, 1), to("a")})}));
