@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
+#include <ranges>
 
 namespace proskill::cache {
 
@@ -23,6 +25,8 @@ using verify::MonitorMove;
 constexpr std::string_view kExtension = ".verdicts";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 constexpr std::uintmax_t kBytesAfterPruning = std::uintmax_t{48} << 20;
+/// What is larger would drive out all the others.
+constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr std::size_t kDigits = 32;
 constexpr std::chrono::seconds kBetweenSaves{1};
 
@@ -89,9 +93,10 @@ std::string textOf(const fiacre::Pattern& pattern, const std::string& main) {
   return fmt::format("{} {}", static_cast<int>(pattern.kind), fiacre::printPattern(pattern, main));
 }
 
-std::string keyOfModel(const fiacre::Program& program, const std::set<std::string>& obliged) {
-  return digestOf(
-      fmt::format("{}\n{}\n{}", digestOfThisProgram(), fmt::join(obliged, "\n"), textOf(program)));
+std::string keyOf(const codegen::Model& model) {
+  return digestOf(fmt::format("{}\n{}\n{}", digestOfThisProgram(),
+                              fmt::join(std::views::keys(model.obliged), "\n"),
+                              textOf(model.fiacre)));
 }
 
 /// Takes away the files that were used least lately. Others may do the same at the same time.
@@ -123,13 +128,12 @@ void prune(const std::filesystem::path& directory) {
 
 } // namespace
 
-VerdictCache::VerdictCache(std::filesystem::path in, const fiacre::Program& program,
-                           const std::set<std::string>& obliged)
+VerdictCache::VerdictCache(std::filesystem::path in, const codegen::Model& model)
     : directory(std::move(in)), savedAt(std::chrono::steady_clock::now()) {
   if (digestOfThisProgram().empty()) return;
-  file = directory / (keyOfModel(program, obliged) + std::string(kExtension));
-  for (const auto& property : program.properties)
-    properties.push_back(digestOf(textOf(property.pattern, program.main)));
+  file = directory / (cache::keyOf(model) + std::string(kExtension));
+  for (const auto& property : model.fiacre.properties)
+    properties.push_back(digestOf(textOf(property.pattern, model.fiacre.main)));
   answers = read();
   std::error_code error; // a file that is used is kept
   if (!answers.empty())
@@ -188,8 +192,9 @@ std::optional<std::string> VerdictCache::save() {
     all[key] = answer.holds ? Json() : jsonOf(answer.evidence);
   std::string body;
   Json::to_cbor(all, body);
-  if (auto problem = disk::writeFile(file, digestOf(body) + body)) return problem;
   isSaved = true;
+  if (body.size() > kLargestFile) return std::nullopt;
+  if (auto problem = disk::writeFile(file, digestOf(body) + body)) return problem;
   prune(directory);
   return std::nullopt;
 }
@@ -197,9 +202,7 @@ std::optional<std::string> VerdictCache::save() {
 std::unique_ptr<VerdictCache> cacheFor(const std::filesystem::path& directory,
                                        const codegen::Model& model) {
   if (directory.empty()) return nullptr;
-  std::set<std::string> obliged;
-  for (const auto& [process, _] : model.obliged) obliged.insert(process);
-  return std::make_unique<VerdictCache>(directory, model.fiacre, obliged);
+  return std::make_unique<VerdictCache>(directory, model);
 }
 
 std::filesystem::path usersDirectory() {

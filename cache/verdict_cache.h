@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,12 +17,11 @@ namespace proskill::cache {
 /// The file's name is a digest of all that a verdict depends on: the model's text without its
 /// properties, the processes that fair runs oblige, the program's build. So comments, layout and
 /// messages of a program cost nothing, and no verdict is ever taken for another model's. A file
-/// that is damaged counts as none.
+/// that is damaged counts as none, and what would take more than 16 MB is not written.
 class VerdictCache : public verify::AnswerStore {
 public:
-  /// \param directory made where it is missing \param program is not looked at later
-  VerdictCache(std::filesystem::path directory, const fiacre::Program& program,
-               const std::set<std::string>& obliged);
+  /// \param directory made where it is missing \param model is not looked at later
+  VerdictCache(std::filesystem::path directory, const codegen::Model& model);
   /// Saves what is not saved.
   ~VerdictCache() override;
 

@@ -178,6 +178,26 @@ TEST_CASE("steps that do not show what they are kept for are not believed") {
   }
 }
 
+TEST_CASE("where time is up before a kept violation is replayed, what needs no replay is said") {
+  const test::TemporaryDirectory directory;
+  const Subject subject(kLamp);
+  (void)verified(subject, directory.path());
+  verify::Options options;
+  double now = 0;
+  options.limits.seconds = 1;
+  options.clock = [&now] { return now; };
+  const auto cache = cache::cacheFor(directory.path(), subject.model);
+  options.answers = cache.get();
+  const auto result = ide::verifyModel(subject.model, {}, options, [&](std::size_t, const auto&) {
+    now = 2; // from the first verdict on
+  });
+  REQUIRE(result);
+  std::size_t decided = 0;
+  for (const auto& row : result->rows) decided += row.verdict != ide::Verdict::Inconclusive;
+  CHECK(decided > 1);
+  CHECK(result->exploration.stopped == "the time limit was met");
+}
+
 TEST_CASE("two processes add to what is kept of a model") {
   const test::TemporaryDirectory directory;
   const Subject subject(kLamp);
