@@ -7,17 +7,17 @@
 
 namespace proskill::verify {
 
-/// What was decided about a question to a model before.
+/// The stored answer to a question about a model.
 struct KnownAnswer {
   bool holds = false;
-  /// Where it does not hold: steps of the system with nothing reduced. Its monitor is not looked
-  /// at.
+  /// If the property is violated: a run of the system without reductions. `Evidence::monitor` is
+  /// not used.
   Evidence evidence;
 };
 
-/// Answers to questions to one model, which outlive a verification. Who makes one sees to it that
-/// it is asked of that model alone, by that build of the engine. A violation is replayed before it
-/// is believed: where it does not stand, the question is explored.
+/// Stored answers to questions about one model; they outlive a verification. The caller guarantees
+/// that a store is used only with its model and with the build of the engine that filled it. A
+/// stored violation is replayed before it is used; if the replay fails, the question is explored.
 class AnswerStore {
 public:
   AnswerStore() = default;

@@ -6,21 +6,23 @@
 
 namespace proskill::verify {
 
-/// A limit was met by work that has no result of its own to return. Whoever has one catches it:
-/// what was decided before stays decided.
+/// Thrown when work that has no partial result meets a limit. Whoever has a result catches it:
+/// decided questions stay decided.
 struct LimitMet {
   std::string which;
 };
 
-/// Watches over the limits of a verification, in all of its phases, and reports how it goes on.
+/// Checks the limits of a verification in all its phases, and reports progress.
 class LimitWatch {
 public:
   explicit LimitWatch(const Options& of);
 
-  /// Which limit is met, empty where none is. Calls the progress function a few times a second.
-  /// \param growth bytes that the tables of the caller may take at once before the next call
+  /// Returns the limit that is met, or an empty string. Calls the progress function a few times a
+  /// second.
+  /// \param growth bytes that the caller's tables may allocate at once before the next call
   [[nodiscard]] std::string met(const Progress& now, std::uint64_t growth = 0);
-  /// To be called at least once per some 10 µs of work. Looks at the limits at every so many calls.
+  /// Call this about every 10 µs of work, or more often. Checks the limits every kBetweenLooks
+  /// calls.
   /// \throw LimitMet
   void check() {
     if (++calls >= kBetweenLooks) look();
@@ -40,12 +42,12 @@ private:
   const Options& options;
   double start = 0;
   double reported = 0;
-  double measured = -1; ///< when `bytes` was
+  double measured = -1; ///< when `bytes` was measured
   std::uint64_t bytes = 0;
   std::uint32_t calls = 0;
 };
 
-/// The memory of this process that is in use now, in bytes; 0 where the system does not say.
+/// Resident memory of this process in bytes; 0 if the system does not report it.
 [[nodiscard]] std::uint64_t residentBytes();
 
 } // namespace proskill::verify

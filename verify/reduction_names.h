@@ -7,12 +7,12 @@
 
 namespace proskill::verify {
 
-/// A reduction of the state space as users name it. The one list of them: `--reduce`, its help, the
-/// manual page and the completions are made from it.
+/// The name of a reduction for users. `--reduce`, its help, the manual page and the completions are
+/// generated from this list.
 struct ReductionName {
   Reduction reduction;
   std::string_view name;
-  std::string_view formerName; ///< still taken, with a hint; empty where it never had another one
+  std::string_view formerName; ///< still accepted, with a hint; empty if the name never changed
 };
 
 inline constexpr std::array kReductionNames{

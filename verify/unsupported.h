@@ -7,8 +7,8 @@
 
 namespace proskill::verify {
 
-/// Thrown while a model is compiled, and caught at the door of verify/: something of Fiacre that
-/// the engine does not run, or that is not Fiacre.
+/// Thrown by compilation and caught in compile(): the model uses a part of Fiacre that the engine
+/// does not support, or is not Fiacre.
 struct CompileError {
   Unsupported why;
 };

@@ -7,16 +7,17 @@
 
 namespace proskill::verify {
 
-/// A model, ready to be explored, and what is asked of it.
+/// A model, ready to be explored, with its questions.
 struct Compiled {
   System system;
-  std::vector<Goal> goals; ///< one a question
+  std::vector<Goal> goals; ///< by question
 };
 
-/// Makes the transition system of a model: instances of processes with their variables as cells,
-/// every path as code, every synchronisation as a transition; and what is asked of it as nodes over
-/// its cells and events.
-/// \param limits may be null \throw LimitMet
+/// Compiles a model to its transition system: variables of process instances become cells, each
+/// path becomes code, each synchronisation becomes a transition. The questions become goals over
+/// cells and events.
+/// \param limits may be null
+/// \throw LimitMet
 [[nodiscard]] std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
                                                            const fiacre::Provenance& provenance,
                                                            const std::vector<Question>& questions,

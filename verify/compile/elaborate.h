@@ -9,7 +9,7 @@
 
 namespace proskill::verify {
 
-/// Events by what they are of; numbered as they are asked for.
+/// Numbers for events, given out when somebody asks for an event.
 class Events {
 public:
   explicit Events(System& of) : system(of) {}
@@ -22,7 +22,7 @@ public:
   }
   EventId port(std::uint32_t port) { return numbered(ports, port); }
 
-  /// kNone where nobody asked for it.
+  /// kNone if nobody asked for this event.
   [[nodiscard]] EventId askedTag(InstanceId instance, const std::string& name) const {
     return asked(tags, {instance, name});
   }
@@ -48,16 +48,16 @@ private:
   std::map<std::uint32_t, EventId> ports;
 };
 
-/// Places in `par`, from 1, from the main component down. Those of the k-th observer, counted from
-/// 1, begin with 0 and k.
+/// The path of an instance: positions in `par`, from 1, starting at the main component. Paths of
+/// the k-th observer, counted from 1, begin with 0 and k.
 using ModelPath = std::vector<std::uint32_t>;
 
-/// A composition of instances and of compositions, for what synchronises with what.
+/// A tree of compositions with instances as leaves. It determines which instances synchronise.
 struct Branch {
-  InstanceId instance = kNone; ///< of a process; else a composition
+  InstanceId instance = kNone; ///< of a process; kNone: this is a composition
   std::vector<Branch> children;
-  std::set<std::uint32_t> ports; ///< System::ports that it has
-  /// Those on which it waits for its neighbours; nothing: all.
+  std::set<std::uint32_t> ports; ///< indices into System::ports
+  /// The ports on which it synchronises with its siblings; nothing: all.
   std::optional<std::set<std::uint32_t>> synchronised;
 
   [[nodiscard]] bool waitsOn(std::uint32_t port) const {
@@ -65,13 +65,13 @@ struct Branch {
   }
 };
 
-/// Ports of which one goes before another.
+/// A priority: each port in `higher` goes before each port in `lower`.
 struct PortPriority {
   std::set<std::uint32_t> higher;
   std::set<std::uint32_t> lower;
 };
 
-/// The main component with its instances: who they are, what they see, how they start.
+/// The main component, instantiated: the instances, their scopes and their initial values.
 struct Elaboration {
   Scope componentScope;
   Branch composition;
@@ -80,21 +80,23 @@ struct Elaboration {
   std::map<std::pair<ModelPath, std::string>, std::uint32_t> portAt;
   std::vector<std::optional<fiacre::Interval>> intervals; ///< by port
   std::vector<PortPriority> priorities;
-  std::vector<const fiacre::Observable*> probes; ///< by port: what has to be seen; null: nothing
-  InstanceId firstObserver = kNone;              ///< instances from it on are of observers
-  std::vector<const fiacre::Type*> cellTypes;    ///< by cell; null: where an instance is
-  std::map<std::string, std::int64_t, std::less<>> constants; ///< those that are one number
+  /// By port: what a probe on this port observes; null: not a probe.
+  std::vector<const fiacre::Observable*> probes;
+  InstanceId firstObserver = kNone;           ///< this instance and all later ones are observers
+  std::vector<const fiacre::Type*> cellTypes; ///< by cell; null: the location of an instance
+  std::map<std::string, std::int64_t, std::less<>> constants; ///< constants with a scalar value
   std::vector<const fiacre::Process*> processes;              ///< by instance
   std::vector<Scope> scopes;                                  ///< by instance
-  /// By instance: System::ports of its formal ports.
+  /// By instance: indices into System::ports of its formal ports.
   std::vector<std::vector<std::uint32_t>> portsOf;
 };
 
-/// A path of a property or a probe. \throw CompileError where its observer is none
+/// The path of the instance in a property or a probe.
+/// \throw CompileError if it names an observer that does not exist
 [[nodiscard]] ModelPath pathOf(const fiacre::Program& program,
                                const fiacre::Observable& observable);
 
-/// Gives the system its cells, instances, ports and initial values. \throw CompileError
+/// Adds the cells, instances, ports and initial values to the system. \throw CompileError
 [[nodiscard]] Elaboration elaborate(const fiacre::Program& program, const Types& types,
                                     Expressions& expressions, System& system);
 

@@ -9,7 +9,7 @@
 
 namespace proskill::verify {
 
-/// What an expression stands for: a node for each scalar of its type.
+/// The value of an expression: a node for each scalar of its type.
 struct Value {
   const fiacre::Type* type = nullptr; ///< resolved
   std::vector<NodeId> parts;
@@ -17,50 +17,52 @@ struct Value {
 
 using Scope = std::map<std::string, Value, std::less<>>;
 
-/// Makes nodes of Fiacre's expressions. Functions are inlined; indices that are no constants become
-/// choices between the elements.
+/// Turns Fiacre expressions into nodes. Functions are inlined. An index that is not constant
+/// becomes a choice between the elements.
 class Expressions {
 public:
   Expressions(const fiacre::Program& program, const Types& types, System& system);
 
-  /// \param expected the type that the context wants, null where it wants none: it tells apart
-  /// constructors that several unions share. \throw CompileError
+  /// \param expected the type that the context requires, or null: it distinguishes constructors
+  /// that several unions share
+  /// \throw CompileError
   [[nodiscard]] Value value(const fiacre::Expr& expr, const Scope& scope,
                             const fiacre::Type* expected = nullptr);
-  /// \throw CompileError where the value has several parts
+  /// \throw CompileError if the value has several parts
   [[nodiscard]] NodeId scalar(const fiacre::Expr& expr, const Scope& scope,
                               const fiacre::Type* expected = nullptr);
-  /// All assignments that write `source` to `target`. \param first from there on they happen at
-  /// once: what is written twice is joined \throw CompileError
+  /// Appends the assignments that write `source` to `target`.
+  /// \param first the first of the simultaneous assignments; writes to the same cell are merged
+  /// \throw CompileError
   void assign(const fiacre::Expr& target, const Value& source, const Scope& scope,
               std::vector<Assignment>& assignments, std::size_t first);
-  /// The value where it is one of the type; a fault where a number lies outside.
+  /// The value, checked against the type: a number outside the type's range causes a fault.
   Value fitted(Value value, const fiacre::Type& type, const std::string& what);
-  /// The condition under which `tested` matches the pattern of a `case`.
+  /// The condition under which `tested` matches a pattern of `case`.
   [[nodiscard]] NodeId matches(const fiacre::Expr& pattern, const Value& tested,
                                const Scope& scope);
-  /// What such a pattern gives to variables: `frame(x)` gives x the value of a frame.
+  /// The assignments that a pattern makes: `frame(x)` assigns the value of a frame to x.
   struct Binding {
     fiacre::Expr variable;
     Value value;
   };
   [[nodiscard]] std::vector<Binding> bindings(const fiacre::Expr& pattern, const Value& tested,
                                               const Scope& scope);
-  /// The type of what can be assigned to. \throw CompileError
+  /// The type of an expression that can be assigned to. \throw CompileError
   [[nodiscard]] const fiacre::Type& typeOf(const fiacre::Expr& lvalue, const Scope& scope);
 
   [[nodiscard]] Nodes& nodes() { return maker; }
   [[nodiscard]] bool mayFail(NodeId node) const { return verify::mayFail(system, node); }
-  /// The values of a scalar type, from the lowest on. \throw CompileError where there are too many
+  /// The values of a scalar type. \throw CompileError if there are too many
   [[nodiscard]] Types::Bounds allValues(const fiacre::Type& type) const;
-  /// An assignment of a number, which lives as long as this.
+  /// An assignment of a number. This object owns it.
   [[nodiscard]] const fiacre::Statement& assignmentOf(const fiacre::Expr& target,
                                                       std::int64_t value);
-  /// A value of this type with every part the lowest.
+  /// The value of this type whose parts all have their lowest value.
   [[nodiscard]] Value lowest(const fiacre::Type& type);
 
 private:
-  using Statements = std::vector<const fiacre::Statement*>; // the last comes first
+  using Statements = std::vector<const fiacre::Statement*>; // the last one is executed first
 
   Value name(const std::string& name, const Scope& scope, const fiacre::Type* expected);
   Value unary(const fiacre::Expr& expr, const Scope& scope);
@@ -87,9 +89,10 @@ private:
   Value choose(NodeId condition, const Value& then, const Value& otherwise);
   void assignInFunction(const fiacre::Statement& statement, Scope& scope);
   bool isBareConstructor(const fiacre::Expr& expr, const Scope& scope) const;
-  /// An index, and that it lies within its array: a fault where it does not.
+  /// The index as a node that causes a fault if it is outside the array.
   NodeId indexNode(const fiacre::Expr& indexed, const Scope& scope, std::int64_t size);
-  /// Where in the root variable's parts an lvalue may stand, and when it stands there.
+  /// The positions in the root variable's parts that an lvalue may refer to, each with its
+  /// condition.
   struct Target {
     const fiacre::Type* type = nullptr;
     const Value* root = nullptr;
@@ -103,9 +106,9 @@ private:
   const Types& types;
   System& system;
   Nodes maker;
-  int depth = 0;                      ///< of calls
-  int turns = 0;                      ///< of loops whose end is not known
-  std::deque<fiacre::Statement> made; ///< assignments of the turns of a `foreach`
+  int depth = 0;                      ///< nesting depth of calls
+  int turns = 0;                      ///< iterations of loops without a known bound
+  std::deque<fiacre::Statement> made; ///< assignments to the variable of a `foreach`
 };
 
 } // namespace proskill::verify

@@ -5,18 +5,19 @@
 
 namespace proskill::verify {
 
-/// The value of a node while all cells have their first values.
-/// \throw CompileError where it has none
+/// The value of a node in the initial state.
+/// \throw CompileError if evaluation causes a fault
 [[nodiscard]] std::int64_t firstValue(const System& system, NodeId node);
 
-/// Runs the `init` of a component or a process: what it sets are the cells' first values.
+/// Executes the `init` statement of a component or a process and stores the results as the cells'
+/// initial values.
 class InitRunner {
 public:
   InitRunner(Expressions& expressions, const Scope& scope, System& system)
       : expressions(expressions), scope(scope), system(system) {}
 
-  /// \param process whose first state `to` sets; null in a component
-  /// \throw CompileError where a value lies outside of its range, or a loop does not end
+  /// \param process its `to` sets the initial location; null for a component
+  /// \throw CompileError if a value is out of range or a loop does not terminate
   void run(const fiacre::Statement& init, const fiacre::Process* process, InstanceId instance);
 
 private:

@@ -5,16 +5,16 @@
 
 namespace proskill::verify {
 
-/// Turns properties into goals. What is only entered or passed becomes events; what has to be seen
-/// together becomes a condition on states and steps.
+/// Turns properties into goals. Observables of locations and tags become events where possible;
+/// others become conditions on states and steps.
 class Observer {
 public:
   Observer(const fiacre::Program& program, const Elaboration& model, Expressions& expressions,
            Events& events, System& system);
 
-  /// \throw CompileError where the property names what the model does not have
+  /// \throw CompileError if the property names something that the model does not have
   [[nodiscard]] Goal goal(const fiacre::Property& property);
-  /// Whether it is seen, in a state or in a step.
+  /// The condition under which the observable holds in a state or a step.
   NodeId node(const fiacre::Observable& observable);
 
 private:

@@ -6,20 +6,20 @@
 
 namespace proskill::verify {
 
-/// Statements still to come; the next is last.
+/// The remaining statements; the next one is last.
 using RestOfPath = std::vector<const fiacre::Statement*>;
 
 /// A path that is being written.
 struct PathDraft {
   Path path;
-  bool assigned = false;            ///< an `on` is no guard any more
-  bool branched = false;            ///< what cells hold is known no more
-  std::map<CellId, NodeId> current; ///< what assignments have put into cells, over the state before
+  bool assigned = false; ///< something was assigned, so an `on` can no longer be part of the guard
+  bool branched = false; ///< control flow has branched, so the cells' values are no longer known
+  std::map<CellId, NodeId> current; ///< the values assigned so far, over the state before the path
   bool ended = false;               ///< by `to` or `loop`
 };
 
-/// Follows the statement of a `from` from its beginning to each of its ends, and writes a path for
-/// each way through it. \throw CompileError
+/// Follows the statement of a `from` to each of its ends and writes a path for each way through it.
+/// \throw CompileError
 class PathWriter {
 public:
   PathWriter(PathContext& of, Expressions& in) : context(of), expressions(in) {}
@@ -28,7 +28,7 @@ public:
   std::vector<Path> found;
 
 private:
-  // path_writer.cpp: statements that split the path, and those that do not branch
+  // path_writer.cpp: statements that split the path, and statements that do not branch
   bool step(const fiacre::Statement& statement, PathDraft& draft, RestOfPath& rest);
 
   // path_code.cpp: choices within one path
@@ -63,13 +63,13 @@ private:
   Expressions& expressions;
 };
 
-/// Whether a statement only handles data and ends paths.
+/// Whether a statement only assigns, branches on data and ends paths.
 [[nodiscard]] bool isPlain(const fiacre::Statement& statement);
-/// Whether it has a `to` or `loop` in it.
+/// Whether a statement contains `to` or `loop`.
 [[nodiscard]] bool endsPath(const fiacre::Statement& statement);
 
 Instruction& addInstruction(PathDraft& draft, InstructionKind kind);
-/// What comes next is from the place of this statement.
+/// Marks the following code as coming from this statement.
 void noteOrigin(const fiacre::Statement& statement, PathDraft& draft);
 [[nodiscard]] RestOfPath withNext(RestOfPath rest, const fiacre::Statement& next);
 

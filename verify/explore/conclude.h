@@ -4,7 +4,7 @@
 
 namespace proskill::verify {
 
-/// Explores until a limit is met, if one is, and notes which.
+/// Explores until the end or until a limit is met, and records the limit.
 template <typename Explore> void exploreWithinLimits(Exploration& statistics, Explore explore) {
   try {
     explore();
@@ -13,9 +13,9 @@ template <typename Explore> void exploreWithinLimits(Exploration& statistics, Ex
   }
 }
 
-/// Says whether an exploration is complete, or why it ended before.
-/// \param failure an error of the model, empty where there is none
-/// \param otherwise why it ended where neither a limit nor an error ended it
+/// Records whether an exploration is complete, or why it stopped.
+/// \param failure an error of the model; empty if there is none
+/// \param otherwise the reason if neither a limit nor an error stopped it
 inline void conclude(Exploration& statistics, bool isAtEnd, const std::string& failure,
                      const std::string& otherwise) {
   statistics.complete = isAtEnd && failure.empty() && statistics.stopped.empty();

@@ -13,15 +13,15 @@
 
 namespace proskill::verify {
 
-/// What an exploration found, and how far it went.
+/// The results of an exploration.
 struct Explored {
-  std::vector<std::optional<Steps>> goals; ///< by goal: a way to what it asks for
+  std::vector<std::optional<Steps>> goals; ///< by goal: the steps that reach it
   Exploration statistics;
-  std::string failure; ///< an error of the model: a value out of range
+  std::string failure; ///< an error of the model, such as a value out of range
   fiacre::OriginId failureOrigin = 0;
 };
 
-/// Gets a goal, by its place, and the way to what it asks for.
+/// Receives the index of a goal and the steps that reach it.
 using OnFound = std::function<void(std::size_t, const Steps&)>;
 
 using NodeIndex = std::uint32_t;
@@ -32,19 +32,19 @@ struct ZoneNode {
   ZoneId zone = 0;
   NodeIndex parent = kNone;
   TransitionId transition = kNone;
-  std::uint32_t choice = 0; ///< of the values of open variables, from the parent
-  NodeIndex next = kNone;   ///< in the list of the state's nodes
-  bool covered = false;     ///< within a later zone: not expanded any more
+  std::uint32_t choice = 0; ///< which values of the open variables were used, from the parent
+  NodeIndex next = kNone;   ///< next node in the list of the state's nodes
+  bool covered = false;     ///< a later zone includes this one, so it is not expanded
 };
 
-/// What was explored so far.
+/// The explored part of the zone graph.
 struct ZoneGraph {
   Enabling enabling;
   Timing timing;
   StateStore states;
   std::vector<SignatureId> signatureOf; ///< by state
-  std::vector<NodeIndex> headOf;        ///< by state: the first of its nodes
-  std::vector<std::uint32_t> coverOf;   ///< by state: in `covers`, where it has many nodes
+  std::vector<NodeIndex> headOf;        ///< by state: the first node of its list
+  std::vector<std::uint32_t> coverOf;   ///< by state: index in `covers`, for states with many nodes
   std::vector<ZoneCover> covers;
   std::uint64_t coverBytes = 0;
   std::vector<ZoneNode> nodes;
@@ -54,7 +54,7 @@ struct ZoneGraph {
         timing(system, extrapolation),
         states(system.storedWords) {}
   [[nodiscard]] std::uint64_t bytes() const;
-  /// What the next few steps may add at once, since a table is nearly full.
+  /// Bytes that the next few steps may allocate at once, because a table is nearly full.
   [[nodiscard]] std::uint64_t growth() const;
 };
 
@@ -62,19 +62,19 @@ struct ZoneGraph {
 class Explorer {
 public:
   /// \pre the arguments outlive this
-  /// \param onFound called with each goal as soon as a way to what it asks for is found
+  /// \param onFound called for each goal as soon as it is reached
   Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
            Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {});
 
-  /// To be called once.
+  /// Call this once.
   Explored run();
   [[nodiscard]] const ZoneGraph& explored() const { return graph; }
   [[nodiscard]] ZoneGraph& explored() { return graph; }
-  /// The transitions from the initial state to a node, safe steps included.
+  /// The transitions from the initial state to a node, including the steps fired alone.
   [[nodiscard]] Steps pathTo(NodeIndex index) const;
 
 private:
-  /// A state on its way into the store.
+  /// A state that is about to be stored.
   struct Current {
     std::vector<Word> state;
     TransitionSet enabled;
@@ -117,23 +117,23 @@ private:
   ZoneGraph graph;
   Walker walker;
   Explored result;
-  NodeIndex next = 0; ///< to be expanded
+  NodeIndex next = 0; ///< to be expanded next
 
   bool hasErrors = false; ///< some transition is an error
-  std::size_t open = 0;   ///< goals that are not decided
+  std::size_t open = 0;   ///< number of undecided goals
   std::vector<std::vector<std::size_t>> goalsOfEvent;
-  std::vector<std::size_t> stateGoals; ///< conditions on states
-  std::vector<std::size_t> stepGoals;  ///< those that watch steps, too
+  std::vector<std::size_t> stateGoals; ///< goals that are conditions on states
+  std::vector<std::size_t> stepGoals;  ///< goals that also read steps
 
   NodeIndex expanding = kNone;
   StateId loadedState = kNone;
-  Current loaded;           ///< the node that is expanded
+  Current loaded;           ///< the node that is being expanded
   Current work;             ///< its successor
   std::vector<Word> before; ///< the state before the last step
   std::vector<Word> trial;  ///< a state with other values of open variables
-  Steps passed;             ///< from the node that is expanded to `work`
+  Steps passed;             ///< from the node being expanded to `work`
   StepLog log;
-  mutable std::unordered_map<NodeIndex, Steps> legs; ///< the last steps to nodes, from the parent
+  mutable std::unordered_map<NodeIndex, Steps> legs; ///< the last steps to a node, from its parent
 };
 
 } // namespace proskill::verify

@@ -10,29 +10,29 @@
 
 namespace proskill::verify {
 
-/// What a monitor did at a point of a run.
+/// What a monitor reads or does at a point of a run.
 enum class MoveKind : std::uint8_t {
   Start,
-  Silent, ///< of the monitor alone
+  Silent, ///< a move of the monitor alone
   Step,
   Stutter, ///< the run has ended; its last state is read again
-  Tick,    ///< time has gone on by 1 at least since the last one; see MonitorZones
+  Tick,    ///< at least 1 time unit has passed since the last tick; see MonitorZones
   Rest,    ///< from here on no step is taken
 };
 
 struct WatchMove {
   MoveKind kind = MoveKind::Start;
   TransitionId transition = kNone;
-  std::uint32_t edge = kNone; ///< of the location before; kNone: it stays there
-  std::uint32_t choice = 0;   ///< of the values of open variables with which the step is fired
+  std::uint32_t edge = kNone; ///< of the monitor's current location; kNone: the monitor stays
+  std::uint32_t choice = 0;   ///< which values of the open variables the step was fired with
 };
 
-/// A state of the model and of its monitor, with the zone of the clocks of both.
+/// A state of the model and the monitor's location, with a zone over the clocks of both.
 struct WatchNode {
   StateId state = 0;
   ZoneId zone = 0;
   std::uint32_t location = 0;
-  bool instant = false; ///< no time passes: the monitor has to move on
+  bool instant = false; ///< no time passes: the monitor must move on
   bool rests = false;   ///< the model takes no more step
   NodeIndex parent = kNone;
   WatchMove move;
@@ -44,35 +44,35 @@ struct WatchArc {
   WatchMove move;
 };
 
-/// What the cycle of a fair run needs.
+/// Conditions for the cycle of a fair run.
 struct FairNeeds {
-  bool ticks = false; ///< time has to go on
+  bool ticks = false; ///< time must diverge
   const std::vector<OpenWait>& waits;
-  std::function<bool(NodeIndex, std::size_t)> isWaiting; ///< in a node, by place in `waits`
+  std::function<bool(NodeIndex, std::size_t)> isWaiting; ///< in a node, by index in `waits`
 };
 
-/// The graph that a search with a monitor has found so far, and the runs in it.
+/// The part of the product graph that a monitor search has found, and its runs.
 class MonitorGraph {
 public:
-  /// \param keepArcs whether cycles are looked for
-  /// \param with takes the steps as the search does; has to outlive this
+  /// \param keepArcs whether cycles are searched for
+  /// \param with takes steps as the search does; must outlive this
   MonitorGraph(const Monitor& of, bool keepArcs, const Walker& with)
       : monitor(of), cycles(keepArcs), walker(with) {}
 
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
   [[nodiscard]] const WatchNode& at(NodeIndex node) const { return nodes[node]; }
   [[nodiscard]] std::uint64_t bytes() const;
-  /// What the next few steps may add at once, since a table is nearly full.
+  /// Bytes that the next few steps may allocate at once, because a table is nearly full.
   [[nodiscard]] std::uint64_t growth() const { return growthOf(nodes) + growthOf(arcs); }
 
   void addNode(const WatchNode& node);
-  /// Only where cycles are looked for.
+  /// Only if cycles are searched for.
   void addArc(NodeIndex from, NodeIndex to, WatchMove move);
 
-  /// The run from the beginning to a node, in a location that is an error.
+  /// The run from the initial node to a node in an error location.
   [[nodiscard]] Evidence evidenceTo(NodeIndex node) const;
-  /// A run that comes to a cycle through an accepting location, and repeats it; nothing where there
-  /// is none. Every node and every arc of a strongly connected component is on one cycle.
+  /// A run that reaches a cycle through an accepting location and repeats it; nothing if there is
+  /// none. The cycle visits every node and every arc of a strongly connected component.
   [[nodiscard]] std::optional<Evidence> evidenceOfCycle(const System& system,
                                                         const FairNeeds& needs) const;
 
@@ -86,7 +86,7 @@ private:
 
   [[nodiscard]] Way wayTo(NodeIndex node) const;
   void append(Way& way, NodeIndex from, const WatchArc& arc) const;
-  /// \param loop how many moves are before the part that is repeated
+  /// \param loop number of moves before the part that repeats
   [[nodiscard]] Evidence evidenceOf(const Way& way, std::optional<std::size_t> loop) const;
 
   const Monitor& monitor;

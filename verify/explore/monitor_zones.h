@@ -9,39 +9,39 @@
 
 namespace proskill::verify {
 
-/// Zones of a system's clocks, and behind them those of a monitor's location: its own where the
-/// location is timed, then, where only fair runs count, one that tells whether time goes on. That
-/// one starts anew by a *tick*, at any moment at which it is at least 1; a run with ticks again and
-/// again is one in which time diverges. Tripakis, "Verifying progress in timed systems" (ARTS
-/// 1999). Locations that no accepting one can be reached from and lead to again need no ticks.
+/// Zones over the clocks of a system, followed by the clocks of a monitor's location: the monitor's
+/// clock if the location is timed, then, if only fair runs count, a clock that detects whether time
+/// diverges. A *tick* resets this second clock, at any moment at which its value is at least 1;
+/// time diverges in a run with infinitely many ticks. Tripakis, "Verifying progress in timed
+/// systems" (ARTS 1999). Locations that are on no cycle with an accepting location need no ticks.
 class MonitorZones {
 public:
-  /// \param withTicks whether it is told if time goes on
+  /// \param withTicks whether divergence of time is detected
   MonitorZones(const Monitor& of, bool withTicks);
 
-  /// How many clocks a location has of its own.
+  /// The number of clocks of a location itself.
   [[nodiscard]] std::uint32_t count(std::uint32_t location) const;
-  /// Lets time pass as far as the state allows it, and forgets what nothing compares any more.
-  /// Nothing where the zone is empty.
+  /// Lets time pass as far as the state allows, and abstracts the zone. Nothing if the zone is
+  /// empty.
   [[nodiscard]] std::optional<Dbm> settled(Dbm zone, const Signature& signature,
                                            std::uint32_t location, bool instant) const;
-  /// Limits the monitor's clock by an edge's guard. False where nothing is left.
+  /// Restricts the monitor's clock by an edge's guard. Returns false if the zone becomes empty.
   [[nodiscard]] bool constrain(Dbm& zone, std::uint32_t location, const MonitorEdge& edge) const;
-  /// The zone when the monitor alone moves along an edge.
+  /// The zone after the monitor alone moves along an edge.
   [[nodiscard]] Dbm after(const Dbm& zone, std::uint32_t location, const MonitorEdge& edge) const;
-  /// For Dbm::over: where the clocks of the location behind come from. \param edge nothing: it
-  /// stays
+  /// Appends the sources of the target location's clocks, as argument of Dbm::over.
+  /// \param edge null: the monitor stays
   void appendOwn(std::vector<std::uint32_t>& from, const Dbm& zone, std::uint32_t location,
                  const MonitorEdge* edge) const;
-  /// Behind a tick; nothing where there can be none.
+  /// The zone after a tick; nothing if no tick is possible.
   [[nodiscard]] std::optional<Dbm> ticked(const Dbm& zone, std::uint32_t location) const;
 
 private:
   [[nodiscard]] bool ticks(std::uint32_t location) const { return circling.contains(location); }
 
   const Monitor& monitor;
-  Bits circling;         ///< locations on a cycle with an accepting one, where ticks count
-  std::int32_t most = 0; ///< the largest constant that the monitor's clock is compared with
+  Bits circling;         ///< locations on a cycle with an accepting one; only these need ticks
+  std::int32_t most = 0; ///< the largest constant to which the monitor's clock is compared
 };
 
 } // namespace proskill::verify

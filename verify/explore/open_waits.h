@@ -8,14 +8,15 @@
 
 namespace proskill::verify {
 
-/// States in which a process waits without an upper bound for a step that it can make alone, such
-/// as the end of an action that may take any time. A fair run does not stay there for ever.
+/// Locations in which a process waits, without an upper bound, for a step that it can take alone;
+/// for example the end of an action that may take any time. A fair run does not stay there for
+/// ever.
 struct OpenWait {
   InstanceId instance = 0;
   Bits locations;
 };
 
-/// Those of some processes. A step whose possibility depends on others does not count.
+/// The open waits of the given processes. Steps that depend on other processes do not count.
 [[nodiscard]] std::vector<OpenWait>
 openWaits(const System& system, const std::set<std::string>& processes, const Bits& dropped);
 

@@ -4,78 +4,81 @@
 
 namespace proskill::verify {
 
-/// A clock, and between which bounds it is: 0 - x and x - 0.
+/// Bounds on a clock x: `lower` limits 0 - x, `upper` limits x - 0.
 struct ClockRange {
   ClockId clock = 0;
   Bound lower = kZero;
   Bound upper = kInfinite;
 };
 
-/// A reachable moment from which time does not pass unless something happens that need not.
+/// A reachable moment at which time is stopped unless an optional step happens.
 struct StuckMoment {
   NodeIndex node = 0;
-  std::vector<ClockRange> clocks; ///< where the clocks stand, of those that matter
-  std::vector<Word> state;        ///< the node's, with the values of free inputs for which it is so
+  std::vector<ClockRange> clocks; ///< bounds on the relevant clocks
+  std::vector<Word> state; ///< of the node, with values of free inputs for which time is stopped
 };
 
-/// Looks for moments at which time has stopped for ever: time cannot pass, nor after any steps that
-/// are due. Due is what time waits for: an urgent step, one whose clock has come to its upper
-/// bound, and what has priority over one of these. Other steps need not happen, so they do not
-/// help: the environment may be silent, an action may last.
+/// Searches for moments at which time has stopped for ever: time cannot pass now, nor after any due
+/// steps. A step is due if time waits for it: it is urgent, its clock has reached its upper bound,
+/// or it has priority over such a step. Other steps are optional, so they do not help: the
+/// environment may do nothing, and an action may last.
 ///
-/// What can happen in no time depends on a clock only by which bounds it has reached, so the
-/// moments of a zone fall into finitely many kinds; of these the graph of due steps is searched. A
-/// free input keeps its value meanwhile; its values are told apart when a step depends on it. A
-/// moment at which something is due that cannot happen again and again need not be searched: if
-/// time has stopped there, it has after that step, too.
+/// The steps that are possible without time passing depend only on which bounds each clock has
+/// reached. So the moments of a zone fall into finitely many classes, and the graph of due steps
+/// over these is searched. A free input keeps its value during this search; values are
+/// distinguished when a step depends on them. A moment with a due step that cannot happen
+/// infinitely often need not be searched: if time has stopped there, it has also stopped after this
+/// step.
 ///
-/// Where no moment is stuck, time diverges: all bounds are whole numbers, so it cannot pass in ever
-/// smaller parts only. A step that is possible before a strict bound can be taken before it, and
-/// its clock then needs a whole unit to get there again.
+/// If no moment is stuck, time diverges: all bounds are integers, so time cannot pass in ever
+/// smaller amounts only. A step that is possible before a strict bound can be taken before it, and
+/// its clock then needs a whole unit to reach the bound again.
 class ProgressCheck {
 public:
   /// \pre the arguments outlive this
   ProgressCheck(const System& system, const Reductions& reductions, ZoneGraph& graph,
                 LimitWatch& limits);
 
-  /// Nothing where there is none, or where a limit stopped the search.
+  /// A stuck moment; nothing if there is none or if a limit stopped the search.
   [[nodiscard]] std::optional<StuckMoment> find();
-  /// Which limit was met, empty where none was.
+  /// The limit that was met; empty if none was.
   [[nodiscard]] const std::string& stopped() const { return stoppedBy; }
 
 private:
-  /// How many of its thresholds a clock has reached; by clock, in the order of the signature.
+  /// Number of thresholds that each clock has reached, in the order of the signature.
   using Levels = std::vector<std::uint8_t>;
 
-  /// What a clock may reach, from the first on: the lower bounds of its transitions, then its upper
+  /// The thresholds of a clock, ascending: the lower bounds of its transitions, then its upper
   /// bound.
   struct Thresholds {
-    std::vector<Bound> lower; ///< as limits of 0 - x
-    bool endsAtUpper = false; ///< the last one is the upper bound: there time stops
+    std::vector<Bound> lower; ///< as bounds on 0 - x
+    bool endsAtUpper = false; ///< the last threshold is the upper bound, at which time stops
   };
 
   struct Moment {
     std::vector<Word> state;
-    std::vector<Word> unknown; ///< bits of free inputs whose value did not matter so far
+    std::vector<Word> unknown; ///< bits of free inputs whose value has not mattered so far
     TransitionSet enabled;
     SignatureId signature = 0;
     Levels levels;
   };
 
-  /// What time waits for at a moment.
+  /// The due steps of a moment.
   struct Outlook {
-    std::vector<TransitionId> due;     ///< of the steps that may happen again and again
-    std::optional<std::uint32_t> open; ///< a free input that decides whether one of them is due
-    std::optional<std::uint32_t> openOther; ///< the same of other steps
-    bool settled = false; ///< another step is due, or the run ends here by an error
+    std::vector<TransitionId> due; ///< due steps that may happen infinitely often
+    /// A free input on which it depends whether one of them is due.
+    std::optional<std::uint32_t> open;
+    /// The same for steps that cannot happen infinitely often.
+    std::optional<std::uint32_t> openOther;
+    bool settled = false; ///< another step is due, or the run ends here with an error
 
-    /// Whether the moment is none of those at which time has stopped and all goes round and round.
+    /// Whether time is not stopped at this moment by steps that may repeat for ever.
     [[nodiscard]] bool isFine() const { return settled || (due.empty() && !open); }
   };
 
   enum class Verdict : std::uint8_t { Unknown, Good, Bad };
 
-  /// What a search found; where it is not known, the free input that decides.
+  /// The result of a search; if it is Unknown, the free input on which it depends.
   struct Found {
     Verdict verdict = Verdict::Unknown;
     std::uint32_t open = 0;
@@ -105,11 +108,11 @@ private:
   LimitWatch& limits;
   TransitionSet recurrent;
   std::string stoppedBy;
-  std::uint64_t steps = 0;          ///< since the start, to look at the limits now and then
-  std::size_t levelsFrom;           ///< the word of a stored moment where its levels begin
-  StateStore moments;               ///< states, unknown bits where there are free inputs, levels
-  std::vector<Verdict> verdicts;    ///< by moment
-  std::vector<std::uint32_t> metIn; ///< by moment: the last search that met it
+  std::uint64_t steps = 0;       ///< since the start; the limits are checked every so many steps
+  std::size_t levelsFrom;        ///< index of the word of a stored moment at which its levels begin
+  StateStore moments;            ///< states, unknown bits where there are free inputs, levels
+  std::vector<Verdict> verdicts; ///< by moment
+  std::vector<std::uint32_t> metIn; ///< by moment: the last search that reached it
   std::uint32_t searches = 0;
   std::vector<std::vector<Thresholds>> known; ///< by signature
   std::vector<Word> key;

@@ -8,52 +8,51 @@
 
 namespace proskill::verify {
 
-/// Transitions from the initial state on.
+/// Transitions, in order, from the initial state unless stated otherwise.
 using Steps = std::vector<TransitionId>;
 
 void append(Steps& to, const Steps& more);
 
-/// A state on a way through the graph, and the steps that were taken.
+/// A state on a way through the graph, and the steps taken so far.
 struct Walk {
   std::vector<Word> state;
   TransitionSet enabled;
   Steps taken;
 };
 
-/// Takes the discrete steps of an exploration, those that its reductions add among them.
+/// Takes discrete steps as an exploration does, including the steps that its reductions add.
 class Walker {
 public:
   /// \pre the arguments outlive this
   Walker(const System& of, const Enabling& with, const Reductions& used)
       : system(of), enabling(with), reductions(used) {}
 
-  /// As the exploration starts, with the values of open variables that stand for all.
+  /// The initial state, with representative values of the open variables.
   [[nodiscard]] Walk fromStart() const;
   [[nodiscard]] Walk from(std::vector<Word> state) const;
-  /// A step, then the setters that lead back to the values that stand for all. False where the step
-  /// is not possible.
+  /// Takes a step, then the setters that restore the representative values. Returns false if the
+  /// step is not possible.
   bool take(Walk& walk, TransitionId transition) const;
-  /// To the values of open variables with which a transition is fired.
-  /// \param choice which of the ways of FreeInputs::eachFiring
+  /// Sets the open variables to values with which a transition is fired.
+  /// \param choice index of the way in FreeInputs::eachFiring
   void choose(Walk& walk, TransitionId transition, std::uint32_t choice) const;
-  /// To values of open variables with which time may pass. \return the state before
+  /// Sets the open variables to values with which time may pass. \return the state before
   std::vector<Word> becomeCalm(Walk& walk) const;
-  /// To the values of open variables that another state has.
+  /// Sets the open variables to their values in another state.
   void moveInputs(Walk& walk, const std::vector<Word>& to) const;
-  /// Takes the steps that the reductions allow to take alone.
+  /// Takes the steps that the reductions fire alone.
   void runAlone(Walk& walk) const;
-  /// The same, and forgets what is dead, as in a state that is stored.
+  /// The same; then resets dead variables, as in stored states.
   void arrive(Walk& walk) const;
 
-  /// As long as there is a step that may be taken alone, takes it by `advance`, with the first of
-  /// its choices of values of open variables; that says whether to go on. Stops where it comes by a
-  /// state again: that state is then stored and expanded fully, so that nothing is put off for
-  /// ever.
+  /// While some step may be fired alone, fires it by `advance` with its first choice of values of
+  /// the open variables. `advance` returns whether to continue. Stops when a state repeats: that
+  /// state is stored and fully expanded, so that no step is postponed for ever.
   template <class Advance>
   void followAlone(const std::vector<Word>& state, const TransitionSet& enabled,
                    Advance advance) const {
     if (!reductions.stubbornSets && !reductions.privateMoves) return;
-    std::vector<Word> mark; // Brent: the state at the last power of two
+    std::vector<Word> mark; // Brent's algorithm: the state at the last power of two
     for (std::size_t length = 1;; ++length) {
       const TransitionId next = pickAlone(state, enabled);
       if (next == kNone || state == mark) return;
@@ -62,11 +61,10 @@ public:
     }
   }
 
-  /// To the values of open variables that stand for all.
+  /// Sets the open variables to their representative values.
   void normalise(Walk& walk) const;
 
-  /// What time needs to know of the state: of all choices of values of open variables, where there
-  /// are some.
+  /// The timing signature of a state, over all values of its open variables.
   [[nodiscard]] SignatureId signature(const std::vector<Word>& state, const TransitionSet& enabled,
                                       Timing& timing) const;
 

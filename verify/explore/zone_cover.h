@@ -8,11 +8,11 @@
 
 namespace proskill::verify {
 
-/// What many zones of one discrete state cover together: zones whose union is convex are one. Ben
-/// Salah, Bozga, Maler, "On interleaving in timed automata", CONCUR 2006.
+/// The union of the zones of one discrete state. Zones whose union is convex are merged. Ben Salah,
+/// Bozga, Maler, "On interleaving in timed automata", CONCUR 2006.
 class ZoneCover {
 public:
-  /// Whether one of the parts includes the zone.
+  /// Whether one of the merged zones includes this zone.
   [[nodiscard]] bool includesZone(std::span<const Bound> zone) const;
   void add(Dbm zone);
   [[nodiscard]] std::size_t size() const { return parts.size(); }
@@ -22,7 +22,7 @@ private:
   std::vector<Dbm> parts;
 };
 
-/// The union of two zones where that is a zone. \pre same dimension
+/// The union of two zones if it is a zone. \pre both have the same dimension
 [[nodiscard]] std::optional<Dbm> convexUnion(const Dbm& a, const Dbm& b);
 
 } // namespace proskill::verify

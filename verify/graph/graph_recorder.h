@@ -8,23 +8,24 @@
 
 namespace proskill::verify {
 
-/// Writes down the edges of a class graph while it is explored, and makes a graph of them.
+/// Records the edges of a class graph during its exploration, and builds the graph from them.
 class GraphRecorder {
 public:
   GraphRecorder(const System& of, std::string mainComponent, GraphKind graphKind)
       : system(of), main(std::move(mainComponent)), kind(graphKind) {}
 
-  /// A class, by its marking and the domain within it.
+  /// A state class: its marking and its firing domain.
   struct Class {
     std::uint32_t marking = 0;
     ZoneId domain = 0;
   };
-  /// The label of the transition that was just fired, for `edge`.
+  /// The label of the transition that was just fired, as an argument of `edge`.
   [[nodiscard]] std::uint32_t label(TransitionId transition, const StepLog& log);
   void edge(Class from, std::uint32_t label, Class to);
   [[nodiscard]] std::uint64_t bytes() const;
 
-  /// The graph of all edges; `markings` are the packed ones that classes name.
+  /// The graph of all recorded edges. `markings` are the packed markings to which the classes
+  /// refer.
   [[nodiscard]] StateGraph graph(Class initial, const StateStore& markings) const;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace proskill::verify {
 
-/// A set of small numbers that grows as needed.
+/// A growing set of small integers.
 class Bits {
 public:
   void insert(std::uint32_t i) {

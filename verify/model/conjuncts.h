@@ -4,7 +4,7 @@
 
 namespace proskill::verify {
 
-/// The conditions that an expression is the conjunction of.
+/// The operands of a conjunction, nested conjunctions flattened.
 [[nodiscard]] std::vector<NodeId> conjunctsOf(const System& system, NodeId node);
 
 } // namespace proskill::verify

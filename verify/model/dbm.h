@@ -8,7 +8,8 @@
 /// systems", 1989; Bengtsson and Yi, "Timed automata: semantics, algorithms and tools", 2004.
 namespace proskill::verify {
 
-/// A bound `<= c` as 2c + 1, `< c` as 2c; the order of the numbers is that of the bounds.
+/// An upper bound on a difference of clocks: `<= c` is 2c + 1, `< c` is 2c. Tighter bounds are
+/// smaller numbers.
 using Bound = std::int32_t;
 
 inline constexpr Bound kInfinite = INT32_MAX;
@@ -23,9 +24,9 @@ inline constexpr Bound kZero = 1; ///< `<= 0`
 }
 [[nodiscard]] constexpr std::int32_t constantOf(Bound b) { return b >> 1; }
 
-/// A zone: the values of clocks x1 … xn with xi - xj bounded by entry (i, j), where x0 is 0. Always
-/// closed, that is, every bound is as tight as the others make it, so that equal zones have equal
-/// matrices.
+/// A zone: the set of values of clocks x1 … xn such that each xi - xj is within entry (i, j); x0 is
+/// 0. Zones are canonical (closed): every bound is as tight as the others imply, so equal zones
+/// have equal matrices.
 class Dbm {
 public:
   Dbm() = default;
@@ -34,30 +35,31 @@ public:
   Dbm(std::uint32_t dimension, std::span<const Bound> from)
       : size(dimension), entries(from.begin(), from.end()) {}
 
-  [[nodiscard]] std::uint32_t dimension() const { return size; } ///< clocks and the 0
+  [[nodiscard]] std::uint32_t dimension() const { return size; } ///< number of clocks + 1
   [[nodiscard]] Bound at(std::uint32_t i, std::uint32_t j) const { return entries[i * size + j]; }
   [[nodiscard]] std::span<const Bound> matrix() const { return entries; }
 
-  /// Adds xi - xj below `limit`. False where nothing is left; the zone is then spoilt.
+  /// Adds the constraint xi - xj below `limit`. Returns false if the zone becomes empty; its
+  /// content is then undefined.
   bool constrain(std::uint32_t i, std::uint32_t j, Bound limit);
-  /// Lets any time pass.
+  /// Lets time pass: removes the upper bounds of all clocks.
   void up();
-  /// The zone over other clocks: new clock k is old clock from[k], or 0 where from[k] is 0. `from`
-  /// starts with the first clock, not with the constant 0.
+  /// Projects the zone to other clocks: new clock k is old clock from[k], or 0 if from[k] is 0.
+  /// `from` starts with the first clock, not with x0.
   [[nodiscard]] Dbm over(std::span<const std::uint32_t> from) const;
-  /// Forgets bounds that no guard can see: the operator Extra+LU of Behrmann, Bouyer, Larsen and
-  /// Pelanek, "Lower and upper bounds in zone-based abstractions of timed automata", STTT 2006.
-  /// `lower[i]`, `upper[i]`: the greatest constants to which clock i is compared from below and
-  /// from above, negative where there is none; index 0 unused.
+  /// Abstracts the zone: drops bounds that no guard can distinguish. This is the operator Extra+LU
+  /// of Behrmann, Bouyer, Larsen and Pelanek, "Lower and upper bounds in zone-based abstractions of
+  /// timed automata", STTT 2006. `lower[i]` and `upper[i]` are the greatest constants to which
+  /// clock i is compared from below and from above, negative if there are none; index 0 is unused.
   void extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper);
-  /// Takes clock `i` as the new 0, and drops nothing: clock i becomes 0 - what was 0.
+  /// Makes clock `i` the new 0 and keeps all entries: clock i becomes 0 minus the old 0.
   void startAt(std::uint32_t i);
-  /// Takes as the new 0 any moment from the old 0 to the first of the clocks.
+  /// Makes any moment between the old 0 and the first of the clocks the new 0.
   void startBefore();
-  /// Gives clock `i` new bounds, unrelated to the other clocks: `lower` limits 0 - xi, `upper` xi -
-  /// 0.
+  /// Gives clock `i` new bounds, independent of the other clocks: `lower` limits 0 - xi, `upper`
+  /// limits xi - 0.
   void replace(std::uint32_t i, Bound lower, Bound upper);
-  /// Floyd and Warshall. False where nothing is left.
+  /// Computes the canonical form (Floyd and Warshall). Returns false if the zone is empty.
   bool close();
 
 private:
@@ -67,7 +69,8 @@ private:
   std::vector<Bound> entries{kZero};
 };
 
-/// Whether every entry of `inner` is at most that of `outer`. \pre same dimension
+/// Whether zone `outer` includes zone `inner`: no entry of `inner` exceeds that of `outer`. \pre
+/// both have the same dimension
 [[nodiscard]] bool includes(std::span<const Bound> outer, std::span<const Bound> inner);
 
 } // namespace proskill::verify

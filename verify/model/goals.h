@@ -12,19 +12,19 @@ enum class GoalKind : std::uint8_t {
   Condition,   ///< `condition` holds of a state, or of a step from a state
   Deadlock,    ///< no transition is possible, and `condition` does not hold
   Stuck,       ///< time can never pass again
-  Error,       ///< something fails at run time
+  Error,       ///< an evaluation fails at run time
   Run,         ///< a run that `monitor` accepts
-  Unsupported, ///< for `reason`
+  Unsupported, ///< the property cannot be checked, because of `reason`
 };
 
-/// What an exploration looks for to answer a question. Found: the property is false.
+/// What an exploration searches for to answer a question. If it is found, the property is false.
 struct Goal {
   GoalKind kind = GoalKind::Unsupported;
   Bits events;
   NodeId condition = 0;
-  bool ofSteps = false;   ///< the condition watches what happens in a step
-  bool ofRuns = false;    ///< a monitor watches it: each step that it sees counts
-  bool initially = false; ///< Events: the initial state is one of those asked for
+  bool ofSteps = false;   ///< the condition reads events of a step
+  bool ofRuns = false;    ///< a monitor checks it, so every step that it reads counts
+  bool initially = false; ///< Events: the initial state counts as one of the events
   std::string reason;
   Monitor monitor;
 };

@@ -5,40 +5,42 @@
 
 #include <vector>
 
-/// Automata that read a run of a model and accept those that violate a property: timed Büchi
-/// automata with one clock. A run is read point by point: the state that it is in for a while, a
-/// step, the next state. Alur and Dill, "A theory of timed automata", TCS 1994.
+/// Automata that read a run of a model and accept the runs that violate a property: timed Büchi
+/// automata with one clock. A monitor reads a run point by point: a state during its stay, a step,
+/// the next state. Alur and Dill, "A theory of timed automata", TCS 1994.
 namespace proskill::verify {
 
-/// What the clock has to be: `lower` limits 0 - x, `upper` limits x - 0.
+/// A constraint on the clock x: `lower` limits 0 - x, `upper` limits x - 0.
 struct ClockGuard {
   Bound lower = kZero;
   Bound upper = kInfinite;
 };
 
 struct MonitorEdge {
-  bool ofStep = false; ///< taken with a step of the model; else at some moment in a state
+  /// Taken together with a step of the model; otherwise during a stay in a state.
+  bool ofStep = false;
   std::uint32_t to = 0;
   NodeId condition = 0; ///< of the step, or of the state
   ClockGuard clock;
-  bool reset = false; ///< the clock starts anew
+  bool reset = false; ///< the clock is reset
 };
 
 struct MonitorLocation {
-  /// Holds of every state in which the monitor stays; in others it moves on at once or gives up.
+  /// Condition on every state in which the monitor stays; in other states it moves on at once, or
+  /// the attempt ends.
   NodeId stay = 0;
-  bool timed = false;     ///< the clock matters from here on
-  bool accepting = false; ///< runs that come here again and again are violations
-  bool error = false;     ///< runs that come here are violations, however they go on
+  bool timed = false;     ///< the clock is used from here on
+  bool accepting = false; ///< runs that visit this location infinitely often are violations
+  bool error = false;     ///< runs that reach this location are violations, whatever follows
   std::vector<MonitorEdge> edges;
 };
 
 struct Monitor {
   std::vector<MonitorLocation> locations;
   std::vector<std::uint32_t> initial;
-  /// Whether steps may be left out that change no condition: not where positions count, as in LTL.
+  /// Whether steps may be skipped that change no condition. False where positions count, as in LTL.
   bool ofPoints = true;
-  /// Whether a state that is seen several times in a row is as good as one that is seen once.
+  /// Whether a state may be read several times in a row with the same result as once.
   bool ofStates = true;
   bool fair = false; ///< only fair runs count: Question::fair
 

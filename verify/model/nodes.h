@@ -9,7 +9,7 @@
 
 namespace proskill::verify {
 
-/// Makes expressions: equal ones are one node, constants are folded.
+/// Builds expressions. Equal expressions share one node; constants are folded.
 class Nodes {
 public:
   explicit Nodes(System& of);
@@ -24,15 +24,16 @@ public:
   NodeId equal(NodeId a, NodeId b) { return binary(NodeOp::Equal, a, b); }
   NodeId happens(EventId event);
   NodeId received(std::uint32_t part) { return make({.op = NodeOp::Received, .a = part}); }
-  /// `value`, where `condition` holds; else the fault.
+  /// `value` if `condition` holds, otherwise the fault.
   NodeId require(NodeId condition, NodeId value, FaultId fault);
-  /// `value`, where it lies within both ends.
+  /// `value` if it is between `low` and `high`, both included; otherwise the fault.
   NodeId between(NodeId value, std::int64_t low, std::int64_t high, FaultId fault);
-  /// Whether evaluating the node comes to a fault.
+  /// Whether evaluating the node causes a fault.
   NodeId fails(NodeId node) { return unary(NodeOp::Fails, node); }
-  /// The fault that is described so.
+  /// The fault with this description.
   FaultId fault(const std::string& words);
-  /// The node with leaves replaced: `leaf` gives what stands for a Cell or a Received, or nothing.
+  /// A copy of the node with leaves replaced: for each Cell or Received, `leaf` returns the
+  /// replacement, or nothing to keep it.
   using Leaf = std::function<std::optional<NodeId>(const Node&)>;
   NodeId substitute(NodeId node, const Leaf& leaf);
 
@@ -47,19 +48,20 @@ private:
       known;
 };
 
-/// What a node's value lies between, whatever the cells hold within their ranges.
+/// Bounds of a node's value for all values of the cells within their ranges.
 struct ValueBounds {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 [[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
-/// Whether evaluation may come to a fault.
+/// Whether evaluation may cause a fault.
 [[nodiscard]] bool mayFail(const System& system, NodeId node);
 /// Adds the cells that a node reads.
 void addReads(const System& system, NodeId node, Bits& cells);
 /// Adds the events that a node watches.
 void addEvents(const System& system, NodeId node, Bits& events);
-/// Whether a node watches what happens in a step: it is more than a condition on a state.
+/// Whether a node depends on what happens in a step, so that it is more than a condition on a
+/// state.
 [[nodiscard]] bool watchesSteps(const System& system, NodeId node);
 
 } // namespace proskill::verify

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-/// The transition system of a model: what `verify/` explores. Made by compile() from the tree;
-/// every variable is a bit field of a packed state, every path through a `from` a straight piece of
-/// code.
+/// The transition system that `verify/` explores. compile() makes it from the Fiacre tree: a
+/// variable becomes a bit field of a packed state, a path through a `from` a linear list of
+/// instructions.
 namespace proskill::verify {
 
 using Word = std::uint64_t;
@@ -21,30 +21,31 @@ using TransitionId = std::uint32_t;
 using InstanceId = std::uint32_t;
 using ClockId = std::uint32_t;
 using EventId = std::uint32_t;
-using FaultId = std::uint32_t; ///< in System::faults
+using FaultId = std::uint32_t; ///< index into System::faults
 
 inline constexpr std::uint32_t kNone = UINT32_MAX;
 
-/// Faults that every system has.
+/// Faults of every system.
 inline constexpr FaultId kNoFault = 0;
 inline constexpr FaultId kDivisionByZero = 1;
 inline constexpr FaultId kOverflow = 2;
 
-/// A scalar variable, or the state that an instance is in.
+/// A scalar variable, or the location of an instance.
 struct Cell {
   std::string name;
   std::int64_t low = 0;
   std::int64_t high = 0;
   std::int64_t initial = 0;
-  std::uint32_t word = 0; ///< where it stands in a packed state
+  std::uint32_t word = 0; ///< index in a packed state
   std::uint32_t shift = 0;
-  Word mask = 0; ///< of its bits, in place
+  Word mask = 0; ///< of its bits, in their position in the word
 };
 
 enum class NodeOp : std::uint8_t {
-  Number, // number
-  Cell,   // cell a
-  Test,   // (word a & mask) == value; made of comparisons with constants when the state is laid out
+  Number, // the constant `number`
+  Cell,   // the value of cell a
+  // (word a & mask) == value; comparisons with constants become this when the state is laid out
+  Test,
   Not,
   Negate, // a
   And,
@@ -58,15 +59,16 @@ enum class NodeOp : std::uint8_t {
   Divide,
   Modulo,      // a, b
   Conditional, // a ? b : c
-  Happens,     // event a, in the step that is watched
+  Happens,     // whether event a happens in the observed step
   Entered,
-  Left,     // a becomes true, false by the step
-  Received, // the a-th part of what a port brings; put in when parts are brought together
-  Require,  // b where a; else the fault c. `number` tells that `low` and `high` limit b then
-  Fails,    // whether evaluating a comes to a fault
+  Left, // whether the step makes a true, from false
+  // The a-th value sent on the port; replaced when the parts of a synchronisation are combined.
+  Received,
+  Require, // b if a holds, otherwise fault c. If `number` is set, `low` and `high` bound b then
+  Fails,   // whether evaluating a causes a fault
 };
 
-/// An expression over cells. Nodes are shared: equal expressions are the same node.
+/// An expression over cells. Equal expressions share one node.
 struct Node {
   NodeOp op = NodeOp::Number;
   std::uint32_t a = 0;
@@ -85,7 +87,7 @@ struct Assignment {
   bool checked = false; ///< the value may leave the target's range
 };
 
-/// A comparison of some bits of a packed state with constants.
+/// Compares some bits of a packed state with constants.
 struct BitTest {
   std::uint32_t word = 0;
   Word mask = 0;
@@ -93,7 +95,7 @@ struct BitTest {
   bool equal = true;
 };
 
-/// Constants for some bits of a packed state.
+/// Writes constants to some bits of a packed state.
 struct BitStore {
   std::uint32_t word = 0;
   Word keep = 0;
@@ -101,16 +103,16 @@ struct BitStore {
 };
 
 enum class InstructionKind : std::uint8_t {
-  Assign, // assignments[first, last): all values first, then all targets
-  Store, // an Assign of constants as stores[firstStore, lastStore), made when the state is laid out
-  On,    // give the path up unless node
+  Assign, // assignments[first, last): evaluates all values, then writes all targets
+  Store, // an Assign of constants as stores[firstStore, lastStore); made when the state is laid out
+  On,    // the path is disabled unless node holds
   JumpUnless, // to instruction `last` unless node
   Jump,       // to instruction `last`
-  Tag,        // event
-  Origin,     // first is the origin
-  Fail,       // a fault of the model: what evaluating node comes to
-  To,         // ends: assignments[first] is that of the location, event of entering, leaf
-  Loop,       // ends: leaf
+  Tag,        // event happens
+  Origin,     // what follows comes from the origin `first`
+  Fail,       // the model fails with the fault of node
+  To,         // end of the path: assignments[first] sets the location; event of entering; leaf
+  Loop,       // end of the path: leaf
 };
 
 struct Instruction {
@@ -121,12 +123,12 @@ struct Instruction {
   std::uint32_t firstStore = 0;
   std::uint32_t lastStore = 0;
   EventId event = kNone;
-  std::uint32_t leaf = 0; ///< J of frac's name `process_K_tJ`
+  std::uint32_t leaf = 0; ///< J in the name `process_K_tJ` that frac gives
 };
 
-/// A condition on the way into a path that may come to a fault.
+/// A condition on the way into a path whose evaluation may cause a fault.
 struct Risk {
-  NodeId node = 0; ///< it is looked at, and comes to a fault
+  NodeId node = 0; ///< true if the fault occurs when the condition is evaluated
   NodeId value = 0;
   fiacre::OriginId origin = 0;
 };
@@ -135,101 +137,108 @@ struct Risk {
 struct Path {
   InstanceId instance = 0;
   std::uint32_t location = 0;
-  NodeId guard = 0; ///< every `on` before the first assignment
-  bool tentative =
-      false;          ///< has an `on` after an assignment: only running it tells if it is enabled
+  NodeId guard = 0; ///< conjunction of the `on` before the first assignment
+  /// Has an `on` after an assignment, so only running the path shows whether it is enabled.
+  bool tentative = false;
   bool loops = false; ///< ends in `loop`
   std::optional<fiacre::Interval> wait;
   std::uint32_t port = kNone;
-  std::vector<NodeId> sent; ///< what it puts on its port, over the state before the path
-  bool receives = false;    ///< its code has Received nodes
+  /// The values that it sends on its port, over the state before the path.
+  std::vector<NodeId> sent;
+  bool receives = false; ///< its code contains Received nodes
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
   std::vector<BitStore> stores;
-  Bits guardReads;         ///< cells of the guard, the location among them
-  Bits reads;              ///< cells that the code may read
-  Bits writes;             ///< cells that the code may write, the location among them
-  bool mayFail = false;    ///< an assignment may leave its range, or a value may come to a fault
+  Bits guardReads;      ///< cells of the guard, including the location
+  Bits reads;           ///< cells that the code may read
+  Bits writes;          ///< cells that the code may write, including the location
+  bool mayFail = false; ///< an assignment may leave its range, or an evaluation may cause a fault
   std::vector<Risk> risks; ///< of the guard
-  bool fails = false;      ///< it is an error of the model that this is enabled
+  bool fails = false;      ///< if this path is enabled, the model has an error
   fiacre::OriginId origin = 0;
-  std::uint32_t group = 0;  ///< of an `unless`: a path of a later group goes before this one
-  std::uint32_t select = 0; ///< of that `unless`, within the process; 0: none
+  std::uint32_t group = 0;  ///< of an `unless`: a path of a later group has priority over this one
+  std::uint32_t select = 0; ///< index of that `unless` within the process; 0: none
 };
 
-/// A silent path, or paths of several instances that synchronise on a port; with those of observers
-/// that take part in the step because they watch for it.
+/// A silent path, or the paths of several instances that synchronise on a port, together with the
+/// paths of the observers that move because they watch this step.
 struct Transition {
-  std::vector<PathId> parts; ///< by instance; those of observers behind the others
+  std::vector<PathId> parts; ///< by instance; observers come last
   std::uint32_t port = kNone;
-  std::vector<EventId> events; ///< of the port, and of those that observers pass
-  /// What the step has to be for the observers that take part: over it and the states around it.
+  std::vector<EventId> events; ///< of the port, and events that observers pass
+  /// Conditions of the observers that move, over the step and the states around it.
   std::vector<NodeId> seen;
-  TransitionId unseen = kNone; ///< the same without observers: its clock is the one of both
+  TransitionId unseen = kNone; ///< the same transition without observers; it has the clock of both
   fiacre::Interval interval;
-  bool urgent = false;        ///< [0,0]
-  ClockId clock = kNone;      ///< nothing: urgent, or [0,...[
-  NodeId guard = 0;           ///< locations and guards of all parts
-  std::vector<BitTest> tests; ///< the guard, made when the state is laid out: all of these
-  std::vector<NodeId> rest;   ///< and all of those
+  bool urgent = false;   ///< [0,0]
+  ClockId clock = kNone; ///< kNone: urgent, or [0,...[
+  NodeId guard = 0;      ///< conjunction of the locations and guards of all parts
+  /// The guard as bit tests, made when the state is laid out; all must hold.
+  std::vector<BitTest> tests;
+  std::vector<NodeId> rest; ///< the conditions of the guard that are no bit tests; all must hold
   bool tentative = false;
-  bool fails = false; ///< it is an error of the model that this is enabled
-  bool apart = false; ///< a part reads what another writes: each sees the state before the step
-  Bits consumed;      ///< instances that do not end in `loop`
-  std::vector<TransitionId> blockers; ///< none of which may be enabled: they have priority
-  /// None of which may have reached its lower bound: likewise, with clocks.
+  bool fails = false; ///< if this transition is enabled, the model has an error
+  /// A part reads what another one writes, so each part reads the state before the step.
+  bool apart = false;
+  Bits consumed; ///< instances that do not end in `loop`
+  /// Transitions with priority: this one is blocked while one of them is enabled.
+  std::vector<TransitionId> blockers;
+  /// Timed transitions with priority: this one is blocked once one of them has reached its lower
+  /// bound.
   std::vector<TransitionId> laterBlockers;
   bool blocksLater = false; ///< it is one of the laterBlockers of another
-  Bits guardReads;          ///< what being enabled depends on
+  Bits guardReads;          ///< cells on which it depends whether the transition is enabled
   Bits reads;
   Bits writes;
 };
 
-/// A clock belongs to the transitions of an instance's location that are always enabled together,
-/// or to one transition.
+/// A clock of the transitions of one instance's location, which are always enabled together, or of
+/// one transition.
 struct Clock {
   InstanceId instance = kNone;     ///< of a shared clock
   TransitionId transition = kNone; ///< of a clock of its own
 };
 
 struct Instance {
-  std::string name; ///< `skill_takeoff_1`: the process and which instance of it
+  std::string name; ///< `skill_takeoff_1`: the process and the number of its instance
   std::vector<std::string> locations;
   CellId location = 0;
   fiacre::OriginId origin = 0;
   std::vector<fiacre::OriginId> locationOrigins;
 };
 
-/// What the model prints of a variable that the user watches.
+/// How a variable is named that the user watches, and how its values are printed.
 struct WatchedCell {
   std::string display;
   CellId cell = 0;
-  std::vector<std::string> words; ///< of the values from the cell's low on; empty: the number
+  /// Names of the values, from the cell's low on; empty: the value is printed as a number.
+  std::vector<std::string> words;
 };
 
-/// A ground of an origin, as an expression over cells.
+/// A ground of an origin (see fiacre::Origin), as an expression over cells.
 struct GroundNode {
   fiacre::OriginId origin = 0;
-  std::uint32_t index = 0; ///< in the origin's grounds
+  std::uint32_t index = 0; ///< in the origin's list of grounds
   NodeId node = 0;
 };
 
 struct System {
   std::vector<Cell> cells;
   std::vector<Node> nodes;
-  /// What can go wrong, in words.
+  /// Descriptions of the faults.
   std::vector<std::string> faults{"", "a division by zero", "a number beyond 2^62"};
   std::vector<Instance> instances;
   std::vector<std::string> ports;
-  bool hasPriorities = false; ///< some transition has blockers, or is observed
+  bool hasPriorities = false; ///< some transition has blockers or is observed
   std::vector<Path> paths;
   std::vector<Transition> transitions;
   std::vector<Clock> clocks;
   std::vector<WatchedCell> watched;
-  std::vector<GroundNode> grounds; ///< by origin, ascending
+  std::vector<GroundNode> grounds; ///< ascending by origin
   std::uint32_t eventCount = 0;
-  std::uint32_t words = 0;       ///< of a packed state
-  std::uint32_t storedWords = 0; ///< of these, those that the exploration tells apart
+  std::uint32_t words = 0; ///< of a packed state
+  /// The first of these, by which the exploration distinguishes states.
+  std::uint32_t storedWords = 0;
 };
 
 } // namespace proskill::verify

@@ -10,10 +10,10 @@
 
 namespace proskill::verify {
 
-/// The monitor of a pattern that has to be watched for along runs; nothing for the combinations of
-/// a pattern with scopes and times that have no meaning here. What each pattern means stands in
-/// docs/fiacre.md; compare Abid, Dal Zilio, Le Botlan, "Real-time specification patterns and
-/// tools", FMICS 2012. \param atom the condition of an observable
+/// The monitor of a pattern that has to be checked along runs; nothing for combinations of a
+/// pattern with scopes and times that have no meaning here. docs/fiacre.md defines the patterns;
+/// compare Abid, Dal Zilio, Le Botlan, "Real-time specification patterns and tools", FMICS 2012.
+/// \param atom returns the condition of an observable
 [[nodiscard]] std::optional<Monitor>
 monitorOf(const fiacre::Pattern& pattern, Nodes& nodes,
           const std::function<NodeId(const fiacre::Observable&)>& atom);

@@ -6,19 +6,20 @@
 
 namespace proskill::verify {
 
-/// What an exploration need not look at.
+/// The part of a system that an exploration needs.
 struct Relevance {
-  Bits cells;   ///< those that matter to a goal, or to what can happen
-  Bits dropped; ///< transitions of the processes that are left out
+  Bits cells;   ///< cells that affect a goal or the possible steps
+  Bits dropped; ///< transitions of processes that are skipped
 };
 
-/// The cone of influence of the goals: cells that nothing relevant reads are not told apart, and
-/// processes that only watch are left out. Weiser, "Program slicing", TSE 1984; in timed nets a
-/// process must also be unable to stop time. \throw LimitMet
+/// Computes the cone of influence of the goals. Cells that nothing relevant reads do not
+/// distinguish states, and processes that only observe are skipped. Weiser, "Program slicing", TSE
+/// 1984; in a timed net a skipped process must also be unable to stop time.
+/// \throw LimitMet
 [[nodiscard]] Relevance findRelevant(const System& system, const std::vector<Goal>& goals,
                                      LimitWatch& limits);
 
-/// With nothing left out.
+/// All cells; no transition is skipped.
 [[nodiscard]] Relevance everything(const System& system);
 
 } // namespace proskill::verify

@@ -5,25 +5,27 @@
 #include <optional>
 #include <vector>
 
-/// Which variables the environment may change at any time, from each of some values to each other.
+/// Finds variables that the environment may change at any time between certain values.
 namespace proskill::verify {
 
-/// A step that leads from one value of a free input to the next on the way to another.
+/// The first step on the way from one value of a free input to another.
 struct InputMove {
   TransitionId setter = kNone;
-  std::int64_t next = 0; ///< the value behind it
+  std::int64_t next = 0; ///< the value after this step
 };
 
 struct FreeInput {
   CellId cell = 0;
-  std::vector<std::int64_t> values;  ///< each reaches each; the first stands for all
-  std::vector<TransitionId> setters; ///< they lead from these values to these values only
-  /// [value from the cell's least on][index of a value]: the first step of a shortest way.
+  /// Each can become each other one; the first is the representative.
+  std::vector<std::int64_t> values;
+  std::vector<TransitionId> setters; ///< lead from these values to these values only
+  /// [value - the cell's lowest value][index of the target value]: first step of a shortest way.
   std::vector<std::vector<InputMove>> moves;
-  std::vector<Word> readers; ///< transitions that are enabled or not by it
+  std::vector<Word> readers; ///< transitions whose guard reads it
 };
 
-/// \pre the system is placed \param dropped transitions that are left out
+/// \pre the system has a state layout
+/// \param dropped transitions that are skipped
 [[nodiscard]] std::vector<FreeInput>
 findFreeInputs(const System& system, const std::vector<Goal>& goals, const Bits& dropped);
 

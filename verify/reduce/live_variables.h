@@ -8,38 +8,39 @@
 
 namespace proskill::verify {
 
-/// Gives one value to every variable that will be written before it is read again, so that states
-/// that differ only in such variables are one. Bozga, Fernandez, Ghirvu, "State space reduction
-/// based on live variables analysis", SAS 1999. A process that waits for a cell that nobody will
-/// ever write again reads nothing any more.
+/// Sets every variable that will be written before it is read to one value, so that states that
+/// differ only in such variables become one. Bozga, Fernandez, Ghirvu, "State space reduction based
+/// on live variables analysis", SAS 1999. A process that waits for a cell that nobody will write
+/// any more reads nothing from then on.
 class LiveVariables {
 public:
   /// \pre the system has a state layout \throw LimitMet
   LiveVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
                 LimitWatch& limits);
 
-  /// Sets the dead cells of a packed state to their least value.
+  /// Sets the dead cells of a packed state to their lowest value.
   void clean(Word* state) const;
 
 private:
-  /// A condition on one cell, without which a path cannot be taken.
+  /// A condition on one cell that must hold before a path can be taken.
   struct Need {
     NodeId condition = 0;
-    Bits rewritten; ///< what whoever makes it true surely writes, apart from cells of conditions
+    /// Cells that anyone who makes it true surely writes, except cells of conditions.
+    Bits rewritten;
   };
 
-  /// What an instance may do by one path out of a location.
+  /// A path out of a location that an instance may take.
   struct Way {
     PathId path = 0;
     std::vector<Need> needs;
-    Bits live; ///< cells that it may read before it writes them, on this path or behind it
+    Bits live; ///< cells that it may read before writing them, on this path or later
   };
 
-  /// What an instance in a location has to do with cells.
+  /// What an instance in a location may do with cells.
   struct Place {
     std::vector<Way> ways;
-    Bits later;                 ///< it may write them, now or later
-    std::vector<NodeId> needed; ///< conditions that all paths need
+    Bits later;                 ///< cells that it may write, now or later
+    std::vector<NodeId> needed; ///< conditions that all paths require
   };
 
   using PathsOf = std::vector<std::vector<PathId>>; ///< by instance
@@ -55,16 +56,16 @@ private:
   const System& system;
   LimitWatch& limits;
   Bits allCells;
-  std::vector<std::vector<PathId>> writing;           ///< by cell: paths that may be taken
-  std::vector<std::vector<Place>> places;             ///< by instance and location
+  std::vector<std::vector<PathId>> writing; ///< by cell: paths that may be taken and write it
+  std::vector<std::vector<Place>> places;   ///< by instance and location
   std::vector<std::map<std::uint32_t, Bits>> written; ///< by path: surelyWritten
-  Bits always;                                        ///< cells that goals look at, and locations
+  Bits always;                                        ///< cells that goals read, and locations
   std::vector<Word>
-      keyMask; ///< the part of a state that tells which cells are dead: locations and needed cells
+      keyMask; ///< The part of a state that determines the dead cells: locations and needed cells.
   mutable StateStore keys;
   mutable std::vector<std::vector<Word>> masks; ///< by key
   mutable std::vector<Word> key;
-  mutable std::vector<Word> lastKey; ///< successors of one state often share it
+  mutable std::vector<Word> lastKey; ///< successors of one state often have the same key
   mutable StateId last = 0;
 };
 

@@ -4,18 +4,18 @@
 
 namespace proskill::verify {
 
-/// Whether a step that changes nothing which the monitor sees is nothing to it: its points are
-/// those of the state around it, and no run without end is asked for.
+/// Whether the monitor ignores steps that change nothing it reads: it reads such a step like the
+/// state around it, and it does not accept infinite runs.
 [[nodiscard]] bool watchesPoints(const Monitor& monitor);
 
-/// Whether a fair run stays what it is to the monitor when steps that change nothing which it sees
-/// are put in or left out: it watches states, and time goes on between the steps.
+/// Whether adding or removing steps that change nothing the monitor reads does not affect whether
+/// it accepts a fair run: it reads states only, and time passes between the steps.
 [[nodiscard]] bool watchesStates(const Monitor& monitor, const System& system);
 
-/// What a monitor looks at, as goals are known to the reductions.
+/// The conditions of a monitor as goals for the reductions.
 [[nodiscard]] std::vector<Goal> goalsOf(const Monitor& monitor);
 
-/// The transitions with which the monitor has to move. \pre the system has a state layout
+/// The transitions that the monitor must not miss. \pre the system has a state layout
 [[nodiscard]] Bits stepsSeenBy(const Monitor& monitor, const System& system);
 
 } // namespace proskill::verify

@@ -6,20 +6,21 @@
 
 namespace proskill::verify {
 
-/// What is surely written on every way through a path's code to an end, by target; the location
-/// itself for `loop`.
+/// The cells that every way through a path's code surely writes, by the location in which it ends;
+/// `loop` ends in its own location.
 [[nodiscard]] std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCells);
 
-/// Whether the transition may pass one of the events.
+/// Whether the transition may cause one of the events.
 [[nodiscard]] bool mayPass(const System& system, const Transition& transition, const Bits& events);
 
-/// Whether running the path may turn a condition on cells from false to true. A path that only
-/// writes constants to the one cell of a condition does so only with one that makes it true. \pre
-/// the system has a state layout
+/// Whether the path may make a condition on cells true. If the path only writes constants to the
+/// condition's single cell, the condition is evaluated with these constants. \pre the system has a
+/// state layout
 [[nodiscard]] bool mayMakeTrue(const System& system, const Path& path, NodeId condition);
 
-/// Whether the condition is false after the path, wherever it ends: it writes constants to the
-/// condition's one cell, and with none of them it holds. \param sure what the path surely writes
+/// Whether the condition is false after the path, wherever it ends: the path surely writes the
+/// condition's single cell, only constants, and none of them satisfies the condition.
+/// \param sure cells that the path surely writes
 [[nodiscard]] bool makesFalse(const System& system, const Path& path, const Bits& sure,
                               NodeId condition);
 

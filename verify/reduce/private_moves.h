@@ -7,19 +7,20 @@
 
 namespace proskill::verify {
 
-/// Steps of a process on free inputs that only this process reads, from a location where it does
-/// nothing else, to one where it may stay for ever: as a monitor's that waits for its alarm to end
-/// and then for the next one. Whatever the others do before such a step they can do behind it, so
-/// it may be taken at once.
+/// Fires certain steps at once: steps of a process that read only free inputs of this process
+/// alone, leave a location in which it does nothing else, and reach a location in which it may stay
+/// for ever. Example: a monitor that waits until its alarm ends, then for the next alarm. Whatever
+/// other processes do before such a step, they can also do after it.
 class PrivateMoves {
 public:
-  /// \param dropped transitions that are left out \pre the arguments outlive this
+  /// \param dropped transitions that are skipped
+  /// \pre the arguments outlive this
   PrivateMoves(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
                const FreeInputs& inputs);
 
   [[nodiscard]] bool none() const { return movers.empty(); }
 
-  /// Such a step that is possible with some values of the free inputs; kNone where there is none.
+  /// Such a step that is possible for some values of the free inputs; kNone if there is none.
   [[nodiscard]] TransitionId pick(const Word* state) const;
 
 private:
@@ -27,7 +28,7 @@ private:
   struct Mover {
     CellId location = 0;
     std::vector<TransitionId> moves;   ///< by location; kNone where there is none
-    std::vector<std::uint32_t> inputs; ///< those that only it reads
+    std::vector<std::uint32_t> inputs; ///< indices of the inputs that only this process reads
   };
 
   const System& system;

@@ -6,14 +6,15 @@
 
 namespace proskill::verify {
 
-/// The urgent transitions that may happen again and again without end while no time passes and
-/// nothing happens that need not; a superset. What is not among them happens finitely often then: a
-/// clocked step among others, since its clock needs time to come to its bound again. Found by
-/// taking away, until nothing changes,
-/// - what lies on no cycle of its instance's locations;
-/// - what needs a variable to have a value that none of those left would give it again, and those
-///   that need different values of a variable that none of them changes.
-/// Steps that may fail or may turn out to be impossible are always among them. \throw LimitMet
+/// A superset of the urgent transitions that may fire infinitely often while no time passes and
+/// nothing optional happens. Any other transition then fires finitely often. This includes clocked
+/// transitions, whose clocks need time to reach their bounds again. The set is the fixed point of
+/// removing transitions
+/// - that are on no cycle of their instance's locations,
+/// - that need a variable to have a value that none of the remaining ones would set again, or
+/// - that need different values of a variable that none of the remaining ones changes.
+/// Transitions that may fail, or whose code may turn out to be disabled, are never removed.
+/// \throw LimitMet
 [[nodiscard]] TransitionSet recurrentSteps(const System& system, const Bits& dropped,
                                            LimitWatch& limits);
 

@@ -10,14 +10,14 @@ class LiveVariables;
 class FreeInputs;
 class PrivateMoves;
 
-/// The measures that an exploration takes; what is null or empty is not taken.
+/// The reductions that an exploration uses; null or empty: not used.
 struct Reductions {
   bool inclusion = false;
   const StubbornSets* stubbornSets = nullptr;
   const LiveVariables* liveVariables = nullptr;
   const FreeInputs* freeInputs = nullptr;
-  const PrivateMoves* privateMoves = nullptr; ///< only with free inputs
-  Bits dropped;                               ///< transitions of processes that only watch
+  const PrivateMoves* privateMoves = nullptr; ///< requires freeInputs
+  Bits dropped;                               ///< transitions of processes that only observe
 };
 
 } // namespace proskill::verify

@@ -9,34 +9,34 @@
 
 namespace proskill::verify {
 
-/// Partial order reduction by stubborn sets of which one transition is enabled: an urgent one that
-/// nothing else can disturb, or be disturbed by, before it fires. Valmari, "Stubborn sets for
-/// reduced state space generation", 1991; Bønneland, Jensen, Larsen, Muñiz, Srba, "Start pruning
-/// when time gets urgent: partial order reduction for timed systems", CAV 2018, for why urgency
-/// lets the untimed theory be used.
+/// Partial order reduction by stubborn sets with a single enabled transition: an urgent one that no
+/// other transition can interfere with before it fires. Valmari, "Stubborn sets for reduced state
+/// space generation", 1991; Bønneland, Jensen, Larsen, Muñiz, Srba, "Start pruning when time gets
+/// urgent: partial order reduction for timed systems", CAV 2018, shows that urgency makes the
+/// untimed theory applicable.
 class StubbornSets {
 public:
   /// \throw LimitMet
   StubbornSets(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
                LimitWatch& limits);
 
-  /// A transition that may be fired alone from this state; kNone where there is none.
+  /// A transition that may be fired alone in this state; kNone if there is none.
   /// \throw LimitMet
   [[nodiscard]] TransitionId pick(const Word* state, const TransitionSet& enabled) const;
 
 private:
-  /// A condition of a guard, and who may make it true.
+  /// A condition of a guard, and the transitions that may make it true.
   struct Condition {
     NodeId node = 0;
     const TransitionSet* helpers = nullptr;
   };
 
-  /// What has to be known of a transition to tell why it is disabled.
+  /// Explains why a transition is disabled.
   struct Needs {
     std::vector<std::pair<InstanceId, std::uint32_t>> locations;
     std::vector<Condition> conditions;
     bool tentative = false;
-    TransitionSet anyHelper; ///< who writes what its being enabled depends on
+    TransitionSet anyHelper; ///< transitions that write something on which its guard depends
   };
 
   struct Touching;
@@ -59,8 +59,8 @@ private:
   const System& system;
   LimitWatch& limits;
   TransitionSet none;
-  TransitionSet candidates;             ///< that may ever be safe
-  std::vector<TransitionSet> dependent; ///< by candidate
+  TransitionSet candidates;             ///< transitions that may be safe in some state
+  std::vector<TransitionSet> dependent; ///< by candidate: the transitions that depend on it
   std::vector<Needs> needs;             ///< by transition
   std::map<NodeId, TransitionSet> helpers;
 
@@ -69,7 +69,7 @@ private:
     std::uint32_t to;
   };
   std::vector<std::vector<std::vector<Move>>> moves; ///< by instance and location
-  std::vector<std::vector<Bits>> reached;            ///< by instance and location: locations
+  std::vector<std::vector<Bits>> reached; ///< by instance and location: reachable locations
   mutable std::map<std::tuple<InstanceId, std::uint32_t, std::uint32_t>, TransitionSet> ways;
 };
 

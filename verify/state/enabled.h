@@ -6,18 +6,19 @@
 
 namespace proskill::verify {
 
-/// Which transitions the discrete state allows. After a step, only those are looked at whose guards
-/// read what the step may have written.
+/// Computes which transitions the discrete state allows. After a step it evaluates only the guards
+/// that read what the step may have written.
 class Enabling {
 public:
-  /// Without the transitions in `dropped`.
+  /// Skips the transitions in `dropped`.
   explicit Enabling(const System& system, const Bits& dropped = {});
 
-  /// Of any state.
+  /// Computes the enabled transitions of any state.
   void compute(const Word* state, TransitionSet& enabled) const;
-  /// Of a state from the set of its predecessor. \param enabled of the predecessor, then of `state`
+  /// Computes the enabled transitions of a state from those of its predecessor.
+  /// \param enabled in: of the predecessor; out: of `state`
   void update(TransitionId fired, const Word* state, TransitionSet& enabled) const;
-  /// Looks again at `changed`, after something that their guards read was written.
+  /// Evaluates the transitions in `changed` again, after a cell that their guards read was written.
   void refresh(const TransitionSet& changed, const Word* state, TransitionSet& enabled) const;
   [[nodiscard]] SignatureId signature(const TransitionSet& enabled, Timing& timing) const {
     return signature(enabled, isUrgent(enabled), timing);
@@ -34,7 +35,7 @@ public:
   [[nodiscard]] const TransitionSet& urgentOnes() const { return urgent; }
 
 private:
-  /// Transitions of one word of a set.
+  /// Some transitions, all of one word of a set.
   struct Slice {
     std::uint32_t word = 0;
     Word bits = 0;
@@ -48,12 +49,12 @@ private:
   const System& system;
   TransitionSet urgent;
   TransitionSet clocked;
-  /// By transition: those whose guards read what it writes, other than where their own instances
-  /// are.
+  /// By transition: the transitions whose guards read what it writes, except locations of its own
+  /// instances.
   std::vector<std::vector<Slice>> affected;
-  using ByPlace = std::vector<std::vector<std::vector<TransitionId>>>; ///< instance and location
-  ByPlace takingPart; ///< transitions with a part there
-  ByPlace starting;   ///< those of them whose first part it is
+  using ByPlace = std::vector<std::vector<std::vector<TransitionId>>>; ///< by instance and location
+  ByPlace takingPart; ///< transitions with a part in this location
+  ByPlace starting;   ///< those whose first part is in this location
 };
 
 } // namespace proskill::verify

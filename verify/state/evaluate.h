@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-/// Evaluation of nodes, on packed states and on plain lists of values.
+/// Evaluation of nodes, on packed states and on lists of values.
 namespace proskill::verify {
 
-/// A step, as goals that watch steps see it.
+/// A state or a step, as goals read it.
 struct Moment {
   const Word* before = nullptr;
-  const Word* after = nullptr;  ///< null: nothing happens
-  const Bits* events = nullptr; ///< what happens
+  const Word* after = nullptr;  ///< the state after the step; null: no step is taken
+  const Bits* events = nullptr; ///< the events of the step
 };
 
 [[nodiscard]] inline std::int64_t readCell(const System& system, CellId id, const Word* state) {
@@ -26,18 +26,18 @@ inline void writeCell(const System& system, CellId id, std::int64_t value, Word*
       (state[cell.word] & ~cell.mask) | (static_cast<Word>(value - cell.low) << cell.shift);
 }
 
-/// The value of a node over packed cells. `fault` is set to the first that it comes to.
+/// The value of a node in a packed state. On a fault, `fault` is set to the first one.
 [[nodiscard]] std::int64_t evaluate(const System& system, NodeId node, const Word* state,
                                     FaultId& fault);
-/// For guards: a fault counts as false.
+/// The value of a guard. A fault counts as false.
 [[nodiscard]] inline bool holds(const System& system, NodeId node, const Word* state) {
   FaultId fault = kNoFault;
   return evaluate(system, node, state, fault) != 0 && fault == kNoFault;
 }
-/// The truth of a goal's condition.
+/// The value of a goal's condition.
 [[nodiscard]] bool holdsAt(const System& system, NodeId node, const Moment& moment);
 
-/// The value of a node where cell i holds values[i]; nothing where it comes to a fault.
+/// The value of a node if cell i has values[i]; nothing on a fault.
 [[nodiscard]] std::optional<std::int64_t> evaluateUnpacked(const System& system, NodeId node,
                                                            const std::vector<std::int64_t>& values);
 

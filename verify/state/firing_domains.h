@@ -5,19 +5,20 @@
 
 namespace proskill::verify {
 
-/// When the clocked transitions of a state class may fire, counted from now: bounds on their delays
-/// and on the differences of these. Transitions that share a clock and an interval share a delay,
-/// since nothing but the order in which they were written tells them apart. Berthomieu and Diaz,
-/// "Modeling and verification of time dependent systems using time Petri nets", TSE 1991.
+/// Firing domains of state classes: bounds on the delays after which clocked transitions may fire,
+/// counted from now, and on the differences of these delays. Transitions with a common clock and
+/// the same interval share a delay, because only their order in the model distinguishes them.
+/// Berthomieu and Diaz, "Modeling and verification of time dependent systems using time Petri
+/// nets", TSE 1991.
 class FiringDomains {
 public:
   explicit FiringDomains(const System& system);
 
-  /// What a discrete state says about time, as a number. \param enabled clocked transitions,
-  /// ascending
+  /// A number for everything in a discrete state that affects time.
+  /// \param enabled clocked transitions, ascending
   [[nodiscard]] std::uint32_t signature(bool urgent, const std::vector<TransitionId>& enabled);
   [[nodiscard]] ZoneId initial(std::uint32_t signature);
-  /// The domain after firing; kNone where the transition cannot fire first.
+  /// The domain after `transition` fires; kNone if it cannot fire first.
   [[nodiscard]] ZoneId after(ZoneId domain, std::uint32_t before, TransitionId transition,
                              std::uint32_t after) {
     return memo.get({domain, before, transition, after},
@@ -29,18 +30,18 @@ private:
   using Delay = std::uint32_t;
   struct Signature {
     bool urgent = false;
-    std::vector<Delay> delays; ///< ascending: the matrix has them in this order
+    std::vector<Delay> delays; ///< ascending; this is the order of the matrix
   };
 
   ZoneId calculate(ZoneId domain, std::uint32_t before, TransitionId transition,
                    std::uint32_t after);
-  /// Makes the moment at which the transition fires the new zero. False where it cannot.
+  /// Makes the moment at which the transition fires the new 0. Returns false if it cannot fire.
   bool fire(Dbm& domain, const Signature& signature, TransitionId transition);
   ZoneId enter(const Dbm& from, const std::vector<std::uint32_t>& kept, const Signature& signature);
 
   const System& system;
   std::vector<Delay> delayOf;       ///< by transition
-  std::vector<TransitionId> delays; ///< one transition of each
+  std::vector<TransitionId> delays; ///< a transition of each delay
   std::vector<Signature> signatures;
   NumberTable table;
   ZoneStore store;

@@ -2,15 +2,15 @@
 
 #include "verify/model/system.h"
 
-/// Evaluation of guards where some cells are not known, in three values (Kleene).
+/// Three-valued evaluation (Kleene) of guards in states in which some cells are unknown.
 namespace proskill::verify {
 
 enum class PartialTruth : std::uint8_t { False, True, Unknown };
 
-/// A packed state of which some bits are unknown.
+/// A packed state in which some bits are unknown.
 struct PartialState {
   const Word* state = nullptr;
-  const Word* unknown = nullptr; ///< by word: the bits that are not known
+  const Word* unknown = nullptr; ///< by word: the unknown bits
 };
 
 /// Some bits of a packed state.
@@ -25,14 +25,15 @@ public:
   /// \pre the system has a state layout
   explicit PartialEvaluation(const System& system);
 
-  /// Whether the tests and conditions of the transition's guard hold, whatever the unknown bits
-  /// are. A tentative transition's code is not run. \param undecided where it is unknown: bits on
-  /// which that depends
+  /// Evaluates the tests and conditions of a transition's guard for all values of the unknown bits.
+  /// Does not run the code of tentative transitions.
+  /// \param undecided if the result is Unknown: bits on which it depends
   [[nodiscard]] PartialTruth guard(const System& system, const Transition& transition,
                                    const PartialState& at, BitField& undecided) const;
 
 private:
-  std::vector<bool> opaque; ///< by node: a fault decides its value, so it is known as a whole only
+  /// By node: its evaluation may cause a fault, so its value is known only if all its cells are.
+  std::vector<bool> opaque;
 };
 
 } // namespace proskill::verify

@@ -4,10 +4,10 @@
 
 namespace proskill::verify {
 
-/// The system with its cells packed into words: those in `kept` first, the others behind the words
-/// that are stored, so that an exploration does not tell states apart by them.
+/// Packs the cells of a system into words. The cells in `kept` come first; the others come after
+/// the stored words, so that an exploration does not distinguish states by them.
 [[nodiscard]] System withStateLayout(System system, const Bits& kept);
-/// With every cell kept.
+/// The same, with all cells kept.
 [[nodiscard]] System withStateLayout(System system);
 
 /// The packed initial state.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-/// Tables of what was seen: each thing is kept once, in one long array, and has a number.
+/// Hash tables that store each item once, in one array, and give it a number.
 namespace proskill::verify {
 
 [[nodiscard]] inline std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
@@ -14,19 +14,20 @@ namespace proskill::verify {
   return hash ^ (hash >> 29);
 }
 
-/// A growing table is checked against limits before so many more things are entered.
+/// Growing tables are checked against the limits at least every so many insertions.
 inline constexpr std::size_t kBetweenGrowthChecks = 4096;
 
-/// Bytes that a vector takes in addition while it grows, where that is near.
+/// Additional bytes that a vector will allocate when it grows, if that is soon; otherwise 0.
 template <class T> [[nodiscard]] std::uint64_t growthOf(const std::vector<T>& all) {
   if (all.capacity() - all.size() > kBetweenGrowthChecks) return 0;
   return all.capacity() * sizeof(T);
 }
 
-/// Open addressing over numbers; the owner keeps the things themselves and compares them.
+/// A hash table of numbers (open addressing). The owner stores and compares the items.
 class NumberTable {
 public:
-  /// The number whose thing `same` says is equal, or `next`, which is then entered.
+  /// The number of the item for which `same` returns true. If there is none, inserts `next` and
+  /// returns it.
   template <class Same> std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t next, Same same) {
     if ((used + 1) * 2 > slots.size()) grow();
     const std::uint64_t mask = slots.size() - 1;
@@ -50,8 +51,8 @@ public:
 private:
   struct Slot {
     std::uint32_t number = kNone;
-    std::uint32_t tag = 0; ///< the upper half of the hash
-    std::uint32_t low = 0; ///< the lower half, to grow without the things
+    std::uint32_t tag = 0; ///< upper half of the hash
+    std::uint32_t low = 0; ///< lower half of the hash, so that the table can grow without the items
   };
 
   void grow();
@@ -119,7 +120,7 @@ private:
   NumberTable table;
 };
 
-/// A function from triples of numbers to a number, as far as it is known.
+/// Cache of computed numbers, by four numbers.
 class Memo {
 public:
   struct Key {
@@ -129,7 +130,7 @@ public:
     std::uint32_t d = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  /// The value at `key`, from `make` where it is not known.
+  /// The value for `key`; computed by `make` on the first call.
   template <class Make> std::uint32_t get(const Key& key, Make make) {
     std::uint64_t hash =
         mix(mix(0, std::uint64_t{key.a} << 32 | key.b), std::uint64_t{key.c} << 32 | key.d);

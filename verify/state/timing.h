@@ -9,46 +9,46 @@ namespace proskill::verify {
 
 using SignatureId = std::uint32_t;
 
-/// All that time needs to know of a discrete state: whether it may pass, and which clocked
-/// transitions are enabled.
+/// The timing constraints of a discrete state: whether time may pass, and which clocked transitions
+/// are enabled.
 struct Signature {
   bool urgent = false;
   std::vector<TransitionId> enabled; ///< clocked ones, ascending
-  std::vector<ClockId> clocks;       ///< theirs, ascending: the matrix has them in this order
-  std::vector<Bound> invariants;     ///< by clock: how far time may go
-  std::vector<std::int32_t> lower;   ///< by index in the matrix: for Dbm::extrapolate
+  std::vector<ClockId> clocks; ///< of these transitions, ascending; this is the order of the matrix
+  std::vector<Bound> invariants;   ///< by clock: upper bound until which time may pass
+  std::vector<std::int32_t> lower; ///< by index in the matrix: for Dbm::extrapolate
   std::vector<std::int32_t> upper;
 };
 
 enum class Extrapolation : std::uint8_t {
   LowerUpper, ///< Extra+LU
-  Maximum,    ///< the same, with the greater of both constants for both: exact up to bisimulation
-  Least,      ///< only what an unbounded clock needs for the graph to be finite
+  Maximum, ///< Extra+M: as LowerUpper with the greater of both constants; exact up to bisimulation
+  Least,   ///< abstracts only unbounded clocks, as needed for a finite graph
 };
 
-/// Zones of a system: where they start, and what a transition makes of them. Zones are those after
-/// time has passed.
+/// Computes the zones of a system: the initial one and the successors. Zones include the passing of
+/// time.
 class Timing {
 public:
   Timing(const System& of, Extrapolation how) : system(of), extrapolation(how) {}
 
-  /// \param clocked which transitions have clocks: of `enabled`, those count
+  /// \param clocked the transitions with clocks; only these are read from `enabled`
   [[nodiscard]] SignatureId signature(bool urgent, const TransitionSet& enabled,
                                       const TransitionSet& clocked);
   [[nodiscard]] const Signature& at(SignatureId id) const { return signatures[id]; }
-  /// Every clock 0, then time.
+  /// The initial zone: all clocks are 0, then time passes.
   [[nodiscard]] ZoneId initial(SignatureId signature);
-  /// From a zone of `before` by `transition` to the zone of `after`; kNone where time forbids the
-  /// transition.
+  /// The successor of a zone of `before` by `transition`, as a zone of `after`; kNone if timing
+  /// forbids the transition.
   [[nodiscard]] ZoneId after(ZoneId zone, SignatureId before, TransitionId transition,
                              SignatureId after);
-  /// Whether the transition can fire from some point of the zone. \pre it is enabled in the
-  /// discrete state
+  /// Whether the transition can fire from some point of the zone. \pre the discrete state enables
+  /// it
   [[nodiscard]] bool isFirable(ZoneId zone, SignatureId signature, TransitionId transition) const;
-  /// Limits a zone to where the transition can fire: its own bounds, and nothing that has priority
-  /// being ready. False where nothing is left.
+  /// Restricts a zone to the points where the transition can fire: its interval allows it and no
+  /// transition with priority is ready. Returns false if the zone becomes empty.
   [[nodiscard]] bool allow(Dbm& zone, SignatureId signature, TransitionId transition) const;
-  /// For Dbm::over: which clocks of `before` go on as clocks of `after`.
+  /// The clocks of `before` that keep running as clocks of `after`, as argument of Dbm::over.
   [[nodiscard]] std::vector<std::uint32_t> kept(SignatureId before, TransitionId transition,
                                                 SignatureId after) const;
   [[nodiscard]] const ZoneStore& zones() const { return store; }
@@ -68,13 +68,14 @@ private:
   Memo memo;
 };
 
-/// Whether firing `transition` starts the clock anew where it goes on to be needed.
+/// Whether firing `transition` resets a clock that is needed afterwards.
 [[nodiscard]] bool resets(const System& system, TransitionId transition, ClockId clock);
 
-/// The bounds of a transition's clock when it fires: `lower` limits 0 - x, `upper` limits x - 0.
+/// The bounds of a transition's clock when it fires: `lowerBound` limits 0 - x, `upperBound` limits
+/// x - 0.
 [[nodiscard]] Bound lowerBound(const fiacre::Interval& interval);
 [[nodiscard]] Bound upperBound(const fiacre::Interval& interval);
-/// The upper bound of a clock as long as its transition cannot fire yet.
+/// The upper bound of a clock while its transition cannot fire yet.
 [[nodiscard]] Bound notYet(const fiacre::Interval& interval);
 
 } // namespace proskill::verify

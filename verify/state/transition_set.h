@@ -6,7 +6,7 @@
 
 namespace proskill::verify {
 
-/// A set of transitions, of fixed size.
+/// A set of transitions of a system, as bits.
 using TransitionSet = std::vector<Word>;
 
 [[nodiscard]] inline bool contains(const TransitionSet& set, TransitionId id) {
@@ -23,7 +23,7 @@ template <class Visit> void eachIn(const TransitionSet& set, Visit visit) {
       visit(static_cast<TransitionId>(i * 64 + std::countr_zero(rest)));
 }
 
-/// \pre the sets are of one size
+/// \pre both sets are of the same system
 template <class Visit>
 void eachInBoth(const TransitionSet& one, const TransitionSet& other, Visit visit) {
   for (std::size_t i = 0; i < one.size(); ++i)

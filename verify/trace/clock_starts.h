@@ -7,7 +7,7 @@
 
 namespace proskill::verify {
 
-/// Which step of a run started each clock: how many had been taken then, 0 at the start.
+/// The step of a run that started each clock, as the number of steps taken then; 0: at the start.
 class ClockStarts {
 public:
   explicit ClockStarts(const System& of)
@@ -15,10 +15,10 @@ public:
 
   [[nodiscard]] std::size_t of(ClockId clock) const { return since[clock]; }
 
-  /// Clocks that run after the step and do not go on start at it.
-  /// \param before the transitions that were enabled before it
-  /// \param after those that are enabled now
-  /// \param taken how many steps were taken with this one
+  /// Records the clocks that this step starts: those that run after it and did not keep running.
+  /// \param before transitions enabled before the step
+  /// \param after transitions enabled after it
+  /// \param taken number of steps taken, including this one
   void restart(TransitionId step, const TransitionSet& before, const TransitionSet& after,
                std::size_t taken) {
     const auto eachClock = [&](const TransitionSet& enabled, auto visit) {
@@ -35,8 +35,9 @@ public:
 
 private:
   const System& system;
-  std::vector<std::size_t> since; ///< by clock that runs
-  std::vector<std::size_t> ranAt; ///< by clock: the last call that found it running before
+  std::vector<std::size_t> since; ///< by running clock
+  /// By clock: the last call in which it was running before the step.
+  std::vector<std::size_t> ranAt;
   std::size_t calls = 0;
 };
 

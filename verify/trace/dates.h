@@ -4,7 +4,7 @@
 
 namespace proskill::verify {
 
-/// When a step may happen, over all runs through the same steps; and in one run.
+/// The dates at which a step may happen over all runs with the same steps, and its date in one run.
 struct Window {
   Date earliest;
   std::optional<Date> latest;
@@ -15,15 +15,16 @@ struct Dating {
   std::int64_t scale = 1;
   std::vector<Window> steps;
   std::int64_t end =
-      0; ///< when the evidence is seen, in units of 1/scale: at the last step or later
-  std::vector<std::int64_t> marks; ///< when a monitor moves between steps
+      0; ///< When the evidence is complete, in units of 1/scale: at the last step or later.
+  std::vector<std::int64_t> marks; ///< dates of the monitor's moves between steps
 };
 
-/// Dates for the steps of a run, as a system of difference constraints: each step fires between the
-/// bounds of its transition, and before the upper bound of every transition that is enabled then.
-/// The run given is the earliest. Nothing where no dates do. Cormen, Leiserson, Rivest, Stein,
-/// "Introduction to Algorithms", 24.4.
-/// \param enabling of the system, with nothing left out \throw LimitMet
+/// Computes dates for the steps of a run as a system of difference constraints: each step fires
+/// within its transition's bounds, and before the upper bound of every transition that is enabled
+/// then. The returned run is the earliest. Nothing if there are no such dates. Cormen, Leiserson,
+/// Rivest, Stein, "Introduction to Algorithms", 24.4.
+/// \param enabling of the system, without skipped transitions
+/// \throw LimitMet
 [[nodiscard]] std::optional<Dating> dated(const System& system, const Enabling& enabling,
                                           const Evidence& evidence, LimitWatch& limits);
 

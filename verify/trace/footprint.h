@@ -6,29 +6,30 @@
 
 namespace proskill::verify {
 
-/// What suffices for a node to have the value that it has.
+/// What suffices for a node to have its value.
 struct Needs {
-  std::vector<CellId> before; ///< of the state, or of the one before the step
+  std::vector<CellId> before; ///< of the state, or of the state before the step
   std::vector<CellId> after;  ///< of the state after the step
-  bool event = false;         ///< that the step happens
+  bool event = false;         ///< the value depends on what happens in the step
 
   void add(Needs other);
 };
 
-/// Finds cells that suffice for a value: with these cells as they are, the node has the value that
-/// it has, whatever the others hold. Of a disjunction that is true one operand is enough, and of a
-/// conjunction that is false; the one is taken that depends on the fewest steps. An operand is not
-/// left out where it might come to a fault.
+/// Computes sufficient cells for a value: while these cells keep their values, the node keeps its
+/// value, whatever the other cells hold. For a true disjunction or a false conjunction, one operand
+/// suffices; the operand that depends on the fewest steps is chosen. An operand that might cause a
+/// fault is always included.
 class Footprints {
 public:
-  /// \param writers by cell: 0 where no step has changed it \pre the arguments outlive this
+  /// \param writers by cell: number of the step that changed it last; 0 if none did
+  /// \pre the arguments outlive this
   Footprints(const System& of, const std::vector<std::size_t>& writers);
 
   [[nodiscard]] Needs of(NodeId node, const Moment& moment) const;
   [[nodiscard]] Needs of(NodeId node, const Word* state) const {
     return of(node, Moment{state, nullptr, nullptr});
   }
-  /// Of a value that is assigned: nothing where a cell keeps its own.
+  /// The needs of a value that is assigned; none if the cell keeps its value.
   [[nodiscard]] Needs ofAssigned(NodeId node, const Word* state, CellId target) const;
 
 private:
@@ -47,7 +48,7 @@ private:
   const System& system;
   const std::vector<std::size_t>& writers;
   enum class Fault : std::uint8_t { Unknown, Never, Possible };
-  mutable std::vector<Fault> faults; ///< by node, as far as it was asked for
+  mutable std::vector<Fault> faults; ///< by node, computed on demand
 };
 
 } // namespace proskill::verify

@@ -11,28 +11,28 @@
 
 namespace proskill::verify {
 
-/// The run that was replayed last. A run that begins with the same steps at the same dates is
-/// replayed from where it parts from it.
+/// The run that was replayed last. If another run starts with the same steps at the same dates,
+/// only the rest of it is replayed.
 class ReplayedRun {
 public:
   ReplayedRun(const System& of, LimitWatch& watch) : system(of), limits(watch) {}
 
-  /// To be called first. \param units of time in one unit of the model
+  /// Call this first. \param units number of time units in one unit of the model
   const Simulator& start(std::int64_t units);
-  /// Takes a step: the one behind `before` others. Says why it is not possible, nothing where it
-  /// is. \throw LimitMet
+  /// Takes a step after the first `before` steps. Returns why the step is not possible, or an empty
+  /// string. \throw LimitMet
   [[nodiscard]] std::string take(std::size_t before, TransitionId step, std::int64_t date);
-  /// What it came to after so many steps.
+  /// The concrete state after this many steps.
   [[nodiscard]] const Concrete& after(std::size_t steps) const {
     return steps == 0 ? first : taken[steps - 1].after;
   }
-  /// Whether it comes to rest behind so many steps.
+  /// Whether the run comes to rest after this many steps.
   [[nodiscard]] Rest restAfter(std::size_t steps) const;
-  /// What the step behind `before` others passed.
+  /// The events of the step after the first `before` steps.
   [[nodiscard]] const std::vector<EventId>& events(std::size_t before) const {
     return taken[before].events;
   }
-  /// Forgets the end of a run that is too long to be kept.
+  /// Drops the end of a run that is too long to keep.
   void forgetLong();
 
 private:
@@ -51,10 +51,11 @@ private:
   std::vector<Taken> taken;
 };
 
-/// Runs the steps at their dates on concrete values and ages, and looks whether what the goal asks
-/// for is seen at the end. It knows the transitions, but neither zones nor clocks nor reductions:
-/// every transition has its own age. Returns what went wrong, empty where nothing did.
-/// \param run may hold another run of the system \throw LimitMet
+/// Executes the steps at their dates on concrete values and ages, and checks that the goal is
+/// reached at the end. It uses the transitions, but no zones, clocks or reductions: every
+/// transition has an age of its own. Returns what went wrong, or an empty string.
+/// \param run may hold another run of the same system
+/// \throw LimitMet
 [[nodiscard]] std::string replay(const System& system, const Goal& goal, const Evidence& evidence,
                                  const Dating& dating, ReplayedRun& run);
 

@@ -8,25 +8,25 @@
 
 namespace proskill::verify {
 
-/// A step that may come next.
+/// A step that may be taken next.
 struct Choice {
-  Step step; ///< as a trace has it: `date` is when it would be taken, the changes those it makes
-  std::int64_t scale = 1;             ///< of all dates here: units of 1/scale of the model's unit
-  std::int64_t earliest = 0;          ///< after the steps that were taken, at their dates
-  bool afterEarliest = false;         ///< not at that date itself
-  std::optional<std::int64_t> latest; ///< nothing: as late as one likes
+  Step step; ///< as in a trace: `date` is when it would be taken, `changes` what it would change
+  std::int64_t scale = 1; ///< of all dates here: they are in units of 1/scale of the model's unit
+  std::int64_t earliest = 0;          ///< given the steps taken so far at their dates
+  bool afterEarliest = false;         ///< the date itself is excluded
+  std::optional<std::int64_t> latest; ///< nothing: unbounded
   bool beforeLatest = false;
-  /// Whether it has to be taken at last, unless something else prevents it.
+  /// Whether the step must be taken eventually, unless another step prevents it.
   bool bounded = false;
 };
 
-/// When a step is taken, of all the dates at which it can be.
+/// Which of its possible dates a step is taken at.
 enum class When : std::uint8_t {
   Early,
-  Late, ///< just before, where the last date is not reached itself; as `Early` where there is none
+  Late, ///< if the latest date is excluded, just before it; if there is none, as `Early`
 };
 
-/// A run of a model that somebody else chooses the steps of. Values and dates are concrete.
+/// A run of a model whose steps the caller chooses. Values and dates are concrete.
 /// \pre the model outlives this
 class Simulation {
 public:
@@ -36,15 +36,14 @@ public:
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Every watched variable's first value, in `after`.
+  /// The initial value of each watched variable, in `after`.
   [[nodiscard]] const std::vector<Change>& initial() const;
-  /// What may come next, the likeliest first: what has to happen soonest, before what may never
-  /// happen. Empty where nothing is possible any more.
+  /// The possible next steps, the likeliest first: steps that must happen, ordered by their latest
+  /// date, then steps that may never happen. Empty if no step is possible.
   [[nodiscard]] std::vector<Choice> choices() const;
-  /// Takes one of them; returns its date, in units of `Choice::scale`. \pre choice <
-  /// choices().size()
+  /// Takes a step and returns its date in units of `Choice::scale`. \pre choice < choices().size()
   std::int64_t take(std::size_t choice, When when = When::Early);
-  /// Takes the last step back; false at the start.
+  /// Undoes the last step; returns false at the start.
   bool undo();
 
 private:

@@ -6,47 +6,47 @@
 #include <optional>
 #include <vector>
 
-/// Runs of a system on concrete values and dates. It knows the transitions, but neither zones nor
-/// clocks nor reductions: every transition has its own age.
+/// Executes a system on concrete values and dates. It uses the transitions, but no zones, clocks or
+/// reductions: every transition has an age of its own.
 namespace proskill::verify {
 
-/// A discrete state, and since when each enabled transition is enabled.
+/// A discrete state, and since when each of its enabled transitions has been enabled.
 struct Concrete {
   std::vector<Word> state;
   std::map<TransitionId, std::int64_t> since; ///< in units of 1/scale
   friend auto operator<=>(const Concrete&, const Concrete&) = default;
 };
 
-/// When something may happen, in units of 1/scale since the start.
+/// When a step may happen, in units of 1/scale since the start.
 struct Opportunity {
   std::int64_t earliest = 0;
-  bool afterEarliest = false;         ///< not at `earliest` itself
-  std::optional<std::int64_t> latest; ///< nothing: as late as one likes
-  bool beforeLatest = false;          ///< not at `latest` itself
+  bool afterEarliest = false;         ///< `earliest` itself is excluded
+  std::optional<std::int64_t> latest; ///< nothing: unbounded
+  bool beforeLatest = false;          ///< `latest` itself is excluded
 };
 
 class Simulator {
 public:
-  /// \param units of time in one unit of the model
+  /// \param units number of time units in one unit of the model
   Simulator(const System& of, std::int64_t units);
 
   [[nodiscard]] Concrete start() const;
-  /// Whether nothing has to happen before `date`.
+  /// Whether no step has to happen before `date`.
   [[nodiscard]] bool mayWait(const Concrete& now, std::int64_t date) const;
-  /// Whether nothing ever has to happen.
+  /// Whether no step ever has to happen.
   [[nodiscard]] bool mayRest(const Concrete& now) const;
   [[nodiscard]] bool isRipe(const Concrete& now, TransitionId id, std::int64_t date) const;
-  /// When an enabled transition may be taken, from `date` on; nothing where others have to happen
-  /// before. \pre it is enabled
+  /// When an enabled transition may be taken, from `date` on; nothing if other steps have to happen
+  /// before. \pre the transition is enabled
   [[nodiscard]] std::optional<Opportunity> opportunity(const Concrete& now, TransitionId id,
                                                        std::int64_t date) const;
-  /// Whether the step is an error of the model; what went wrong is in `log`.
+  /// Whether the step causes an error of the model; `log` then has the fault.
   [[nodiscard]] bool fails(const Concrete& now, TransitionId id, StepLog& log) const;
-  /// The step itself; what it passes is in `log`. Nothing where it fails.
+  /// Takes a step; `log` receives what happens in it. Nothing if the step fails.
   [[nodiscard]] std::optional<Concrete> take(const Concrete& now, TransitionId id,
                                              std::int64_t date, StepLog& log) const;
-  /// Whether time is seen to pass now, or after steps that have to happen now. Gives up, with
-  /// false, where these are too many to look at each: it cannot use the reductions of a search.
+  /// Whether time can pass now, or after steps that must happen now. Returns false if there are too
+  /// many such steps to examine them all, because the reductions of a search cannot be used here.
   [[nodiscard]] bool canGoOn(const Concrete& now, std::int64_t date) const;
 
 private:

@@ -4,28 +4,29 @@
 #include "verify/state/run.h"
 #include "verify/verify.h"
 
-/// What is told of a step.
+/// Names and descriptions of steps.
 namespace proskill::verify {
 
-/// As frac names transitions; of a synchronisation the later member comes first.
+/// The name that frac gives a transition; in a synchronisation the later member comes first.
 [[nodiscard]] std::string nameOf(const System& system, TransitionId transition, const StepLog& log);
 
-/// The instances of processes that move, in the order of the model.
+/// The process instances that move, in the order of the model.
 [[nodiscard]] std::vector<std::string> instancesOf(const System& system, TransitionId transition);
 
-/// Each origin once, in the order of the path; those with words after those without.
+/// Each origin once, in the order of the path: first those without a description, then those with
+/// one.
 [[nodiscard]] std::vector<fiacre::OriginId>
 mostDescriptiveLast(const fiacre::Provenance& provenance, const StepLog& log);
 
-/// Every watched variable's value, in `after`.
+/// The value of each watched variable, in `after`.
 [[nodiscard]] std::vector<Change> valuesIn(const System& system, const std::vector<Word>& state);
 
-/// \param which watched variables may have changed, by their places
+/// \param which indices of the watched variables that may have changed
 [[nodiscard]] std::vector<Change> changesBetween(const System& system,
                                                  const std::vector<std::uint32_t>& which,
                                                  const std::vector<Word>& before,
                                                  const std::vector<Word>& after);
-/// Of all watched variables.
+/// The same for all watched variables.
 [[nodiscard]] std::vector<Change> changesBetween(const System& system,
                                                  const std::vector<Word>& before,
                                                  const std::vector<Word>& after);

@@ -7,9 +7,9 @@
 
 namespace proskill::verify {
 
-/// What the instances wait for that have begun something and cannot go on: for each, the origin of
-/// the step that it would take next. Those that wait for a condition come first, before those that
-/// wait for others. \param state in which nothing is possible
+/// What started instances wait for in a deadlock: for each, the origin of its next step. Instances
+/// that wait for a condition come before instances that wait for others. \param state in which no
+/// step is possible
 [[nodiscard]] std::vector<fiacre::OriginId>
 waitsIn(const System& system, const fiacre::Provenance& provenance, const std::vector<Word>& state);
 

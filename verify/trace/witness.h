@@ -11,19 +11,22 @@
 
 namespace proskill::verify {
 
-/// Makes a trace of evidence: on the system with nothing reduced, with dates, replayed.
+/// Turns evidence into a trace: a dated and replayed run of the system without reductions.
 class Witness {
 public:
-  /// \param whole the system with every cell kept \param reductions those that the search used
+  /// \param whole the system with all cells kept
+  /// \param reductions the reductions that the search used
   /// \pre the arguments outlive this
   Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance,
           LimitWatch& limits);
 
-  /// What a search has found as steps of the whole system, as few as will do. \throw LimitMet
+  /// The evidence of a search as steps of the whole system, with as few steps as possible. \throw
+  /// LimitMet
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
-  /// Replays such steps. \return why they do not stand; empty where they do. \throw LimitMet
+  /// Replays these steps. \return why the replay fails, or an empty string
+  /// \throw LimitMet
   [[nodiscard]] std::string refutation(const Goal& goal, const Evidence& evidence) const;
-  /// The trace of such steps, or why they do not stand. \throw LimitMet
+  /// The trace of these steps, or why the replay fails. \throw LimitMet
   [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal,
                                                         const Evidence& evidence) const;
 
@@ -36,14 +39,14 @@ private:
   [[nodiscard]] Evidence completed(const Goal& goal, const Evidence& evidence) const;
 
   const System& system;
-  Enabling enabling; ///< of what the search looked at
+  Enabling enabling; ///< as the search computed it
   Enabling all;
-  TransitionSet dropped;          ///< what the search did not look at
-  std::optional<FreeInputs> open; ///< as the search used them
+  TransitionSet dropped;          ///< transitions that the search skipped
+  std::optional<FreeInputs> open; ///< the free inputs that the search used
   const fiacre::Provenance& provenance;
   LimitWatch& limits;
-  mutable ReplayedRun played; ///< traces of one search mostly begin alike
-  /// By transition that a trace had: the watched cells that it may change.
+  mutable ReplayedRun played; ///< the traces of one search usually start with the same steps
+  /// By transition that occurred in a trace: the watched cells that it may change.
   mutable std::vector<std::optional<std::vector<std::uint32_t>>> changing;
 };
 
