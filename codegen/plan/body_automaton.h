@@ -12,42 +12,43 @@ namespace proskill::codegen {
 
 struct BodyAutomaton;
 
-/// Where control stands before a statement, and where it goes from there.
+/// A control state before a statement of a body, with its successors.
 struct BodyState {
-  std::string name;                             ///< as the paper names it: `NS5`, `N3_T`
+  std::string name;                             ///< as in the paper: `NS5`, `N3_T`
   const syntax::Statement* statement = nullptr; ///< null: the end of the body
-  const syntax::Statement* cases = nullptr;     ///< of a call: the `case` that it is the call of
-  /// Where control goes when the statement is done: of a loop when it ends, of an `if` when no arm
-  /// is taken, of a `break` or `goto` its target. Empty where it goes nowhere: behind an outcome,
-  /// and behind a loop for ever.
+  const syntax::Statement* cases = nullptr; ///< for a call that is tested by a `case`: this `case`
+  /// The state after the statement: after a loop ends, after an `if` without a matching arm, the
+  /// target of a `break` or `goto`. Empty if there is none: after an outcome and after an infinite
+  /// loop.
   std::string next;
-  /// WaitCondition: of what follows its timeout; If, Case: the first state of each arm, an `else`
-  /// included; While, DoUntil: of the body; Choose: of each branch.
+  /// First states of the parts. WaitCondition: of what follows its timeout; If, Case: of each arm,
+  /// including `else`; While, DoUntil: of the body; Choose: of each branch.
   std::vector<std::string> targets;
   std::vector<BodyAutomaton> branches; ///< Parallel, Race
 
-  /// What the text has there. \pre it is not the end of the body
+  /// The statement in the text. \pre this is not the end of the body
   [[nodiscard]] const syntax::Statement& source() const { return cases ? *cases : *statement; }
 };
 
 /// A body, or a parallel branch of one, as an automaton: a state before each statement in the order
-/// of the text, none before a label. The first state of an arm or of a loop's body is called after
-/// the test: `N1_T`, `N1_T2` of an `elseif`, `N1_F` of an `else`, `N1_C1` of a choice.
+/// of the text, but no state before a label. The first state of an arm or of a loop's body is named
+/// after the test: `N1_T`, `N1_T2` for an `elseif`, `N1_F` for an `else`, `N1_C1` for a choice.
 struct BodyAutomaton {
-  std::string name;                ///< of the skill; of a branch `uav_mission_branch_1_0`
-  std::vector<std::size_t> path;   ///< of a branch: 1-based, from the body inwards; for people
-  std::vector<std::string> rivals; ///< of a branch of a race: the others, which it ends by its end
-  std::vector<std::string> racers; ///< the branches of races that it is within, itself included
-  syntax::Range range;             ///< of its statements, with their parentheses
-  std::vector<BodyState> states;   ///< the end stands last, where it can be reached from some state
+  std::string name;              ///< of the skill; for a branch `uav_mission_branch_1_0`
+  std::vector<std::size_t> path; ///< position of a branch for users: 1-based, from the body inwards
+  /// For a branch of a race: the other branches, which it stops when it ends.
+  std::vector<std::string> rivals;
+  std::vector<std::string> racers; ///< the branches of races that contain it, including itself
+  syntax::Range range;             ///< of its statements, including their parentheses
+  std::vector<BodyState> states;   ///< the end is last, if it is reachable from some state
   std::string entry;
-  std::map<std::string_view, std::string> labels; ///< the state that control has at the label
+  std::map<std::string_view, std::string> labels; ///< the state of each label
 };
 
-/// The automaton of a body. \pre the body has no errors. It looks into `body`.
+/// The automaton of a body. It refers to `body`. \pre the body has no errors
 [[nodiscard]] BodyAutomaton bodyAutomaton(const syntax::Block& body, std::string_view name);
 
-/// Visits the automaton, then the branches within it, in the order of the text.
+/// Visits the automaton, then its branches in the order of the text.
 void forEachThread(const BodyAutomaton& automaton,
                    const std::function<void(const BodyAutomaton&)>& visit);
 

@@ -11,24 +11,25 @@
 
 namespace proskill::codegen {
 
-/// With which arguments each skill is called, found from the mission and the monitors on: those of
-/// a call may be parameters of its caller, so they depend on how that was called. A skill's sets
-/// of arguments are numbered from 1; 0 is a call without any.
+/// The arguments with which each skill is called, found by following calls from the mission and the
+/// monitors. An argument may be a parameter of the caller, so it depends on how the caller was
+/// called. The argument sets of a skill are numbered from 1; 0 is a call without arguments.
 class CallTable {
 public:
-  /// The literals of a set, as written, by the skill's `:input`; empty where nothing was given.
+  /// The literals of a set, as written, in the order of the skill's `:input`; empty where no
+  /// argument was given.
   using Values = std::vector<std::string>;
 
   CallTable() = default;
   CallTable(const analysis::Program& program, const GenerationPlan& plan);
 
-  /// The number of the arguments of a call, by the number of its caller's.
+  /// For a call: from the number of the caller's argument set to the number of the callee's.
   [[nodiscard]] const std::map<std::int64_t, std::int64_t>&
   numbersOf(const syntax::Statement& call) const;
-  /// The skill whose body has the call.
+  /// The skill whose body contains the call.
   [[nodiscard]] std::string_view callerOf(const syntax::Statement& call) const;
   [[nodiscard]] std::int64_t last() const;
-  /// What each basic skill asks of the platform, for each of its sets.
+  /// The actions that basic skills request from the platform, one for each argument set.
   [[nodiscard]] std::vector<ActionCall> actions() const;
 
 private:

@@ -8,10 +8,11 @@
 
 namespace proskill::codegen {
 
-/// The expression names the variable.
+/// Whether the expression names the variable.
 [[nodiscard]] bool mentions(const fiacre::Expr& expr, std::string_view variable);
 
-/// What the statements of a process name: variables, constants and constructors alike, and ports.
+/// The names that the statements of a process use: variables, constants and constructors together,
+/// and ports.
 struct Mentioned {
   std::set<std::string, std::less<>> names;
   std::set<std::string, std::less<>> ports;

@@ -10,22 +10,23 @@
 
 namespace proskill::codegen {
 
-/// What everything is called in the model. State variables, events and skills keep their names
-/// where that is possible, in this order; what the generator adds gives way to them.
+/// The names of everything in the model. State variables, events and skills keep their names where
+/// possible, in this order of priority; names that the generator adds are changed instead.
 class Names {
 public:
   Names(const analysis::Program& program, const GenerationPlan& plan);
 
   const std::string& variable(std::string_view sv) { return global.of("variable", sv); }
   const std::string& type(std::string_view sv) { return global.of("type", {"sv", sv}); }
-  /// A value of an enumeration: as it is, or after its variable where another one has it too.
+  /// A value of an enumeration: its own name, or with its variable's name in front if another
+  /// variable has the same value.
   const std::string& value(std::string_view sv, std::string_view value);
   const std::string& error(std::string_view sv) { return global.of("error", {sv, "error"}); }
   const std::string& event(std::string_view event) { return global.of("event", event); }
   const std::string& interruptPort(std::string_view skill) {
     return global.of("interrupt", {"interrupt", skill});
   }
-  /// The constant that is the index of a skill or of a branch in `skill[]`.
+  /// The constant for the index of a skill or branch in `skill[]`.
   const std::string& cell(std::string_view thread) { return global.of("cell", thread); }
   const std::string& used(std::string_view resource) {
     return global.of("used", {resource, "used"});
@@ -33,7 +34,7 @@ public:
   const std::string& outcome(std::string_view skill) {
     return global.of("outcome", {skill, "outcome"});
   }
-  /// What a body keeps of its own last call: `patrol_landing_status`.
+  /// The variable in which a body keeps a field of its own last call: `patrol_landing_status`.
   const std::string& own(std::string_view thread, std::string_view skill, std::string_view field) {
     return global.of("own", {thread, skill, field});
   }
@@ -44,7 +45,7 @@ public:
   const std::string& process(std::initializer_list<std::string_view> parts) {
     return global.of("process", parts);
   }
-  /// A task or function of C, a port that C offers.
+  /// A task or function in C, or a port that C code offers.
   const std::string& foreign(std::initializer_list<std::string_view> parts) {
     return global.of("foreign", parts);
   }
@@ -63,10 +64,10 @@ private:
   UniqueNames global;
   UniqueNames tags;
   UniqueNames properties;
-  std::map<std::string_view, int> ownersOfValue; ///< how many variables have a value
+  std::map<std::string_view, int> ownersOfValue; ///< number of variables that have this value
 };
 
-/// A word that may be part of a name: other characters become `_`.
+/// The text as part of an identifier: other characters become `_`.
 [[nodiscard]] std::string sanitised(std::string_view text);
 
 } // namespace proskill::codegen

@@ -10,30 +10,30 @@
 
 namespace proskill::codegen {
 
-/// Who does something, and in which file that is written.
+/// Who acts, and in which file that is written.
 struct Actor {
   std::string name; ///< "takeoff", "uav_mission branch 2", "environment"
   syntax::FileId file = 0;
 };
 
-/// Collects the provenance of a model. The same place, actor and words have one origin.
+/// Collects the provenance of a model. Equal place, actor and description give the same origin.
 class Origins {
 public:
   explicit Origins(const analysis::Program& program) : program(program) {}
 
-  /// What happens at a place, in words of ProSkill.
+  /// The origin of what happens at a place, with its description in terms of ProSkill.
   fiacre::OriginId of(const Actor& actor, syntax::Range range, std::string_view words);
-  /// A bare place.
+  /// The origin of a place without a description.
   fiacre::OriginId of(const Actor& actor, syntax::Range range) { return of(actor, range, {}); }
 
-  /// The text of a range in one line, shortened where it is long.
+  /// The text of a range on one line, shortened if it is long.
   [[nodiscard]] std::string excerpt(syntax::FileId file, syntax::Range range) const;
-  /// Counted from 1.
+  /// Line and column, counted from 1.
   [[nodiscard]] syntax::Position position(syntax::FileId file, syntax::Range range) const;
-  /// "line 79: defskill takeoff", likewise.
+  /// "line 79: defskill takeoff", with the file's name in front if it is not the root.
   [[nodiscard]] std::string definition(syntax::FileId file, const syntax::Form& form,
                                        std::string_view name) const;
-  /// "line 12: (landing)", with the file's name in front where it is not the root.
+  /// "line 12: (landing)", with the file's name in front if it is not the root.
   [[nodiscard]] std::string reference(syntax::FileId file, syntax::Range range) const;
 
   fiacre::Provenance provenance;

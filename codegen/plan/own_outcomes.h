@@ -11,25 +11,24 @@ namespace proskill::codegen {
 
 struct GenerationPlan;
 
-/// What a thread of a body looks at after its own calls of a skill.
+/// What a thread of a body reads after its own calls of a skill.
 struct OwnOutcome {
   bool status = false;
   bool result = false;
 };
 
-/// The outcomes that bodies keep for themselves: of a skill that several processes call, what a
-/// body reads after its call is the outcome of that call, whoever has called the skill since. The
-/// thread is the innermost one around the reader that calls the skill, itself or in a branch.
+/// The outcomes that bodies keep for themselves. If several processes call a skill, a body reads
+/// the outcome of its own call, whoever has called the skill since. The outcome belongs to the
+/// innermost thread around the reader that calls the skill, itself or in a branch.
 class OwnOutcomes {
 public:
   OwnOutcomes() = default;
-  /// \pre the callers of all skills are known.
+  /// \pre the callers of all skills are known
   explicit OwnOutcomes(const GenerationPlan& plan);
 
-  /// Whose outcome `reader` sees: a thread, or nothing where the skill's last call by anybody
-  /// counts.
+  /// The thread whose outcome `reader` reads; empty if it reads the skill's last call by anybody.
   [[nodiscard]] std::string_view ownerFor(std::string_view reader, std::string_view skill) const;
-  /// The threads that are told of what happens to a call of `caller`.
+  /// The threads that record what happens to a call by `caller`.
   [[nodiscard]] std::vector<std::string_view> toldBy(std::string_view caller,
                                                      std::string_view skill) const;
   [[nodiscard]] const OwnOutcome& of(std::string_view thread, std::string_view skill) const {
@@ -46,8 +45,9 @@ private:
   void noteReads(std::string_view thread, const syntax::Expr& condition);
 
   std::map<std::string_view, std::string_view> parentOf;
-  std::map<Pair, OwnOutcome> callers; ///< threads that call a shared skill, in a branch or not
-  std::map<Pair, OwnOutcome> kept;    ///< of these, whose outcome something reads
+  /// Threads that call a shared skill, themselves or in a branch.
+  std::map<Pair, OwnOutcome> callers;
+  std::map<Pair, OwnOutcome> kept; ///< the callers whose outcome is read
 };
 
 } // namespace proskill::codegen

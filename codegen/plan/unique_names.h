@@ -9,22 +9,23 @@
 
 namespace proskill::codegen {
 
-/// Gives out the names of one Fiacre name space. Each thing has one name, the same whenever it is
-/// asked for: the preferred one, or, where Fiacre reserves that or another thing has it, with as
-/// many `_` behind it as it takes.
+/// Gives out names within one Fiacre name space. Each thing always gets the same name: its
+/// preferred name or, if that is reserved or taken, the preferred name followed by as many `_` as
+/// necessary.
 class UniqueNames {
 public:
-  /// What had to be called otherwise.
+  /// A thing that did not get its preferred name.
   struct Renaming {
     std::string preferred;
     std::string name;
   };
 
   UniqueNames() = default;
-  /// Words that belong to the generator itself.
+  /// \param words names that the generator itself uses
   explicit UniqueNames(std::initializer_list<std::string_view> words);
 
-  /// `kind` and `parts` say which thing; the parts, joined by `_`, are its preferred name.
+  /// The name of the thing that `kind` and `parts` identify. Its preferred name is the parts,
+  /// joined by `_`.
   const std::string& of(std::string_view kind, std::initializer_list<std::string_view> parts);
   const std::string& of(std::string_view kind, std::string_view preferred) {
     return of(kind, {preferred});

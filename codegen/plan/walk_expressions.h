@@ -5,7 +5,7 @@
 
 namespace proskill::codegen {
 
-/// Calls `visit` on the expression and on all within it.
+/// Calls `visit` for the expression and each of its parts.
 template <class Visit> void forEachPart(const syntax::Expr& expr, Visit&& visit) {
   visit(expr);
   for (const auto& operand : expr.operands) forEachPart(operand, visit);
@@ -42,7 +42,7 @@ template <class Visit> void forEachExpression(const syntax::Skill& skill, Visit&
   if (skill.body) forEachExpression(*skill.body, visit);
 }
 
-/// Calls `visit` on every condition and value of a program, and on every part of them.
+/// Calls `visit` for every condition and value of a program, and for each of their parts.
 template <class Visit> void forEachExpression(const analysis::Program& program, Visit&& visit) {
   for (const auto& event : program.events.all) forEachExpression(event->effects, visit);
   for (const auto& skill : program.skills.all) forEachExpression(skill.node(), visit);

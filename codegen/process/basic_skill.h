@@ -4,8 +4,8 @@
 
 namespace proskill::codegen {
 
-/// The process of a basic skill. Offline its action ends at any date in its time interval, with any
-/// of its outcomes; expanded the same, with every state named; at runtime a task is the action.
+/// The process of a basic skill. Offline its action ends at any date in its time interval with any
+/// of its outcomes. The expanded edition names every state. At runtime the action is a task.
 [[nodiscard]] fiacre::Process basicSkill(Context& context, const SkillPlan& skill);
 
 } // namespace proskill::codegen

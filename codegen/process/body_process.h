@@ -7,8 +7,8 @@
 
 namespace proskill::codegen {
 
-/// A body as states and transitions of a process. Skills, their branches and environments differ in
-/// what they do at their end and in what can end them early; the rest is here.
+/// Translates a body to states and transitions of a process. Skills, branches and environments
+/// override what they do at their end and what may end them early.
 class BodyProcess {
 public:
   BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me);
@@ -17,23 +17,24 @@ public:
 protected:
   void addBody(fiacre::Process& process);
 
-  /// What else can happen where time can pass, while these skills or branches run for this body.
+  /// Further transitions of a state in which time can pass while these skills or branches run for
+  /// this body.
   virtual std::vector<fiacre::Statement>
   abortStatements(const std::vector<std::string_view>& running, bool joining) = 0;
-  /// At the end of the body; null where it just stays there.
+  /// The transition at the end of the body; null: it stays there.
   virtual std::optional<fiacre::Statement> atEnd() = 0;
-  /// Of `(success tag)` and `(failure tag)`.
+  /// The translation of `(success tag)` and `(failure tag)`.
   virtual fiacre::Statement conclude(const syntax::Statement& statement) = 0;
-  /// Of `(x.interrupt)`.
+  /// The translation of `(x.interrupt)`.
   virtual fiacre::Statement interrupt(const BodyState& state);
-  /// While it is false the body does nothing more: a guard of its skill is false.
+  /// The body takes no step while this is false: a guard of its skill is false.
   virtual fiacre::Expr mayStep() { return boolean(true); }
-  /// What can happen then where no time passes.
+  /// Further transitions of states without time while the body may take no step.
   virtual std::vector<fiacre::Statement> abortStatementsWhereHeld() { return {}; }
-  /// Holds while no branch has ended the skill.
+  /// True until a branch has ended the skill.
   virtual fiacre::Expr mayGoOn() { return boolean(true); }
 
-  /// Of what was stopped, as the skill goes on: what was called for this body tells how it ended.
+  /// Records how a stopped callee of this body ended, as the skill continues.
   [[nodiscard]] fiacre::Statement keepOutcomeOfStopped(std::string_view callee);
 
   [[nodiscard]] OriginId origin(syntax::Range range, std::string_view words = {}) {
@@ -50,7 +51,7 @@ private:
   void addCall(fiacre::Process& process, const BodyState& state);
   void addParallel(fiacre::Process& process, const BodyState& state);
   void addWaiting(fiacre::Process& process, const BodyState& state, fiacre::Statement main);
-  /// What the body waits for, or what can end it meanwhile.
+  /// A statement that waits for `main` or for something that ends the body meanwhile.
   [[nodiscard]] static fiacre::Statement watched(fiacre::Statement main,
                                                  std::vector<fiacre::Statement> abortStatements);
   [[nodiscard]] fiacre::Statement unlessHeld(fiacre::Statement step);
@@ -77,15 +78,16 @@ private:
   [[nodiscard]] std::string quote(syntax::Range range) const;
 };
 
-/// The process of a composite skill's body, or of a branch of it.
+/// The process of a composite skill's body or of one of its branches.
 [[nodiscard]] const std::string& processOf(Context& context, const SkillPlan& skill,
                                            const BodyAutomaton& thread);
 
-/// Where a call, or parallel branches, are awaited; where a call waits until its skill is free.
+/// Names of states: `syncState` waits for a call or for parallel branches to end, `busyState` for
+/// the called skill to be free.
 [[nodiscard]] std::string syncState(const BodyState& state);
 [[nodiscard]] std::string busyState(const BodyState& state);
 
-/// The states in which control stands before or within the statement of a body's state.
+/// The control states before and within the statement of a body's state.
 [[nodiscard]] std::vector<std::string> statesOf(const Context& context, const BodyState& state);
 
 } // namespace proskill::codegen

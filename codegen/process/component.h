@@ -4,16 +4,16 @@
 
 namespace proskill::codegen {
 
-/// Where each process stands in the component, for the paths of properties: 1-based.
+/// The position of each process in the component, 1-based, for the paths of properties.
 using Places = std::map<std::string, std::uint32_t, std::less<>>;
 
-/// The whole Fiacre program but for its properties.
+/// The whole Fiacre program without its properties.
 [[nodiscard]] fiacre::Program buildProgram(Context& context);
 
-/// \pre the program was built.
+/// \pre the program was built
 [[nodiscard]] Places placesOf(const fiacre::Program& program);
 
-/// Those of Model::obliged.
+/// The content of Model::obliged.
 [[nodiscard]] std::map<std::string, std::string> obligedProcesses(Context& context);
 
 } // namespace proskill::codegen

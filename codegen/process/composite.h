@@ -5,11 +5,11 @@
 namespace proskill::codegen {
 
 /// The processes of a composite skill: its body, its parallel branches in the order of the text,
-/// and its watchdog where it has a time interval.
+/// and its watchdog if it has a time interval.
 [[nodiscard]] std::vector<fiacre::Process> compositeSkill(Context& context, const SkillPlan& skill);
 
-/// The process that sees whether a composite skill takes too little or too much time: exact at the
-/// bounds offline, to a tick at runtime. \pre the skill has a time interval.
+/// The process that detects that a composite skill takes too little or too much time. Offline it is
+/// exact at the bounds, at runtime within a tick. \pre the skill has a time interval
 [[nodiscard]] fiacre::Process watchdog(Context& context, const SkillPlan& skill);
 
 } // namespace proskill::codegen

@@ -7,8 +7,8 @@
 
 namespace proskill::codegen {
 
-/// A basic skill as it is executed: the compact one, but its action ends when a port says so, and a
-/// skill that breaks it off waits in a state `stopping_…` until it has ended.
+/// A basic skill in the executed edition: like the compact one, but a port reports the end of its
+/// action, and a skill that cancels the action waits in a state `stopping_…` until it has ended.
 class ExecutedAction {
 public:
   ExecutedAction(Context& context, const SkillPlan& skill, SkillFrame& frame);
@@ -25,10 +25,10 @@ private:
   const SkillPlan& skill;
   SkillFrame& frame;
   Performed made;
-  std::vector<std::pair<std::string, Ending>> stopping; ///< states, and how the skill ends there
+  std::vector<std::pair<std::string, Ending>> stopping; ///< states, and how the skill ends in them
 };
 
-/// What an executor has to know of a model, beside its tree. \pre the model's tree was built
+/// Fills in what an executor needs besides the model's tree. \pre the tree was built
 void tellExecutor(Context& context, Model& model);
 
 } // namespace proskill::codegen

@@ -4,11 +4,11 @@
 
 namespace proskill::codegen {
 
-/// The function that tells whether a failed invariant of a running skill still waits to be noticed;
-/// nothing where no skill has an invariant.
+/// The function that returns whether a running skill has a false invariant that it has not noticed
+/// yet; nothing if no skill has an invariant.
 [[nodiscard]] std::optional<fiacre::Function> invariantActive(Context& context);
 
-/// A call of it; false where there is none.
+/// A call of this function; false if there is none.
 [[nodiscard]] fiacre::Expr someInvariantFails(const Context& context);
 
 } // namespace proskill::codegen

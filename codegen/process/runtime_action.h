@@ -7,8 +7,8 @@
 
 namespace proskill::codegen {
 
-/// A basic skill at runtime: its action is a task of C, which is watched for its time interval, and
-/// which an interrupt or a failed invariant tells to stop.
+/// A basic skill at runtime. Its action is a task in C. The process checks the task's duration and
+/// asks it to stop at an interrupt or a failed invariant.
 class RuntimeAction {
 public:
   RuntimeAction(Context& context, const SkillPlan& skill, SkillFrame& frame);
@@ -28,12 +28,12 @@ private:
   const SkillPlan& skill;
   SkillFrame& frame;
   std::string task;
-  std::map<std::string, Ending> stopping; ///< states in which the task is awaited, and why
-  std::optional<std::int64_t> least; ///< ticks that the action takes at least, where that is told
-  std::optional<std::int64_t> late;  ///< the tick at which it has taken too long
+  std::map<std::string, Ending> stopping; ///< states that wait for the task's end, and why
+  std::optional<std::int64_t> least; ///< minimal duration of the action in ticks, if it is checked
+  std::optional<std::int64_t> late;  ///< tick from which the action has taken too long
 };
 
-/// The tasks and functions of C that the model calls.
+/// The tasks and functions in C that the model calls.
 void declareActions(Context& context, fiacre::Program& program);
 
 } // namespace proskill::codegen

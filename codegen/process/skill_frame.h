@@ -4,10 +4,10 @@
 
 namespace proskill::codegen {
 
-/// One way in which a skill can end.
+/// A way in which a skill can end.
 struct Ending {
   std::string status; ///< `success`, `failed_inv`, …
-  syntax::Name tag;   ///< of the outcome or of the invariant; empty where it has none
+  syntax::Name tag;   ///< of the outcome or the invariant; empty if it has none
   const syntax::Effects* effects = nullptr;
   const syntax::Expr* postcondition = nullptr;
   syntax::Range range;
@@ -17,33 +17,33 @@ struct Ending {
 [[nodiscard]] Ending successOf(const SkillPlan& skill, std::string_view tag);
 [[nodiscard]] Ending failureOf(const SkillPlan& skill, std::string_view tag);
 [[nodiscard]] Ending interruptionOf(const SkillPlan& skill);
-/// The same, by its port.
+/// The same if it comes through a port.
 [[nodiscard]] Ending outsideInterruptionOf(const SkillPlan& skill);
 [[nodiscard]] Ending failureOf(const syntax::Invariant& invariant);
-/// The successes and the failures that a skill declares; a basic one without a success has one
-/// without a tag.
+/// The outcomes that a skill declares. A basic skill without a success gets one without a tag.
 [[nodiscard]] std::vector<Ending> outcomesOf(const SkillPlan& skill);
 
-/// How a skill starts, is refused and ends: the same for basic and composite skills. In the
-/// expanded edition the same transitions have a state of their own before and after them, so that
-/// every one can be named; what is atomic there is atomic here.
+/// How a skill starts, is refused and ends; the same for basic and composite skills. The expanded
+/// edition puts a state before and after these transitions, so that each one can be named; what is
+/// atomic in the compact edition is atomic there too.
 class SkillFrame {
 public:
   SkillFrame(Context& context, const SkillPlan& skill);
 
-  /// The states and transitions from a call to `first`, where it runs.
+  /// Adds the states and transitions from a call to `first`, where the skill runs.
   void addStart(fiacre::Process& process, std::string_view first);
-  /// The end, up to `to idle`.
+  /// The end of the skill, up to `to idle`.
   [[nodiscard]] fiacre::Statement end(const Ending& ending);
-  /// The same in two halves: what tells this end from others, and what all ends share. Compact.
+  /// The same in two parts: what is specific to this ending, and what all endings share. Compact
+  /// edition.
   [[nodiscard]] fiacre::Statement outcome(const Ending& ending);
   [[nodiscard]] fiacre::Statement giveBack();
-  /// The states behind the ends that were used, up to where the next call is awaited.
+  /// Adds the states after the endings that were used, up to the state that awaits the next call.
   void addRest(fiacre::Process& process, std::string_view start = "start_");
 
-  /// A guard is false.
+  /// The invariant is false.
   [[nodiscard]] fiacre::Expr fails(const syntax::Invariant& invariant);
-  /// It was asked to stop.
+  /// The skill was asked to stop.
   [[nodiscard]] fiacre::Expr stop() { return cell("stop"); }
   [[nodiscard]] fiacre::Expr cell(std::string_view field) {
     return context.cellField(skill.name(), field);
@@ -51,7 +51,7 @@ public:
   [[nodiscard]] OriginId origin(syntax::Range range, std::string_view words = {}) {
     return context.origins.of(actor, range, words);
   }
-  /// The same, which says why the invariant fails.
+  /// The same, with the reason why the invariant fails.
   OriginId failsAt(OriginId words, const syntax::Invariant& invariant);
   [[nodiscard]] OriginId place() { return origin(skill.skill().name.range); }
 
@@ -86,10 +86,11 @@ private:
   Context& context;
   const SkillPlan& skill;
   Actor actor;
-  std::vector<std::pair<std::string, Ending>> endStates; ///< expanded: those that are used
+  /// Expanded edition: the states that are used.
+  std::vector<std::pair<std::string, Ending>> endStates;
 };
 
-/// Adds a state with what can happen in it.
+/// Adds a state with its transitions.
 void addState(fiacre::Process& process, std::string_view name, OriginId origin,
               fiacre::Statement statement, std::string comment = {});
 

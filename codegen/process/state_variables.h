@@ -4,9 +4,9 @@
 
 namespace proskill::codegen {
 
-/// The automaton of a state variable. Exact: it goes to `error` at once when a forbidden move has
-/// raised the alarm. Paper: it has a state for each value, and polls the variable.
-/// \pre all effects have been translated, so that it is known which variables have an alarm.
+/// The automaton of a state variable. Exact: it moves to `error` at once when a forbidden move has
+/// raised the alarm. Paper: it has a state for each value and polls the variable.
+/// \pre all effects have been translated, so that it is known which variables have an alarm
 [[nodiscard]] fiacre::Process
 stateVariableAutomaton(Context& context,
                        const analysis::Definition<syntax::StateVariable>& variable);

@@ -4,8 +4,9 @@
 
 namespace proskill::codegen {
 
-/// Asks the default properties of every part of the program, then the program's own; each becomes a
-/// property of `model.fiacre`. \pre offline; the program was built
+/// Adds the default properties of every part of the program, then the program's own properties, to
+/// `model.fiacre`.
+/// \pre offline; the program was built
 void addChecks(Context& context, Model& model);
 
 } // namespace proskill::codegen

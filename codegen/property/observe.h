@@ -6,16 +6,16 @@
 
 namespace proskill::codegen {
 
-/// What can be seen of the built model, for its properties.
+/// Observables of the model for its properties.
 class Observer {
 public:
   Observer(Context& context, const fiacre::Program& program);
 
   [[nodiscard]] fiacre::Observable state(std::string_view process, std::string_view state) const;
-  /// A tag, whichever processes have it. One that none has never happens.
+  /// A tag of any process. A tag that no process has never occurs.
   [[nodiscard]] fiacre::Observable tag(const std::string& tag) const;
   [[nodiscard]] static fiacre::Observable value(fiacre::Expr condition);
-  /// A condition of a property, atoms included.
+  /// A condition of a property, including atoms.
   [[nodiscard]] fiacre::Observable condition(const syntax::Expr& expr);
   [[nodiscard]] bool hasTag(const std::string& tag) const { return tags.contains(tag); }
 
@@ -32,7 +32,8 @@ private:
 
   Context& context;
   Places places;
-  std::map<std::string, std::set<std::uint32_t>, std::less<>> tags; ///< the places of each
+  /// The positions of the processes with each tag.
+  std::map<std::string, std::set<std::uint32_t>, std::less<>> tags;
 };
 
 } // namespace proskill::codegen

@@ -4,8 +4,8 @@
 
 namespace proskill::codegen {
 
-/// A property that the program states itself, as a pattern of Fiacre with its times in units.
-/// `(reachable P)` and `(never P)` are both `absent P`.
+/// A property of the program as a Fiacre pattern, with times in units. `(reachable P)` and `(never
+/// P)` both become `absent P`.
 [[nodiscard]] fiacre::Pattern patternOf(Context& context, Observer& observer,
                                         const syntax::Property& property);
 

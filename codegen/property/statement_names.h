@@ -7,12 +7,12 @@
 
 namespace proskill::codegen {
 
-/// What the statements of a body are called in the names of questions: `call[takeoff]`, the second
-/// one in the order of the text `call[takeoff].2`. They hold no lines, so that an edit elsewhere
-/// leaves them as they are.
+/// The names of a body's statements in the names of checks: `call[takeoff]`, and `call[takeoff].2`
+/// for the second one in the order of the text. They contain no line numbers, so that edits
+/// elsewhere do not change them.
 class StatementNames {
 public:
-  /// Of the body and its branches; it looks into them.
+  /// The statements of the body and its branches. This object refers to `body`.
   explicit StatementNames(const BodyAutomaton& body);
 
   /// \pre the statement has a state in the body

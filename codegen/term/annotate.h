@@ -4,7 +4,7 @@
 
 namespace proskill::codegen {
 
-/// Writes what a statement means in the program behind it, as a comment, from its origin's words.
+/// Adds comments to the statements of the model, from the descriptions of their origins.
 void annotate(fiacre::Program& program, const fiacre::Provenance& provenance);
 
 } // namespace proskill::codegen

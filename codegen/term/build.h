@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Short words for building Fiacre trees. Conditions simplify themselves: `true and a` is `a`.
+/// Builders for Fiacre trees. Conditions are simplified: `true and a` becomes `a`.
 namespace proskill::codegen {
 
 using fiacre::OriginId;
@@ -28,10 +28,10 @@ using fiacre::OriginId;
 [[nodiscard]] bool isFalse(const fiacre::Expr& expr);
 
 [[nodiscard]] fiacre::Statement assign(fiacre::Expr target, fiacre::Expr value);
-/// Passes only where it holds; nothing at all where it always does.
+/// Passes only if the condition holds; an empty statement for the constant true.
 [[nodiscard]] fiacre::Statement on(fiacre::Expr condition);
 [[nodiscard]] fiacre::Statement wait(fiacre::Interval interval);
-/// `wait [0,0]`: at once.
+/// `wait [0,0]`
 [[nodiscard]] fiacre::Statement atOnce();
 [[nodiscard]] fiacre::Statement to(std::string_view state);
 [[nodiscard]] fiacre::Statement stay(); ///< `loop`
@@ -39,15 +39,15 @@ using fiacre::OriginId;
 [[nodiscard]] fiacre::Statement synchronise(std::string_view port);
 [[nodiscard]] fiacre::Statement comment(std::string text);
 [[nodiscard]] fiacre::Statement ifThen(fiacre::Expr condition, fiacre::Statement then);
-/// Only the branch that can be taken, where the condition is a constant.
+/// If the condition is constant, only the branch that is taken.
 [[nodiscard]] fiacre::Statement ifThenElse(fiacre::Expr condition, fiacre::Statement then,
                                            fiacre::Statement otherwise);
-/// One alternative stands alone.
+/// A single alternative is returned without `select`.
 [[nodiscard]] fiacre::Statement select(std::vector<fiacre::Statement> alternatives);
-/// Sequences within it are flattened, empty ones vanish.
+/// Nested sequences are flattened, and empty ones are dropped.
 [[nodiscard]] fiacre::Statement sequence(std::vector<fiacre::Statement> statements);
 
-/// The statement with its place in the program, or with words for the reader.
+/// The statement with its origin, or with a comment.
 [[nodiscard]] fiacre::Statement at(OriginId origin, fiacre::Statement statement);
 [[nodiscard]] fiacre::Statement saying(std::string words, fiacre::Statement statement);
 

@@ -17,8 +17,8 @@
 
 namespace proskill::codegen {
 
-/// What every part of the generator works with: the program, what was decided about it, and what
-/// the parts leave for each other.
+/// The input of all parts of the generator: the program, the plan, and results that parts pass to
+/// each other.
 struct Context {
   const analysis::Program& program;
   const Options& options;
@@ -26,23 +26,23 @@ struct Context {
   Times times;
   Names names;
   Origins origins;
-  std::vector<std::string> results;   ///< constructors of `skill_result` in use, `no_result` aside
-  std::set<std::string_view> alarmed; ///< state variables of which some move may be forbidden
-  std::optional<fiacre::Function> invariantActive; ///< where any skill has an invariant
+  std::vector<std::string> results;   ///< used constructors of `skill_result`, except `no_result`
+  std::set<std::string_view> alarmed; ///< state variables with a move that may be forbidden
+  std::optional<fiacre::Function> invariantActive; ///< if any skill has an invariant
   std::string_view reader; ///< the thread whose conditions are being translated
-  CallTable arguments;     ///< runtime and executed
+  CallTable arguments;     ///< for the runtime and executed editions
   std::vector<Performed> performed;
-  std::map<fiacre::OriginId, Alarm> alarms; ///< filled while the model is made
+  std::map<fiacre::OriginId, Alarm> alarms; ///< filled while the model is built
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
   [[nodiscard]] bool isExecuted() const { return options.edition == Edition::Executed; }
-  /// Somebody performs the actions, with their arguments.
+  /// Whether actions are performed by somebody, so that their arguments are needed.
   [[nodiscard]] bool isPerformed() const { return isRuntime() || isExecuted(); }
-  /// Events and interrupts from outside happen by themselves.
+  /// Whether events and interrupts from outside happen in the model itself.
   [[nodiscard]] bool hasEnvironment() const {
     return !isPerformed() || (isExecuted() && options.environment);
   }
-  /// Every state is named, not only those where time passes.
+  /// Whether every state is named, not only those in which time passes.
   [[nodiscard]] bool isExpanded() const {
     return options.edition != Edition::Compact && !isExecuted();
   }
@@ -50,7 +50,7 @@ struct Context {
   [[nodiscard]] const syntax::StateVariable& stateVariable(std::string_view name) const {
     return program.stateVariables.find(name)->node();
   }
-  /// For the comment above what a definition has become.
+  /// For the comment above a definition of the model.
   template <class Node>
   [[nodiscard]] std::string definitionOf(const analysis::Definition<Node>& definition) const {
     return origins.definition(definition.file, *definition.form, definition.name());
@@ -59,20 +59,20 @@ struct Context {
     const auto& capacity = program.resources.find(resource)->node().capacity;
     return capacity ? capacity->number.numerator : 1;
   }
-  /// `skill[takeoff].status`, of a skill or a branch.
+  /// A field of a skill or a branch: `skill[takeoff].status`.
   [[nodiscard]] fiacre::Expr cellField(std::string_view thread, std::string_view field);
-  /// `status` or `val` of a skill as the body `reader` sees it: of its own last call where several
-  /// call the skill. Without a reader, of the last call by anybody.
+  /// `status` or `val` of a skill as the body `reader` sees it: of its own last call if several
+  /// processes call the skill. Without a reader: of the last call by anybody.
   [[nodiscard]] fiacre::Expr outcomeField(std::string_view skill, std::string_view field);
   /// The variable in which a thread keeps `status` or `val` of its own last call.
   [[nodiscard]] fiacre::Expr ownField(std::string_view thread, std::string_view skill,
                                       std::string_view field);
-  /// A constructor of `skill_result`, which is thereby in use.
+  /// A constructor of `skill_result`. Records that it is used.
   [[nodiscard]] fiacre::Expr result(std::string_view skill, std::string_view status,
                                     std::string_view tag);
 };
 
-/// The actor that a skill, or the thread of one, is in a trace.
+/// The actor of a skill, or of one of its threads, in traces.
 [[nodiscard]] Actor actorOf(const SkillPlan& skill);
 [[nodiscard]] Actor actorOf(const SkillPlan& skill, const BodyAutomaton& thread);
 

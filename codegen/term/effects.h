@@ -4,12 +4,12 @@
 
 namespace proskill::codegen {
 
-/// Effects, all at once: moves that are not allowed raise their alarm, then every variable gets a
-/// value that is read before any is written.
+/// Simultaneous effects. First, forbidden moves raise their alarms. Then all values are computed
+/// before any variable is written.
 [[nodiscard]] fiacre::Statement effects(Context& context, const Actor& actor,
                                         const syntax::Effects& effects);
 
-/// The move from one value of an enumeration to another is allowed. Staying always is.
+/// Whether the move between two values of an enumeration is allowed. Keeping the value always is.
 [[nodiscard]] bool isAllowed(const syntax::StateVariable& variable, std::string_view from,
                              std::string_view to);
 

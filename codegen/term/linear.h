@@ -6,25 +6,25 @@
 
 namespace proskill::codegen {
 
-/// A sum of naturals as a number for each variable and a constant. Comparisons are printed from it
-/// with nothing negative on either side, since Fiacre's naturals must not go below 0 on the way.
+/// A sum of naturals: a coefficient for each variable, and a constant. Comparisons are printed
+/// without negative terms on either side, since Fiacre's naturals must not be negative in between.
 class Linear {
 public:
-  /// \pre `expr` is made of numbers, state variables that are naturals, `+` and `-`.
+  /// \pre `expr` consists of numbers, state variables that are naturals, `+` and `-`
   Linear(Context& context, const syntax::Expr& expr);
   explicit Linear(std::int64_t value) : constant(value) {}
 
   [[nodiscard]] Linear minus(const Linear& other) const;
-  /// The least and the greatest value that the variables' bounds allow.
+  /// The least and the greatest value within the variables' bounds.
   [[nodiscard]] std::pair<std::int64_t, std::int64_t> range() const;
   [[nodiscard]] fiacre::Expr expr() const;
 
-  /// `left op right`, of a comparison; a constant where it can only have one result.
+  /// The comparison `left op right`; a constant if only one result is possible.
   [[nodiscard]] static fiacre::Expr compare(fiacre::Op op, const Linear& left, const Linear& right);
 
 private:
   struct Term {
-    std::string variable; ///< as it is called in the model
+    std::string variable; ///< its name in the model
     std::int64_t factor = 0;
     std::int64_t low = 0;
     std::int64_t high = 0;

@@ -4,17 +4,17 @@
 
 namespace proskill::codegen {
 
-/// The constants, types and initial values around `skill[]`, the array with a record for each skill
-/// and each parallel branch. A field that nothing in this model needs is left out.
+/// The constants, types and initial values for `skill[]`, the array with a record for each skill
+/// and each parallel branch. Fields that the model does not need are omitted.
 class SkillTypes {
 public:
   explicit SkillTypes(Context& context);
 
-  /// The index of each cell, `None` and `root`.
+  /// The index of each record, and `None` and `root`.
   [[nodiscard]] std::vector<fiacre::Constant> constants() const;
   /// `skill_id`, `skill_status`, `skill_result`, `skill_record`, `skill_array`.
   [[nodiscard]] std::vector<fiacre::TypeDeclaration> types() const;
-  /// The array at time 0: the mission and the monitors are called.
+  /// The initial array, in which the mission and the monitors are called.
   [[nodiscard]] fiacre::Expr initial() const;
 
 private:

@@ -4,13 +4,13 @@
 
 namespace proskill::codegen {
 
-/// Removes the processes that have no `from`, of which no public source says that frac takes them.
-/// What properties say of them is said of the state that they never leave.
+/// Removes processes without a `from`, because no public source says that frac accepts them.
+/// Properties that refer to them are rewritten for the one state that they never leave.
 void removeIdleProcesses(fiacre::Program& program);
 
-/// Writes sums, comparisons and assignments of ranges so that both sides are of one type, by `$`,
-/// and so that nothing on the way lies outside of its type: sums of several numbers are made of
-/// `int`. frac gives a range no type but its own.
+/// Inserts `$` so that both sides of sums, comparisons and assignments of ranges have the same
+/// type, and so that no intermediate value is outside of its type: sums of several numbers are
+/// computed as `int`. frac gives a range no type but its own.
 void coerceNumbers(fiacre::Program& program);
 
 } // namespace proskill::codegen
