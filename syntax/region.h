@@ -12,26 +12,27 @@
 
 namespace proskill::syntax {
 
-/// The text of a region as it was parsed, as long as the original, and its concrete tree.
+/// The text of a region as it was parsed, of the same length as the original, and its concrete
+/// tree.
 struct ParsedText {
-  std::pmr::monotonic_buffer_resource arena; ///< of the forms
+  std::pmr::monotonic_buffer_resource arena; ///< memory of the forms
   std::string text;
   Tree tree;
   bool recovered =
-      false; ///< something is missing or too much, also where `text` had no room for it
+      false; ///< Something is missing or surplus, even if `text` had no room to repair it.
 };
 
-/// A region of a text that was parsed on its own: everything in it depends on its text alone.
-/// Ranges count from its begin, but those of the forms once they were shifted.
+/// A region of a text that is parsed separately, so everything in it depends only on its own text.
+/// Ranges count from its begin, except those of forms that were shifted.
 struct ParsedRegion {
-  std::unique_ptr<const ParsedText> parsed; ///< the forms look into it
+  std::unique_ptr<const ParsedText> parsed; ///< the forms refer to it
   std::vector<ReadForm> forms;
   std::vector<Range> comments;
   std::vector<Diagnostic> diagnostics;
 };
 
 [[nodiscard]] ParsedRegion readRegion(Parser& parser, std::string_view text);
-/// The regions of many texts, in their order; large ones are shared out to the processor's cores.
+/// Parses the regions of many texts, in order; large regions are distributed over the cores.
 [[nodiscard]] std::vector<ParsedRegion> readRegions(const std::vector<std::string_view>& texts);
 
 } // namespace proskill::syntax

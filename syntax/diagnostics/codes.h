@@ -8,14 +8,14 @@
 
 namespace proskill::syntax {
 
-/// Every diagnostic that there is, from the one table in diagnostics.def.
+/// All diagnostics, generated from diagnostics.def.
 enum class Code : std::uint16_t {
 #define DIAGNOSTIC(name, code, severity, message, explanation, example) name,
 #include "syntax/diagnostics/diagnostics.def"
 #undef DIAGNOSTIC
 };
 
-/// The arguments that a message has places for.
+/// The number of arguments that a message has placeholders for.
 [[nodiscard]] constexpr std::size_t argumentsOf(std::string_view message) {
   std::size_t count = 0;
   for (auto at = message.find("{}"); at != message.npos; at = message.find("{}", at + 2)) ++count;
@@ -28,8 +28,8 @@ inline constexpr std::array kArguments = {
 #undef DIAGNOSTIC
 };
 
-/// A code whose message is given `count` arguments; one that wants more does not compile. (Who
-/// reports may know more than a message says.)
+/// A code together with `count` arguments for its message. A code whose message needs more
+/// arguments does not compile; a message may need fewer.
 template <std::size_t count> struct CodeFor {
   Code code;
 
@@ -40,12 +40,12 @@ template <std::size_t count> struct CodeFor {
   requires(fewer < count) constexpr CodeFor(CodeFor<fewer> of) : code(of.code) {}
 };
 
-/// The diagnostic with the severity of its code and its message filled in with `arguments`.
+/// A diagnostic with the severity of its code and its message, filled in with `arguments`.
 template <class... Arguments>
 [[nodiscard]] Diagnostic makeDiagnostic(CodeFor<sizeof...(Arguments)> code, Location location,
                                         const Arguments&... arguments) {
   const CodeInfo& entry = info(code.code);
-  // Not `fmt::to_string`, which copies from nowhere where a text is empty.
+  // `fmt::to_string` of an empty text would copy from a null pointer.
   const std::array<std::string, sizeof...(arguments)> words{fmt::format("{}", arguments)...};
   return {code.code, entry.severity, location, filledIn(entry.message, words), {}, {}};
 }

@@ -10,7 +10,7 @@
 
 namespace proskill::syntax {
 
-/// A file of a program, by its place in the program's list of files; 0 is the root.
+/// Index of a file in the program's list of files; 0 is the root.
 using FileId = std::uint32_t;
 
 struct Location {
@@ -21,7 +21,7 @@ struct Location {
 
 enum class Severity : std::uint8_t { Error, Warning, Hint };
 
-/// Every diagnostic that there is; by name in syntax/diagnostics/codes.h.
+/// All diagnostics; syntax/diagnostics/codes.h names them.
 enum class Code : std::uint16_t;
 
 struct CodeInfo {
@@ -29,13 +29,13 @@ struct CodeInfo {
   std::string_view id; ///< `PS0101`: stable, shown to users
   Severity severity;
   std::string_view message;     ///< with `{}` for each argument
-  std::string_view explanation; ///< a paragraph for `proskill explain`
-  std::string_view example;     ///< a program that raises it; empty where it would be too long
+  std::string_view explanation; ///< one paragraph, for `proskill explain`
+  std::string_view example;     ///< a program with this diagnostic; empty if it would be too long
 };
 
 [[nodiscard]] std::span<const CodeInfo> allCodes();
 [[nodiscard]] const CodeInfo& info(Code code);
-/// By its id, upper or lower case; null where there is none.
+/// The code with this id, in upper or lower case; null if there is none.
 [[nodiscard]] const CodeInfo* findCode(std::string_view id);
 
 struct Related {
@@ -43,7 +43,7 @@ struct Related {
   std::string message;
 };
 
-/// An edit that mends the diagnostic: replace `range` by `text`.
+/// An edit that removes the cause of a diagnostic: replaces `range` by `text`.
 struct Fix {
   std::string title; ///< "did you mean `camera_survey`?"
   Location location;
@@ -59,8 +59,7 @@ struct Diagnostic {
   std::vector<Fix> fixes;
 };
 
-/// A message with `{}` for each argument, filled in. Words of a text that are too long to be read
-/// are shortened.
+/// The message with each `{}` replaced by an argument. Very long quoted words are shortened.
 [[nodiscard]] std::string filledIn(std::string_view message,
                                    std::span<const std::string> arguments);
 

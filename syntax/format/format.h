@@ -5,32 +5,30 @@
 
 #include <vector>
 
-/// The layout of programs: one style, described in docs/format.md. Formatting changes white space
-/// between tokens and nothing else, so it cannot lose anything; and it is idempotent.
+/// Formatting of programs: one style, described in docs/format.md. The formatter changes only white
+/// space between tokens, so it cannot lose anything, and it is idempotent.
 namespace proskill::syntax {
 
-/// How wide a line may become before it is broken, in characters. A word or comment that is longer
-/// is left alone.
+/// Maximal length of a line, in characters. A longer word or comment stays on one line.
 inline constexpr std::uint32_t kLineWidth = 100;
 
-/// The edits that lay a text out, as small as they can be, in the order of the text; none where it
-/// is laid out already. Definitions that could not be read as they stand (a parenthesis is missing,
-/// there is a character that means nothing) are left untouched.
+/// Minimal edits that format a text, in the order of the text; none if it is formatted already.
+/// Definitions with syntax errors (a missing parenthesis, a stray character) stay as they are.
 [[nodiscard]] std::vector<TextEdit> format(const Document& document);
 
-/// The definitions that are left untouched.
+/// The definitions that the formatter does not change.
 [[nodiscard]] std::vector<Range> unformattable(const Document& document);
 
-/// Of the edits of the whole those in the lines that `lines` touches.
+/// The edits of the whole text that are in the lines that `lines` touches.
 [[nodiscard]] std::vector<TextEdit> formatRange(const Document& document, Range lines);
 
-/// After `typed` was typed just before `caret`: behind the end of a line, the indentation of the
-/// new line; behind `)`, the layout of the form that it closes. Nothing for other characters, and
-/// in comments and strings. No edit touches what is behind the caret's line.
+/// Formatting while typing: the edits after `typed` was typed just before `caret`. After a line
+/// end, the new line is indented; after `)`, the form that it closes is formatted. No edits for
+/// other characters, nor in comments and strings. No edit touches anything after the caret's line.
 [[nodiscard]] std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char typed);
 
-/// Whether two texts have the same tokens and comments in the same order, whatever the white space
-/// between them and behind comments.
+/// Whether two texts have the same tokens and comments in the same order, regardless of white space
+/// between them and at the end of comments.
 [[nodiscard]] bool sameTokens(const Document& a, const Document& b);
 
 } // namespace proskill::syntax

@@ -6,38 +6,38 @@
 
 namespace proskill::syntax {
 
-/// The white space before a token: some lines' ends, then spaces.
+/// The white space before a token: line ends, then spaces.
 struct Gap {
   Range old;
   std::uint32_t lines = 0;
   std::uint32_t spaces = 0;
 };
 
-/// Lays boxes out one after the other, and notes the white space between their tokens.
+/// Places boxes in sequence and records the white space between their tokens.
 class Layout {
 public:
   explicit Layout(std::string_view text) : text(text) {}
 
-  /// Lays out what stands in a region at the top level.
+  /// Formats the top level of a region.
   void region(const Boxes& boxes);
-  /// Passes over a region that stays as it is.
+  /// Skips a region that stays as it is.
   void leave(Range region);
-  /// After the last region: the space at the text's end, and what lines do together.
+  /// Call this after the last region: sets the space at the end of the text, and aligns comments.
   void finish();
 
   std::vector<Gap> gaps;
 
 private:
-  /// What separates a token from the one before it. Behind a comment it is always a new line.
+  /// The separation between a token and the one before it. After a comment it is always a new line.
   struct Separator {
     enum class Kind : std::uint8_t { None, Space, Line } kind = Kind::None;
-    std::uint32_t indent = 0; ///< of the new line, where there is one
+    std::uint32_t indent = 0; ///< of the new line, if there is one
   };
   static Separator none(std::uint32_t indent) { return {Separator::Kind::None, indent}; }
   static Separator space(std::uint32_t indent) { return {Separator::Kind::Space, indent}; }
   static Separator line(std::uint32_t indent) { return {Separator::Kind::Line, indent}; }
 
-  /// A comment behind a token.
+  /// A comment after a token on the same line.
   struct Trailing {
     std::size_t gap = 0;
     std::uint32_t row = 0;
@@ -47,7 +47,7 @@ private:
 
   using Index = std::size_t;
 
-  // `after`: how many characters follow on the same line in any case, which are parentheses.
+  // \param after number of characters that must follow on the same line: closing parentheses
   void box(Index at, Separator before, std::uint32_t after, std::uint32_t hang = 0);
   void broken(Index at, Separator before, std::uint32_t after, std::uint32_t hang);
   void flat(Index at, Separator before);
@@ -86,12 +86,12 @@ private:
   const Boxes* boxes = nullptr;
   Offset previousEnd = 0;
   std::uint32_t column = 0;
-  std::uint32_t widest = 0;  ///< column that was reached
-  std::uint32_t written = 0; ///< ends of lines
-  bool lineMustEnd = false;  ///< a comment came last
-  bool frozen = false;       ///< what came last stays as it is, and so does the space behind it
+  std::uint32_t widest = 0;  ///< the greatest column reached
+  std::uint32_t written = 0; ///< number of line ends
+  bool lineMustEnd = false;  ///< the last token was a comment
+  bool frozen = false;       ///< the last region stays as it is, including the space after it
   bool lastWasForm = false;  ///< at the top level
-  bool lastWasTall = false;  ///< on several lines
+  bool lastWasTall = false;  ///< it takes several lines
 };
 
 } // namespace proskill::syntax

@@ -4,8 +4,8 @@
 
 namespace proskill::syntax {
 
-/// How many spaces the line that contains `at` begins with, as far as the lines above it tell; also
-/// for a program in the middle of being typed, which the formatter leaves alone.
+/// The indentation, in spaces, of the line that contains `at`, computed from the lines above it.
+/// Works also for incomplete programs, which the formatter does not change.
 [[nodiscard]] std::uint32_t indentationAt(const Document& document, Offset at);
 
 } // namespace proskill::syntax

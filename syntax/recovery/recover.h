@@ -8,20 +8,19 @@
 #include <string_view>
 #include <vector>
 
-/// Finds where parentheses and quotes are missing or too many, reports that where a person would
-/// look, and repairs the text in place, as long as it was, so that the rest of it can be read as it
-/// was meant.
+/// Recovery from missing or surplus parentheses and quotes. Finds where they are most likely
+/// missing, reports this, and repairs the text in place without changing its length, so that the
+/// rest can be parsed as intended.
 namespace proskill::syntax {
 
-/// Closes the strings that have no closing quote. Returns whether anything was changed.
+/// Closes strings without a closing quote. Returns whether it changed the text.
 bool recoverStrings(std::string& text, const Scan& scan, std::vector<Diagnostic>& diagnostics);
 
-/// How many things are wrong with the forms of a text: what a good place for a parenthesis makes
-/// few.
+/// Returns the number of syntax errors in a text. Recovery prefers places for parentheses that make
+/// this number small.
 using Judge = std::function<std::size_t(std::string_view text)>;
 
-/// Makes the parentheses balance. Returns whether anything was changed. \pre `scan` is that of
-/// `text`.
+/// Balances the parentheses. Returns whether it changed the text. \pre `scan` is the scan of `text`
 bool recoverParentheses(std::string& text, const Scan& scan, const Judge& judge,
                         std::vector<Diagnostic>& diagnostics);
 

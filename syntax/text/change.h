@@ -8,11 +8,10 @@
 #include <optional>
 #include <string_view>
 
-/// How one text became another.
+/// Differences between two versions of a text.
 namespace proskill::syntax {
 
-/// A region of a text that was put in the place of another: what stands before it stays, what
-/// stands behind it moves.
+/// Replacement of a part of a text. The text before it stays in place; the text after it moves.
 struct Replacement {
   Offset begin = 0;
   Offset oldEnd = 0;
@@ -20,35 +19,36 @@ struct Replacement {
 
   [[nodiscard]] Range before() const { return {begin, oldEnd}; }
   [[nodiscard]] Range after() const { return {begin, newEnd}; }
-  /// Nothing stands in the place of nothing.
+  /// Whether an empty text is replaced by an empty text.
   [[nodiscard]] bool isEmpty() const { return begin == oldEnd && begin == newEnd; }
-  /// Where a range of the old text stands now; nothing where it begins or ends in what is gone.
+  /// The new position of a range of the old text; nothing if it begins or ends in the replaced
+  /// part.
   [[nodiscard]] std::optional<Range> moved(Range range) const;
-  /// The same of any range: what of it is gone is left out, what was put into it is in it.
+  /// The same for any range: its replaced parts are removed, and text inserted into it is included.
   [[nodiscard]] Range nearest(Range range) const;
-  /// What makes the old text of the new one.
+  /// The replacement that turns the new text back into the old one.
   [[nodiscard]] Replacement inverse() const { return {begin, newEnd, oldEnd}; }
 
   friend bool operator==(const Replacement&, const Replacement&) = default;
 };
 
 inline std::optional<Range> Replacement::moved(Range range) const {
-  const Offset by = newEnd - oldEnd; // may wrap around, and back when it is added
+  const Offset by = newEnd - oldEnd; // may wrap around; adding it wraps back
   if (range.end < begin || (range.end == begin && !range.empty())) return range;
   if (range.begin > oldEnd || (range.begin == oldEnd && !range.empty())) return range.moved(by);
   if (range.begin < begin && range.end > oldEnd) return Range{range.begin, range.end + by};
   return std::nullopt;
 }
 
-/// What changed between two documents.
+/// The difference between two documents.
 struct Change {
-  Replacement regions; ///< that were read anew; nothing outside of them is other than before
-  /// Where only comments and white space differ, what of them: every word is still there, and the
-  /// place of each is that which `moved` gives.
+  Replacement regions; ///< the regions that were parsed again; nothing else changed
+  /// Set if only comments and white space changed: the changed part. All words still exist, at the
+  /// places that `moved` gives.
   std::optional<Replacement> layout;
 };
 
-/// How many items two lists begin with, and end with, that are the same; each counts once.
+/// The numbers of equal items at the beginning and at the end of two lists. Each item counts once.
 struct CommonEnds {
   std::size_t front = 0;
   std::size_t back = 0;
@@ -63,11 +63,11 @@ CommonEnds commonEnds(const A& a, const B& b, Same same = {}) {
   return {front, back};
 }
 
-/// The shortest replacement that makes one text of the other.
+/// The shortest replacement that turns `before` into `now`.
 [[nodiscard]] Replacement replacementOf(std::string_view before, std::string_view now);
 
-/// Whether the texts have the same words, each where the replacement moves it.
-/// \pre the replacement makes one of the other; what follows them begins a line
+/// Whether both texts have the same words, at the places to which the replacement moves them.
+/// \pre the replacement turns one into the other; what follows the texts begins a line
 [[nodiscard]] bool isLayout(std::string_view before, std::string_view now, const Replacement& edit);
 
 } // namespace proskill::syntax

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// What single characters are to ProSkill's texts, whatever the system's language.
+/// Classes of characters in ProSkill texts, independent of the locale.
 namespace proskill::syntax {
 
 [[nodiscard]] inline bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -14,7 +14,7 @@ namespace proskill::syntax {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// How many columns a text takes that has no wide characters.
+/// The number of columns of a text without wide characters.
 [[nodiscard]] inline std::uint32_t widthOf(std::string_view text) {
   return static_cast<std::uint32_t>(countCharacters(text));
 }

@@ -16,7 +16,7 @@ struct TextEdit {
   friend bool operator==(const TextEdit&, const TextEdit&) = default;
 };
 
-/// The text after all edits, whose ranges are of the text before any of them.
+/// Applies all edits at once; their ranges refer to the original text.
 /// \pre they are in the order of the text and do not overlap
 [[nodiscard]] std::string applyEdits(std::string_view text, std::span<const TextEdit> edits);
 

@@ -9,25 +9,25 @@
 
 namespace proskill::syntax {
 
-/// The changes that were made so far to make a text balance.
+/// The changes made so far to balance the parentheses of a text.
 struct Recovery {
-  std::vector<bool> removed;          ///< by parenthesis
-  std::vector<std::uint8_t> inserted; ///< `)` before each landmark, and at the end of the text
+  std::vector<bool> removed; ///< by parenthesis
+  /// Number of `)` inserted before each landmark and at the end of the text.
+  std::vector<std::uint8_t> inserted;
 };
 
-/// How well the nesting of a text, with some changes to it, agrees with its indentation and with
-/// the keywords of definitions, which stand directly in them.
+/// How well the nesting of a text, with some changes, agrees with its indentation and with keywords
+/// that occur only directly in definitions.
 struct Nesting {
   unsigned penalty = 0;
   std::vector<unsigned>
-      doubts; ///< by landmark: how much it seems to stand too deep, or not deep enough
+      doubts; ///< by landmark: by how much it seems to be nested too deep or not deep enough
   std::optional<std::size_t> surplus;         ///< the first `)` that closes nothing
-  std::vector<std::size_t> open;              ///< the `(` that are never closed, outermost first
-  std::vector<std::size_t> closedByInsertion; ///< the `(` that the inserted `)` close, in order
+  std::vector<std::size_t> open;              ///< the `(` without a `)`, outermost first
+  std::vector<std::size_t> closedByInsertion; ///< the `(` that inserted `)` close, in order
 };
 
-/// Where a `)` before that landmark, or at the end, is inserted: directly behind the token before
-/// it.
+/// Where a `)` before this landmark or at the end is inserted: directly after the previous token.
 [[nodiscard]] inline Offset placeBefore(const Scan& scan, std::size_t landmark) {
   return landmark < scan.landmarks.size() ? scan.landmarks[landmark].previousEnd : scan.end;
 }

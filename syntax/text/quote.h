@@ -5,15 +5,15 @@
 
 namespace proskill::syntax {
 
-/// A text as a message quotes it: the first line, and not all of a long one.
+/// A text shortened for a quotation in a message: the first line, up to a maximal length.
 [[nodiscard]] std::string shortened(std::string_view text);
 
-/// A word between backquotes, as messages quote what stands in a program.
+/// A word of a program between backquotes, for messages.
 [[nodiscard]] inline std::string backquoted(std::string_view word) {
   return "`" + std::string(word) + "`";
 }
 
-/// A message with all that it quotes between backquotes shortened.
+/// The message with everything between backquotes shortened.
 [[nodiscard]] std::string withShortQuotes(std::string_view message);
 
 } // namespace proskill::syntax

@@ -8,9 +8,10 @@
 
 namespace proskill::syntax {
 
-__extension__ using Wide = __int128; ///< holds the product of any two 64-bit integers
+__extension__ using Wide = __int128; ///< holds the product of two 64-bit integers
 
-/// An exact fraction in lowest terms, denominator positive. Durations are rationals of seconds.
+/// An exact fraction in lowest terms with a positive denominator. Durations are rationals in
+/// seconds.
 struct Rational {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
@@ -21,11 +22,11 @@ struct Rational {
   }
 };
 
-/// Reads `12`, `-3` or `0.25` exactly; nothing where the value does not fit 64 bits.
+/// Parses `12`, `-3` or `0.25` exactly; nothing if the value does not fit 64 bits.
 [[nodiscard]] std::optional<Rational> parseRational(std::string_view text);
 [[nodiscard]] std::optional<Rational> add(Rational a, Rational b);
 [[nodiscard]] std::optional<Rational> multiply(Rational a, Rational b);
-/// The shortest decimal where there is one (`0.25`), else the fraction (`1/3`).
+/// The shortest decimal if there is one (`0.25`), otherwise the fraction (`1/3`).
 [[nodiscard]] std::string toString(Rational value);
 
 } // namespace proskill::syntax

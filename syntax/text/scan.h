@@ -8,18 +8,18 @@
 #include <string_view>
 #include <vector>
 
-/// What can be told of a text without its grammar: comments, strings, parentheses, lines.
+/// Lexical analysis without the grammar: comments, strings, parentheses, lines.
 namespace proskill::syntax {
 
-/// A longer text, in bytes, is one region, which is not read: the forms of a program of this
-/// length take gigabytes.
+/// Maximal length of a text that is parsed, in bytes. A longer text is one region without forms,
+/// because the forms of such a program would take gigabytes.
 inline constexpr std::size_t kLongestRead = std::size_t{16} << 20;
 
-/// The regions that are parsed each on its own: one from each line that begins with a definition,
-/// and one before the first. They cover the text; so an edit, or a mistake, stays in its region.
+/// The regions that are parsed separately: one from each line that begins with a definition, and
+/// one before the first. They cover the text. So an edit or an error affects only its own region.
 [[nodiscard]] std::vector<Range> cut(std::string_view text);
 
-/// What a line of comment says, without its semicolons; nothing where the line is none.
+/// The text of a comment line without its semicolons; nothing if the line is not a comment.
 [[nodiscard]] std::optional<std::string_view> commentLine(std::string_view line);
 
 struct Parenthesis {
@@ -28,20 +28,21 @@ struct Parenthesis {
   bool opens;
 };
 
-/// A token that tells how deep it means to stand: the first of a line, or a keyword.
+/// A token whose intended nesting depth is visible: the first of a line, or a keyword.
 struct Landmark {
   Offset at;
   Offset column;
   Offset previousEnd;        ///< the end of the token before it
-  std::uint32_t parentheses; ///< how many stand before it
+  std::uint32_t parentheses; ///< number of parentheses before it
   bool startsLine;
   bool keyword;
-  bool fieldOfDefinition; ///< a keyword that only stands directly in a definition
+  bool fieldOfDefinition; ///< a keyword that occurs only directly in a definition
 };
 
 struct Scan {
   std::vector<Range> comments;
-  std::vector<Range> unterminated; ///< strings, to the end of their lines
+  /// Strings without a closing quote, up to the end of their lines.
+  std::vector<Range> unterminated;
   std::vector<Parenthesis> parentheses;
   std::vector<Landmark> landmarks;
   Offset end = 0; ///< of the last token

@@ -6,7 +6,7 @@
 
 namespace proskill::syntax {
 
-/// A place in a text, in bytes from its start.
+/// A position in a text, in bytes from its start.
 using Offset = std::uint32_t;
 
 /// A half-open range of a text, in bytes.
@@ -16,10 +16,10 @@ struct Range {
 
   [[nodiscard]] bool empty() const { return begin == end; }
   [[nodiscard]] Offset length() const { return end - begin; }
-  /// Further towards the end of the text; `by` may wrap around.
+  /// The range `by` bytes further towards the end of the text; `by` may wrap around.
   [[nodiscard]] Range moved(Offset by) const { return {begin + by, end + by}; }
   [[nodiscard]] bool contains(Offset at) const { return begin <= at && at < end; }
-  /// Whether there is nothing between the two.
+  /// Whether the ranges overlap or are adjacent.
   [[nodiscard]] bool touches(Range other) const { return begin <= other.end && other.begin <= end; }
   friend bool operator==(const Range&, const Range&) = default;
 };
@@ -31,17 +31,17 @@ struct Position {
   friend auto operator<=>(const Position&, const Position&) = default;
 };
 
-/// Where the lines of a text begin. `\n` and `\r\n` end a line.
+/// The offsets at which the lines of a text begin. `\n` and `\r\n` end a line.
 class LineIndex {
 public:
   explicit LineIndex(std::string_view text);
-  /// That of the text after `range` was replaced by `put`.
+  /// The line index after `range` is replaced by `put`.
   [[nodiscard]] LineIndex edited(Range range, std::string_view put) const;
 
   [[nodiscard]] Position position(Offset at) const;
-  /// The same, sooner where the place is in a line near to `line`, which it sets to its own.
+  /// The same, faster if the offset is in a line near `line`. Sets `line` to the offset's line.
   [[nodiscard]] Position position(Offset at, std::uint32_t& line) const;
-  /// Past the end of its line, or of the text: that end.
+  /// A position after the end of its line, or of the text, gives that end.
   [[nodiscard]] Offset offset(Position position) const;
   [[nodiscard]] std::uint32_t lineCount() const;
   /// The line without its end.
@@ -49,7 +49,7 @@ public:
 
 private:
   LineIndex() = default;
-  /// Adds the lines that begin in a text that stands at `at`.
+  /// Adds the lines that begin in a text at offset `at`.
   void add(std::string_view text, Offset at);
 
   std::vector<Offset> starts{0};

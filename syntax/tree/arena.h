@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
-/// Forms that are read together lie together in memory that is given back as a whole: to copy them
-/// takes half as long, and to destroy them next to nothing.
+/// Forms that are parsed together are allocated contiguously in an arena, which is freed as a
+/// whole. Copying them takes half as long, and destroying them almost no time.
 namespace proskill::syntax {
 
-/// While it lives, lists that are made by its thread lie in a resource, which outlives them.
+/// While a scope exists, lists made by its thread are allocated from its memory resource. The
+/// resource must outlive the lists.
 class ArenaScope {
 public:
   explicit ArenaScope(std::pmr::memory_resource& arena) : before(std::exchange(inUse(), &arena)) {}
@@ -18,7 +19,7 @@ public:
   ArenaScope(const ArenaScope&) = delete;
   ArenaScope& operator=(const ArenaScope&) = delete;
 
-  /// That of the innermost scope; the free store outside of all.
+  /// The resource of the innermost scope; outside of all scopes, the heap.
   [[nodiscard]] static std::pmr::memory_resource* current() {
     auto* const arena = inUse();
     return arena ? arena : std::pmr::new_delete_resource();
@@ -33,8 +34,8 @@ private:
   std::pmr::memory_resource* before;
 };
 
-/// As std::pmr::polymorphic_allocator, but that a copy lies where others are being made, and what
-/// is moved stays where it is.
+/// Like std::pmr::polymorphic_allocator, but a copy is allocated where new lists are, and a moved
+/// list stays where it is.
 template <class T> class InArena {
 public:
   using value_type = T;

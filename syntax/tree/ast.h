@@ -10,11 +10,12 @@
 #include <vector>
 
 /// The typed tree. It is total: a half-typed program gives a tree with missing parts (empty names,
-/// expressions of kind Missing), and every part that is there has its exact range. Views point into
-/// text that the tree's document keeps alive.
+/// expressions of kind Missing), and every existing part has its exact range. Views refer to text
+/// that the tree's document keeps alive.
 namespace proskill::syntax {
 
-/// A word of the program; empty where it is missing, its range is then where it should stand.
+/// A word of the program. If it is missing, the text is empty, and the range is where it was
+/// expected.
 struct Name {
   std::string_view text;
   Range range;
@@ -32,11 +33,11 @@ struct Interval {
 };
 
 enum class ExprKind : std::uint8_t {
-  Missing, // nothing there, or nothing that can be understood
+  Missing, // missing or not understood
   True,
   False,
   Number,    // number
-  Symbol,    // name: a state variable, or a value of one, or a status, or an outcome's tag
+  Symbol,    // name: a state variable, a value of one, a status, or an outcome's tag
   String,    // text, without its quotes
   Parameter, // name, with its `$`
   Access,    // name.member
@@ -54,7 +55,7 @@ enum class ExprKind : std::uint8_t {
   Equivalent,
   Add,
   Subtract,
-  // In properties only.
+  // Only in properties:
   Running, // (running name)
   Called,  // (called name)
   Ended,   // (ended name [member])
@@ -71,7 +72,7 @@ enum class ExprKind : std::uint8_t {
 struct Expr {
   ExprKind kind = ExprKind::Missing;
   Range range;
-  Name head;   ///< the operator's word as written, where there is one
+  Name head;   ///< the operator as written, if there is one
   Name name;   ///< see ExprKind
   Name member; ///< Access: `status`, `res`, …; Ended: the status
   Rational number;
@@ -91,8 +92,8 @@ struct Effects {
   Range range;
 };
 
-/// One keyword with what follows it, in the order of the text: for what is missing, twice, or
-/// misplaced.
+/// A keyword with its values, in the order of the text. Used to find missing, repeated and
+/// misplaced keywords.
 struct FieldUse {
   Name keyword; ///< with its colon
   Range range;  ///< keyword and value
@@ -129,7 +130,7 @@ struct Event {
 struct Resource {
   Name name;
   List<FieldUse> fields;
-  std::optional<Expr> capacity; ///< 1 where absent
+  std::optional<Expr> capacity; ///< default: 1
 };
 
 struct Input {
@@ -177,15 +178,15 @@ struct Block {
   Range range;
 };
 
-/// Which outcomes of a call an arm of a `case` is for.
+/// The outcomes of a call that an arm of a `case` covers.
 struct CasePattern {
   Name status;     ///< `success`, `failure`, `failed_inv`, `interrupted`, `refused`, or `else`
-  List<Name> tags; ///< any of these; empty: whatever the tag
+  List<Name> tags; ///< any of these; empty: any tag
   Range range;
 };
 
-/// A branch of an `if`: `if`/`elseif` have a condition, `else` has none. Of a `case`: what the
-/// pattern asks of the call's outcome, nothing where that is `else`.
+/// A branch of an `if` or `case`. In an `if`, `if` and `elseif` have a condition, `else` has none.
+/// In a `case`, the pattern selects outcomes of the call; `else` has no pattern.
 struct Arm {
   Range keyword;
   std::optional<Expr> condition;
@@ -193,7 +194,7 @@ struct Arm {
   Block body;
 };
 
-/// Of a call: name and value. Of a printf: value alone.
+/// An argument of a call has a name and a value, an argument of a printf only a value.
 struct Argument {
   Name name;
   Expr value;
@@ -201,7 +202,7 @@ struct Argument {
 };
 
 enum class StatementKind : std::uint8_t {
-  Unknown,       // nothing that can be understood; it is diagnosed
+  Unknown,       // not understood; a diagnostic has been reported
   Call,          // (name arguments…)
   Interrupt,     // (name.interrupt)
   WaitCondition, // (^ condition [:effects effects] [:timeout duration branches[0]])
@@ -226,7 +227,7 @@ enum class StatementKind : std::uint8_t {
 struct Statement {
   StatementKind kind = StatementKind::Unknown;
   Range range;
-  Name head; ///< the word that makes it this statement; of a call, the skill
+  Name head; ///< the word that determines the kind of statement; for a call, the skill
   Name name;
   Name format; ///< of a printf, without its quotes
   List<Argument> arguments;
@@ -247,12 +248,13 @@ struct Skill {
   std::optional<Interval> timeInterval;
   std::optional<Action> action;
   std::optional<Interrupt> interrupt; ///< or `:interruptible t`
-  bool unstoppable = false; ///< `:interruptible nil`: once it runs, nobody interrupts or stops it
+  /// `:interruptible nil`: while it runs, nothing can interrupt or stop it.
+  bool unstoppable = false;
   List<Outcome> successes;
   List<Outcome> failures;
   List<Name> resources;
   bool monitor = false;
-  bool armed = false; ///< `:monitor always`: it waits for its preconditions, and is never refused
+  bool armed = false; ///< `:monitor always`: waits for its preconditions and is never refused
   std::optional<Block> body;
 
   [[nodiscard]] bool isComposite() const { return body.has_value(); }
@@ -284,7 +286,7 @@ struct Property {
   std::optional<Interval> within;
   std::optional<Interval> forDuration;
   std::optional<Rational> lasting; ///< seconds
-  std::optional<bool> fair;        ///< it is about fair runs, or about all; absent: as it is asked
+  std::optional<bool> fair;        ///< whether only fair runs count; absent: the default
 };
 
 struct Environment {
@@ -297,28 +299,29 @@ struct Include {
   Name path; ///< without its quotes
 };
 
-/// A form at the top level that is none of the language's; it is diagnosed.
+/// A form at the top level that the language does not have. A diagnostic has been reported.
 struct UnknownForm {
   Name head;
-  Name name; ///< the word behind it: what it would have defined
+  Name name; ///< the word after it: what it would have defined
 };
 
 using FormNode = std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property,
                               Environment>;
 
-/// The statements of a body that are looked for in all bodies after each edit, outer before inner,
-/// in the order of the text.
+/// The statements of a body that are needed in all bodies after each edit, outer before inner, in
+/// the order of the text.
 struct BodyIndex {
   List<const Statement*> calls;
   List<const Statement*> labels;
   List<const Statement*> parallels;
 };
 
-/// A form at the top level, where it was read.
+/// A form at the top level, with ranges as parsed.
 struct ReadForm {
-  Range range;            ///< from its parenthesis to its parenthesis
-  Name keyword;           ///< `defskill`, …
-  bool recovered = false; ///< a parenthesis or quote was put in or left out: a guess
+  Range range;  ///< from its opening to its closing parenthesis
+  Name keyword; ///< `defskill`, …
+  /// A parenthesis or quote was inserted or removed, so the form is a guess.
+  bool recovered = false;
   FormNode node;
   BodyIndex bodyIndex; ///< of its body, where it has one
 };

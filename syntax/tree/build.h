@@ -5,12 +5,12 @@
 #include "syntax/tree/ast.h"
 #include "syntax/tree/tree.h"
 
-/// From the concrete tree of a region of text to its typed tree, and what is wrong with its shape.
-/// What the grammar cannot read at all (a bad name, a stray character) is reported by words.h,
-/// once; everything here is silent about such nodes.
+/// Translation of a region's concrete tree to its typed tree, with diagnostics about its structure.
+/// words.h reports what the grammar cannot parse at all (a bad name, a stray character); the
+/// functions here do not report such nodes again.
 namespace proskill::syntax {
 
-/// The text at hand and where to report. Ranges are those of the text.
+/// The text being translated, and where diagnostics go. Ranges are those of the text.
 struct Builder {
   std::string_view text;
   std::vector<Diagnostic>& diagnostics;
@@ -19,7 +19,8 @@ struct Builder {
     return text.substr(range.begin, range.length());
   }
   [[nodiscard]] std::string_view textOf(const Node& node) const { return textOf(node.range); }
-  /// For what is put together with other words; as an argument of `report` a text needs nothing.
+  /// The text of a node for use within another text. As an argument of `report`, a text needs no
+  /// shortening.
   [[nodiscard]] std::string quoted(const Node& node) const { return shortened(textOf(node)); }
   [[nodiscard]] Name nameOf(const Node& node) const { return {textOf(node), node.range}; }
 
@@ -30,13 +31,13 @@ struct Builder {
     return diagnostics.back();
   }
 
-  /// Reports all that is left of `parts` as one thing too many after `what`.
+  /// Reports the remaining `parts` as one surplus after `what`.
   void reportSurplus(Parts& parts, std::string_view what);
 };
 
-/// Whether the node is reported already, as what it is.
+/// Whether the node itself has been reported already.
 [[nodiscard]] bool isDamaged(const Node& node);
-/// Whether it serves as a name, well-formed or not.
+/// Whether the node can be a name, well-formed or not.
 [[nodiscard]] bool isWord(const Node& node);
 
 /// Whether the node is a keyword with its values.
@@ -51,41 +52,40 @@ struct Field {
   Parts values;
 };
 [[nodiscard]] Field fieldOf(const Builder& builder, const Node& node);
-/// The only value of a field, which `needs` something; null, and reported, where there is none.
+/// The only value of a field. `needs` describes it. Null, with a diagnostic, if there is none.
 const Node* onlyValue(Builder& builder, Field& field, std::string_view needs);
 void reportMalformed(Builder& builder, const Field& field, const Node& value,
                      std::string_view needs);
 
-/// The keywords of the fields that something has.
+/// The keywords that something has.
 using Keywords = std::vector<std::string_view>;
 void reportUnknownField(Builder& builder, const Field& field, std::string_view owner,
                         const Keywords& known);
 
-/// The name that comes next; where there is none, an empty one after `head`, reported.
+/// The next name. If there is none, reports this and returns an empty name after `head`.
 Name takeName(Builder& builder, Parts& parts, const Name& head);
-/// The names of a list in parentheses; what is no name is reported.
+/// The names of a list in parentheses; anything else is reported.
 List<Name> namesOf(Builder& builder, const Node& list);
 
-/// Words that stand for themselves: numbers, strings, intervals.
+/// Literals: numbers, strings, intervals.
 Rational numberOf(const Builder& builder, const Node& number);
 /// A string without its quotes.
 Name contentOf(const Builder& builder, const Node& string);
-/// The interval that comes next, a node of that kind; nothing, and reported, where it is malformed.
+/// The next node, an interval. Nothing, with a diagnostic, if it is malformed.
 std::optional<Interval> takeInterval(Builder& builder, Parts& parts);
-/// The interval that a field has and nothing else; nothing, and reported, where it has none.
+/// The interval that is the only value of a field. Nothing, with a diagnostic, otherwise.
 std::optional<Interval> intervalOf(Builder& builder, Field& field);
 
-/// Formulas may be temporal; conditions and propositions may not.
+/// Temporal operators are allowed in formulas, not in conditions and propositions.
 enum class Context : std::uint8_t { Condition, Proposition, Formula };
 Expr expressionOf(Builder& builder, const Node& node, Context context = Context::Condition);
-/// The condition that comes next; Missing, and reported, where there is none.
+/// The next condition. Missing, with a diagnostic, if there is none.
 Expr takeCondition(Builder& builder, Parts& parts, const Name& head);
-/// All that is left, which is to be effects; none, and reported, where nothing is.
+/// All remaining parts as effects. None, with a diagnostic, if nothing remains.
 Effects takeEffects(Builder& builder, Parts& parts, const Name& head);
 
 Block blockOf(Builder& builder, const Node& list);
-/// The statements that come next, up to a clause of the statement around them; `at` where none
-/// does.
+/// The next statements, up to a clause of the enclosing statement. Empty at `at` if there are none.
 Block takeBlock(Builder& builder, Parts& parts, Offset at);
 void readCase(Builder& builder, Parts& parts, Statement& statement);
 Statement statementOf(Builder& builder, const Node& node);

@@ -6,7 +6,7 @@
 
 namespace proskill::syntax {
 
-/// Words as a sentence lists them: "Free, Busy or Lost" with `last` " or ".
+/// Words as a list in a sentence: "Free, Busy or Lost" with `last` " or ".
 template <std::ranges::sized_range Words>
 [[nodiscard]] std::string enumerate(const Words& words, std::string_view last = " and ") {
   std::string text;
@@ -19,7 +19,7 @@ template <std::ranges::sized_range Words>
   return text;
 }
 
-/// Names as a message lists them: "`Free`, `Busy` and `Lost`".
+/// Names as a list in a message: "`Free`, `Busy` and `Lost`".
 template <std::ranges::sized_range Names>
 [[nodiscard]] std::string enumerateNames(const Names& names) {
   return enumerate(names | std::views::transform([](const auto& name) {

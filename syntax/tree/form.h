@@ -8,42 +8,43 @@
 
 namespace proskill::syntax {
 
-/// What a form says, where it was read and, once somebody has asked, where it stands now.
+/// The content of a form with absolute ranges, computed on demand.
 class PlacedNode;
 
-/// A form of a document at the top level. An edit moves whatever stands behind it, and the next one
-/// comes before much of that was looked at: so what stands inside of a form is moved when somebody
-/// first looks. Any thread may look.
+/// A form of a document at the top level. An edit moves everything after it, and the next edit
+/// often comes before these forms are read. So the content of a form is moved only on first access.
+/// Access is thread-safe.
 class Form {
 public:
-  /// Where it was read.
+  /// The form at the place where it was parsed.
   explicit Form(std::shared_ptr<const ReadForm> form);
-  /// The same so many bytes further towards the end of the text; may wrap around.
+  /// The form `further` bytes towards the end of the text; `further` may wrap around.
   [[nodiscard]] Form moved(Offset further) const;
 
-  Range range;            ///< from its parenthesis to its parenthesis
-  Name keyword;           ///< `defskill`, …
-  Name name;              ///< of what it defines; empty where it has none
-  bool recovered = false; ///< a parenthesis or quote was put in or left out: a guess
-  Range comment;          ///< the lines of comment directly above, empty where there are none
+  Range range;  ///< from its opening to its closing parenthesis
+  Name keyword; ///< `defskill`, …
+  Name name;    ///< of what it defines; empty if it has none
+  /// A parenthesis or quote was inserted or removed, so the form is a guess.
+  bool recovered = false;
+  Range comment; ///< the comment lines directly above; empty if there are none
 
   template <class Node> [[nodiscard]] bool is() const { return kind == kindOf<Node>(); }
   [[nodiscard]] bool isAs(const Form& other) const { return kind == other.kind; }
-  /// What it says where it is such a form, else null.
+  /// The content if the form is of this kind, otherwise null.
   template <class Node> [[nodiscard]] const Node* as() const {
     return is<Node>() ? &std::get<Node>(node()) : nullptr;
   }
   [[nodiscard]] const FormNode& node() const;
 
-  /// The same for who asks all forms after each edit: its words are right, its ranges want
-  /// `offset()` more, which may wrap around.
+  /// The same without moved ranges, for reading all forms after each edit: add `offset()` to its
+  /// ranges; the sum may wrap around.
   template <class Node> [[nodiscard]] const Node* asRead() const {
     return is<Node>() ? &std::get<Node>(nodeAsRead()) : nullptr;
   }
   [[nodiscard]] const FormNode& nodeAsRead() const { return read->node; }
   [[nodiscard]] const BodyIndex& bodyIndexAsRead() const { return read->bodyIndex; }
   [[nodiscard]] Offset offset() const { return by; }
-  /// Whether both were read once, and stand where they do by edits elsewhere.
+  /// Whether both come from the same parse, possibly moved by edits elsewhere.
   [[nodiscard]] bool isSameRead(const Form& other) const { return read == other.read; }
 
 private:
@@ -56,9 +57,9 @@ private:
   }
 
   std::uint8_t kind = 0;
-  Offset by = 0;                            ///< from where it was read; may wrap around
-  const ReadForm* read;                     ///< kept alive by the next
-  std::shared_ptr<const PlacedNode> placed; ///< forms that stand at one place share it
+  Offset by = 0;                            ///< distance from where it was parsed; may wrap around
+  const ReadForm* read;                     ///< owned by `placed`
+  std::shared_ptr<const PlacedNode> placed; ///< shared by forms at the same place
 };
 
 } // namespace proskill::syntax

@@ -4,7 +4,7 @@
 
 namespace proskill::syntax {
 
-/// Calls `visit` on each statement of a block, outer before inner, in the order of the text.
+/// Calls `visit` for each statement of a block, outer before inner, in the order of the text.
 template <class Visit> void forEachStatement(const Block& block, Visit&& visit) {
   for (const Statement& statement : block.statements) {
     visit(statement);
@@ -13,22 +13,23 @@ template <class Visit> void forEachStatement(const Block& block, Visit&& visit) 
   }
 }
 
-/// Its branches run at the same time.
+/// Whether its branches run in parallel.
 [[nodiscard]] inline bool runsBranches(const Statement& statement) {
   return statement.kind == StatementKind::Parallel || statement.kind == StatementKind::Race;
 }
 
-/// A wait for a condition that ends after its `duration`, with the statements of `branches[0]`.
+/// Whether it is a wait for a condition that ends after `duration` with the statements of
+/// `branches[0]`.
 [[nodiscard]] inline bool hasTimeout(const Statement& statement) {
   return statement.kind == StatementKind::WaitCondition && !statement.branches.empty();
 }
 
-/// It waits for its `duration`, or at most so long.
+/// Whether it waits for `duration`, or at most for this time.
 [[nodiscard]] inline bool hasDuration(const Statement& statement) {
   return statement.kind == StatementKind::WaitTime || hasTimeout(statement);
 }
 
-/// The call of a `case`; null where it is missing.
+/// The call of a `case`; null if it is missing.
 [[nodiscard]] inline const Statement* callOf(const Statement& statement) {
   if (statement.kind != StatementKind::Case || statement.branches[0].statements.empty())
     return nullptr;

@@ -12,20 +12,20 @@ struct TSParser;
 
 namespace proskill::syntax {
 
-/// What a node of the concrete tree is; see grammar.js for what stands in each.
+/// The kind of a node of the concrete tree; see grammar.js for the content of each.
 enum class NodeKind : std::uint8_t {
   Token, // a word or sign of the grammar itself, such as `defskill`, `:init`, `[`
-  Error, // what the grammar cannot take
+  Error, // something that the grammar does not accept
 #define NODE(name, type) name,
 #include "syntax/tree/node_kinds.def"
 #undef NODE
 };
 
-/// The node's type in the grammar; of a token, "token".
+/// The node's type in the grammar; "token" for tokens.
 [[nodiscard]] std::string_view typeName(NodeKind kind);
 
-/// A node with its descendants behind it: its first child is the next node, its sibling is `size`
-/// on.
+/// A node, followed by its descendants: its first child is the next node, and its sibling follows
+/// `size` nodes later.
 struct Node {
   NodeKind kind = NodeKind::Token;
   std::uint32_t size = 1; ///< itself and all its descendants
@@ -34,7 +34,7 @@ struct Node {
   friend bool operator==(const Node&, const Node&) = default;
 };
 
-/// The parts of a node that mean something, comments aside, to be taken one by one.
+/// Iterates over the parts of a node except comments.
 class Parts {
 public:
   explicit Parts(const Node& node) : at(&node + 1), end(&node + node.size) { skipComments(); }
@@ -49,7 +49,7 @@ public:
     }
     return taken;
   }
-  /// The next part where it is of that kind.
+  /// The next part if it is of this kind, otherwise null.
   const Node* take(NodeKind kind) { return at != end && at->kind == kind ? take() : nullptr; }
 
 private:
@@ -61,13 +61,13 @@ private:
   const Node* end;
 };
 
-/// A concrete tree in preorder; parentheses and quotes are left out, ranges tell where they are.
+/// A concrete tree in preorder, without parentheses and quotes; ranges include them.
 using Tree = std::vector<Node>;
 
-/// As tree-sitter prints trees, with the range of each node moved by `shift`.
+/// The tree as tree-sitter prints it, with all ranges moved by `shift`.
 [[nodiscard]] std::string toString(const Tree& tree, Offset shift);
 
-/// Reads texts with the grammar, one after the other.
+/// Parses texts with the grammar, one after the other.
 class Parser {
 public:
   Parser();

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-/// What is wrong with single bytes and words, whatever they stand in.
+/// Diagnostics about single bytes and words, independent of their context.
 namespace proskill::syntax {
 
-/// Reports bytes that no text has (bad UTF-8, control characters) and overwrites them by kNoText.
+/// Reports bytes that a text must not contain (invalid UTF-8, control characters) and overwrites
+/// them with kNoText.
 void cleanBytes(std::string& text, std::vector<Diagnostic>& diagnostics);
 inline constexpr char kNoText = '\x1a';
 
