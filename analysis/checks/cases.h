@@ -4,8 +4,8 @@
 
 namespace proskill::analysis {
 
-/// The arms of a `case` in a body: names of outcomes, and whether every outcome of the call has
-/// one.
+/// Checks the arms of a `case`: names of outcomes, and whether every outcome of the call is
+/// covered.
 void checkCase(Context& context, const Body& body, const syntax::Statement& statement);
 
 } // namespace proskill::analysis

@@ -2,8 +2,8 @@
 
 #include "analysis/names/names.h"
 
-/// The checks, one file each (`check_NAME.cpp`); docs/howto/add-a-check.md says how to add one.
-/// Those of the first group also note every name that they meet for the index.
+/// The checks, one file each (`check_NAME.cpp`). docs/howto/add-a-check.md explains how to add one.
+/// The checks of the first group also record each name that they read in the index.
 namespace proskill::analysis {
 
 void checkStateVariables(Context& context);

@@ -8,16 +8,16 @@
 
 namespace proskill::analysis {
 
-/// A name that its definition asks to use no more: a line of the comment directly above begins with
-/// `Deprecated:`. Of several names that are defined in the line below the comment it is the first.
+/// A name marked as deprecated: a line of the comment directly above its definition begins with
+/// `Deprecated:`. If the line below the comment defines several names, the first one is meant.
 struct Deprecation {
   SymbolId symbol = kNoSymbol;
-  std::string_view why; ///< the rest of the comment's line; may be empty
+  std::string_view why; ///< the rest of this line; may be empty
 };
 
 [[nodiscard]] std::vector<Deprecation> deprecations(const Program& program, const Index& index);
 
-/// Tells each use of such a name outside of its own definition.
+/// Reports each use of a deprecated name outside of its own definition.
 void reportDeprecated(const Program& program, const Index& index, Findings& findings);
 
 } // namespace proskill::analysis

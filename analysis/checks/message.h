@@ -9,14 +9,14 @@
 
 namespace proskill::analysis {
 
-/// A `%` of a message's format, with the letter that follows it; `\0` at the end of the format.
+/// A `%` of a format with the letter after it; `\0` at the end of the format.
 struct Directive {
   char letter = 0;
   std::size_t at = 0; ///< bytes from the start of the format
 };
 [[nodiscard]] std::vector<Directive> directives(std::string_view format);
 
-/// The format of a `printf` against its arguments. \pre `statement` is a Printf.
+/// Checks the format of a `printf` against its arguments. \pre `statement` is a Printf
 void checkMessage(Context& context, const Body& body, const syntax::Statement& statement);
 
 } // namespace proskill::analysis

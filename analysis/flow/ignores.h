@@ -6,9 +6,9 @@
 
 namespace proskill::analysis::flow {
 
-/// Takes out the diagnostics that a comment `; proskill-ignore: PS0708` on the line before asks to
-/// leave out, and adds hints about such comments that leave out nothing or name no code. Errors of
-/// form, names and types stay: a program with them means nothing.
+/// Removes the diagnostics that a comment `; proskill-ignore: PS0708` on the previous line asks to
+/// ignore. Adds hints about such comments that ignore nothing or name no code. Errors of form,
+/// names and types cannot be ignored, because a program with such errors has no meaning.
 [[nodiscard]] std::vector<syntax::Diagnostic>
 withoutIgnored(const Program& program, std::vector<syntax::Diagnostic> diagnostics);
 

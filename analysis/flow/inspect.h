@@ -8,38 +8,38 @@
 
 namespace proskill::analysis::flow {
 
-/// How findings are weighed.
+/// The severities of findings.
 struct Settings {
-  /// Instead of the severity of the table; nothing: not told at all. Errors of form, names and
-  /// types stay what they are.
+  /// Replaces the severity of the table; nothing: the diagnostic is not reported. Errors of form,
+  /// names and types keep their severity.
   std::map<syntax::Code, std::optional<syntax::Severity>> severities;
-  bool style = false; ///< tell the hints of PS11xx too, where `severities` does not say
+  bool style = false; ///< also report the hints of PS11xx, unless `severities` says otherwise
 };
 
-/// Everything that can be said about a program: what `check` says and, where that has no errors and
-/// the program is whole, what its flow tells; weighed as `settings` say, without what comments ask
-/// to ignore, in the order of the files.
+/// All diagnostics of a program: those of `check` and, if there are no errors and the program is
+/// whole, those of its flow. Applies `settings` and comments that ignore diagnostics. In the order
+/// of the files.
 [[nodiscard]] std::vector<syntax::Diagnostic>
 inspect(const Program& program, const Analysis& analysis, const Settings& settings = {});
-/// The same with the flow that is known already: null where it cannot be known.
+/// The same with a known flow; null if it cannot be computed.
 [[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
                                                       const Analysis& analysis,
                                                       const Settings& settings, const Flow* flow);
 [[nodiscard]] std::vector<syntax::Diagnostic> inspect(const Program& program,
                                                       const Settings& settings = {});
-/// The same where `checkFlow` has been asked already.
+/// The same with the diagnostics of `checkFlow`.
 [[nodiscard]] std::vector<syntax::Diagnostic> weighed(const Program& program,
                                                       const Analysis& analysis,
                                                       const std::vector<syntax::Diagnostic>& ofFlow,
                                                       const Settings& settings);
-/// Those that the settings have told, with the severities that they say.
+/// The diagnostics that the settings report, with the severities of the settings.
 [[nodiscard]] std::vector<syntax::Diagnostic> weighed(std::vector<syntax::Diagnostic> diagnostics,
                                                       const Settings& settings);
 
-/// Whether `settings` may have any of the hints of style told.
+/// Whether `settings` may report a hint of style.
 [[nodiscard]] bool wantsStyle(const Settings& settings);
 
-/// The program is whole, and has no errors that would make its flow mean nothing.
+/// Whether the program is whole and has no errors that would make its flow meaningless.
 [[nodiscard]] bool hasFlow(const Program& program, const Analysis& analysis);
 
 } // namespace proskill::analysis::flow

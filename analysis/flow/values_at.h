@@ -8,26 +8,26 @@
 
 namespace proskill::analysis::flow {
 
-/// A step of a program, as a place in its text.
+/// A step of a program, with its place in the text.
 struct Point {
   ProcessId process = kNoProcess;
   NodeId node = kNoNode;
-  Location at; ///< of the statement, of the test, of a condition or of effects
+  Location at; ///< the location of the statement, the test, a condition or effects
 };
 
-/// The steps that a place belongs to: those with the smallest text around it. Several where one
-/// text is several steps; none outside of skills and environments, and in what nobody starts.
+/// The steps at a place: those with the smallest text around it. There are several if one text is
+/// several steps, and none outside of skills and environments or in skills that nothing starts.
 [[nodiscard]] std::vector<Point> pointsAround(const Flow& flow, Location place);
 
-/// All steps whose text, or whose condition's, touches a range, by process; each at its own text.
+/// All steps whose text or whose condition touches a range, by process; each with its own text.
 [[nodiscard]] std::vector<Point> pointsTouching(const Flow& flow, Location range);
 
-/// What a variable may be when a process comes to one of the points, before it does what is said
-/// there. Nothing where none of the points follows the variable, or none is ever reached.
+/// The possible values of a variable when a process reaches one of the points, before its action.
+/// Nothing if none of the points tracks the variable, or none is reachable.
 [[nodiscard]] std::optional<ValueSet> valuesAt(const Flow& flow, const std::vector<Point>& points,
                                                VariableId variable);
 
-/// Whether any of the points is ever reached.
+/// Whether any of the points is reachable.
 [[nodiscard]] bool isReached(const Flow& flow, const std::vector<Point>& points);
 
 } // namespace proskill::analysis::flow

@@ -4,19 +4,20 @@
 
 namespace proskill::analysis {
 
-/// What is passed to an action or to a skill: literals, and `$params` of the skill that passes it.
+/// Checks the arguments of an action or a skill: literals, and `$params` of the skill that passes
+/// them.
 class Arguments {
 public:
-  /// \pre `caller` is the skill in which the arguments are written.
+  /// \pre `caller` is the skill in which the arguments are written
   Arguments(Context& context, FileId file, SymbolId caller)
       : context(context), names(context, file), file(file), caller(caller) {}
 
-  /// The type of an argument; unknown, with a diagnostic, where it can be none. A word can only be
-  /// understood where the values of an enumeration are `wanted`.
+  /// The type of an argument; Unknown, with a diagnostic, if it has none. A word has a meaning only
+  /// if an enumeration is `wanted`.
   Type type(const syntax::Expr& argument, Type wanted);
   /// The declared type of a parameter of the caller.
   Type parameter(const syntax::Name& name);
-  /// The arguments of a call: each input given once, with a value that fits.
+  /// Checks the arguments of a call: each input is given once, with a value that fits.
   void checkCall(const syntax::Statement& call, SymbolId callee);
 
 private:

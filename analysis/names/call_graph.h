@@ -7,12 +7,13 @@
 
 namespace proskill::analysis {
 
-/// Who calls whom, by index into `Program::skills.all`. A call of an unknown skill is no edge.
+/// The calls between skills, by index into `Program::skills.all`. Calls of unknown skills are
+/// omitted.
 class CallGraph {
 public:
   struct Call {
     std::size_t callee;
-    const syntax::Statement* statement; ///< as it was read, see syntax::Form
+    const syntax::Statement* statement; ///< with ranges as parsed, see syntax::Form
   };
 
   explicit CallGraph(const Program& program);
@@ -22,15 +23,15 @@ public:
   [[nodiscard]] std::span<const Call> from(std::size_t skill) const {
     return std::span(calls).subspan(firsts[skill], firsts[skill + 1] - firsts[skill]);
   }
-  /// Those in a part of a body, as it was read.
+  /// The calls in a part of a body with ranges as parsed.
   [[nodiscard]] std::vector<Call> in(const syntax::Block& block) const;
 
 private:
   void add(const syntax::Statement& call, std::vector<Call>& to) const;
 
   const Program& program;
-  std::vector<Call> calls;         ///< of one skill after the other
-  std::vector<std::size_t> firsts; ///< of each skill in `calls`, and the end
+  std::vector<Call> calls;         ///< grouped by skill
+  std::vector<std::size_t> firsts; ///< by skill: its first index in `calls`; then the end
 };
 
 } // namespace proskill::analysis

@@ -4,14 +4,14 @@
 
 namespace proskill::analysis {
 
-/// Which atoms a condition may be made of: those of a program, or those of a property beside.
+/// The atoms that a condition may contain: those of programs, or also those of properties.
 enum class Atoms : std::uint8_t { Program, Property };
 
-/// Reads conditions, values and effects: what each word means, and whether the types agree.
+/// Resolves and checks conditions, values and effects: names and types.
 ///
-/// A word in a condition is a state variable; beside an enumeration, a status or a result it is a
-/// value of that one if it has it. So `(= battery Low)` compares with the value, even if some
-/// state variable is called `Low`.
+/// A word in a condition is a state variable, unless it is next to an enumeration, a status or a
+/// result that has this value. So `(= battery Low)` compares with the value, even if some state
+/// variable is called `Low`.
 class Expressions {
 public:
   Expressions(Context& context, FileId file, Atoms atoms = Atoms::Program)
@@ -19,7 +19,7 @@ public:
 
   void condition(const syntax::Expr& expr);
   void effects(const syntax::Effects& effects);
-  /// A value of which nothing is known beforehand; a word is a state variable.
+  /// The type of a value without context; a word is a state variable.
   Type value(const syntax::Expr& expr);
 
 private:

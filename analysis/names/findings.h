@@ -17,9 +17,9 @@ public:
   explicit Finding(syntax::Diagnostic& diagnostic) : diagnostic(diagnostic) {}
 
   Finding& related(syntax::Location at, std::string_view message);
-  /// "did you mean …?", where the word is not empty.
+  /// Adds "did you mean …?" with a fix, unless the word is empty.
   Finding& suggest(std::string_view word);
-  /// The edit that mends it.
+  /// Adds a fix.
   Finding& fix(std::string_view title, syntax::Location at, std::string text);
   Finding& severity(syntax::Severity value);
 
@@ -27,32 +27,32 @@ private:
   syntax::Diagnostic& diagnostic;
 };
 
-/// A name that means nothing where it stands. Whether that is one mistake or several is known of
-/// all definitions together.
+/// A name that cannot be resolved. Whether several of them are one error is decided when all
+/// definitions are known.
 struct UnknownName {
-  syntax::CodeFor<2> code; ///< its message is given the text, and the owner's name
+  syntax::CodeFor<2> code; ///< its message takes the name and the owner's name
   std::string text;
   Location at;
-  SymbolId owner = kNoSymbol;                ///< of whose names it is none; none: of the program's
-  std::vector<SymbolKind> kinds;             ///< what it might be
-  bool anywhere = false;                     ///< whoever the owner is
-  std::span<const std::string_view> words{}; ///< of the language, that may stand there
+  SymbolId owner = kNoSymbol;    ///< the scope in which it was looked up; kNoSymbol: the program
+  std::vector<SymbolKind> kinds; ///< the kinds of symbols that it may be
+  bool anywhere = false;         ///< in the scope of any owner
+  std::span<const std::string_view> words{}; ///< words of the language that are allowed there
 };
 
-/// What a check has found.
+/// The findings of a check.
 struct Found {
   std::vector<syntax::Diagnostic> diagnostics;
-  std::vector<syntax::Location> notCalls; ///< what the parser says of their arguments is no matter
-  std::vector<UnknownName> unknown;       ///< which is told when all are known
+  std::vector<syntax::Location> notCalls; ///< calls whose diagnostics about arguments are withdrawn
+  std::vector<UnknownName> unknown;       ///< reported when all are known
 };
 
-/// Collects what the checks find.
+/// Collects the findings of checks.
 class Findings {
 public:
   Findings() = default;
   explicit Findings(std::vector<syntax::Diagnostic> known) : found{std::move(known), {}, {}} {}
 
-  /// `arguments` are for the message of the code, in its order.
+  /// \param arguments for the message of the code, in its order
   template <class... Arguments>
   Finding report(syntax::CodeFor<sizeof...(Arguments)> code, syntax::Location at,
                  const Arguments&... arguments) {
@@ -60,17 +60,17 @@ public:
     return Finding(found.diagnostics.back());
   }
 
-  /// What is said about the form of this call's arguments is taken back: it is no call.
+  /// Withdraws the diagnostics about the arguments of a call that turned out not to be a call.
   void forgetArguments(syntax::Location call) { found.notCalls.push_back(call); }
 
   void unknown(UnknownName name) { found.unknown.push_back(std::move(name)); }
 
   void add(const Found& more);
   [[nodiscard]] const std::vector<UnknownName>& unknownNames() const { return found.unknown; }
-  /// All of them as they were reported.
+  /// The findings in the order in which they were reported.
   [[nodiscard]] Found asFound() && { return std::move(found); }
 
-  /// All of them in the order of the files and of their texts.
+  /// The findings in the order of the files and their texts.
   [[nodiscard]] std::vector<syntax::Diagnostic> inOrder() &&;
 
 private:

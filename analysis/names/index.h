@@ -12,14 +12,14 @@
 
 namespace proskill::analysis {
 
-/// What a place in the text does with the symbol that it names.
+/// How an occurrence uses its symbol.
 enum class Role : std::uint8_t {
   Definition,
-  Read,      ///< a state variable or a skill's status is looked at
-  Write,     ///< a state variable is set
-  Call,      ///< a skill is called
-  Interrupt, ///< a skill is interrupted
-  Mention,   ///< all else: a value, a tag, a label, a resource, an event, a type
+  Read,      ///< reads a state variable or a skill's status
+  Write,     ///< sets a state variable
+  Call,      ///< calls a skill
+  Interrupt, ///< interrupts a skill
+  Mention,   ///< any other use: a value, a tag, a label, a resource, an event, a type
 };
 
 struct Occurrence {
@@ -28,36 +28,36 @@ struct Occurrence {
   Role role = Role::Mention;
 };
 
-/// Every definition of a program and every place that names it. It looks into the program's texts
-/// and is valid as long as these.
+/// All definitions of a program and all places that name them. The index refers to the program's
+/// texts and is valid as long as they are.
 class Index {
 public:
-  /// \pre `occurrences` are of `symbols`; definitions are added here.
+  /// \pre `occurrences` are of `symbols`. Definitions are added here.
   Index(SymbolTable symbols, std::vector<Occurrence> occurrences);
-  /// After an edit: with what is kept of an earlier one.
-  /// \param kept     in their order
-  /// \param noted    in the scope, which definitions are added to here
+  /// Builds the index after an edit from parts of an earlier one.
+  /// \param kept in order
+  /// \param noted occurrences within the scope; definitions in the scope are added here
   Index(SymbolTable symbols, std::vector<Occurrence> kept, std::vector<Occurrence> noted,
         const Scope& scope);
 
   [[nodiscard]] const SymbolTable& symbols() const { return table; }
-  /// All of them, by file and place.
+  /// All occurrences, by file and offset.
   [[nodiscard]] std::span<const Occurrence> occurrences() const { return places; }
-  /// Those that begin in a region of a file.
+  /// The occurrences that begin in a region of a file.
   [[nodiscard]] std::span<const Occurrence> occurrences(Location within) const;
-  /// What stands at a place, or ends there; null where no name does.
+  /// The name at an offset, or ending there; null if there is none.
   [[nodiscard]] const Occurrence* at(FileId file, syntax::Offset offset) const;
-  /// The places that name a symbol, its definition among them, by file and place.
+  /// The occurrences of a symbol, including its definition, by file and offset.
   [[nodiscard]] std::vector<Occurrence> occurrencesOf(SymbolId symbol) const;
-  /// How many these are.
+  /// Their number.
   [[nodiscard]] std::size_t countOf(SymbolId symbol) const { return group(symbol).size(); }
 
 private:
-  /// Made when somebody first asks: after most edits nobody does.
+  /// Computed on demand, because after most edits nobody needs it.
   struct Groups {
     Once made;
     std::vector<std::uint32_t> bySymbol; ///< indices into `places`, grouped by symbol
-    std::vector<std::uint32_t> starts;   ///< of each symbol in `bySymbol`, and the end
+    std::vector<std::uint32_t> starts;   ///< by symbol: its first index in `bySymbol`; then the end
   };
 
   [[nodiscard]] std::span<const std::uint32_t> group(SymbolId symbol) const;
@@ -68,23 +68,23 @@ private:
   std::unique_ptr<Groups> groups = std::make_unique<Groups>();
 };
 
-/// A program's names and all that is wrong with it.
+/// A program's names and diagnostics.
 struct Analysis {
   Index index;
-  std::vector<syntax::Diagnostic> diagnostics; ///< those of loading included, in the files' order
-  /// What was found by looking at one definition after the other, a check each: what `analyse`
-  /// takes over after an edit.
+  /// Including those of loading, in the order of the files.
+  std::vector<syntax::Diagnostic> diagnostics;
+  /// The findings of checks that look at one definition at a time, by check; `analyse` reuses them
+  /// after an edit.
   std::vector<Found> ofDefinitions{};
 };
 [[nodiscard]] Analysis analyse(const Program& program);
 
-/// A program before an edit.
+/// A program before an edit, with its analysis.
 struct Earlier {
   const Program& program;
   const Analysis& analysis;
 };
-/// Gives what `analyse(program)` gives, mostly at the cost of the definitions that the edit
-/// touched.
+/// The same as `analyse(program)`, usually at the cost of the definitions that the edit touched.
 [[nodiscard]] Analysis analyse(const Program& program, const Earlier& earlier);
 
 } // namespace proskill::analysis

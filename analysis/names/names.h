@@ -11,7 +11,7 @@
 
 namespace proskill::analysis {
 
-/// What every check sees: the program, its names, and where to put what it finds.
+/// The input of all checks: the program, its names, and where to report findings.
 struct Context {
   const Program& program;
   const SymbolTable& symbols;
@@ -20,7 +20,7 @@ struct Context {
   std::vector<Occurrence>& occurrences;
   Scope scope{};
 
-  /// Calls `visit(definition)` for those of a table that are to be looked at.
+  /// Calls `visit(definition)` for the definitions of a table that are in the scope.
   template <class Node, class Visit> void each(const Table<Node>& table, Visit&& visit) const {
     for (const Definition<Node>& it : table.all)
       if (scope.holds(it.file, it.form->range.begin)) visit(it);
@@ -32,7 +32,7 @@ struct Context {
       if (scope.holds(table.all[i].file, table.all[i].form->range.begin))
         visit(table.all[i], symbols.topLevel(kind, i));
   }
-  /// Calls `visit(body)` for each body of theirs.
+  /// Calls `visit(body)` for each body of these.
   template <class Visit> void eachBody(Visit&& visit) const {
     each(SymbolKind::Skill, program.skills, [&](const auto& skill, SymbolId symbol) {
       if (skill->body) visit(Body{*skill->body, skill.file, symbol});
@@ -50,19 +50,19 @@ struct Context {
   }
 };
 
-/// Finds what names mean, notes it in the index, and says so where they mean nothing. What a name
-/// may be depends on where it stands:
+/// Resolves names, records them in the index, and reports unknown names. The meaning of a name
+/// depends on its place:
 ///
-/// | place | what it is |
+/// | place | meaning |
 /// | --- | --- |
 /// | `(NAME value)` in a condition, in effects | a state variable |
-/// | a word beside it, in `:init`, in `:transitions` | a value of that one, else a state variable |
-/// | `(NAME …)` as a statement, `NAME.status`, `NAME.res`, `NAME.interrupt` | a skill |
-/// | a word beside `skill.status`, in `(ended skill NAME)` | a status |
-/// | a word beside `skill.res` | a tag of that skill's outcomes or invariants, or `no_result` |
-/// | `(success NAME)`, `(failure NAME)` | a tag of the own `:success`, of the own `:failure` |
-/// | `NAME value` in a call | an input of the skill that is called |
-/// | `$NAME` | an input of the skill that it stands in |
+/// | a word next to it, in `:init`, in `:transitions` | one of its values, otherwise a state
+/// variable | | `(NAME …)` as a statement, `NAME.status`, `NAME.res`, `NAME.interrupt` | a skill |
+/// | a word next to `skill.status`, in `(ended skill NAME)` | a status |
+/// | a word next to `skill.res` | a tag of that skill's outcomes or invariants, or `no_result` |
+/// | `(success NAME)`, `(failure NAME)` | a tag of the skill's own `:success` or `:failure` |
+/// | `NAME value` in a call | an input of the called skill |
+/// | `$NAME` | an input of the enclosing skill |
 /// | after an input | a basic type or a state variable |
 /// | `(goto NAME)`, `(at NAME)` | a label of the same body, of any body |
 /// | `(emit NAME)`, `(occurs NAME)` | an event |
@@ -71,22 +71,22 @@ class Names {
 public:
   Names(Context& context, FileId file) : context(context), file(file) {}
 
-  /// The symbol of that kind and owner; none, with a diagnostic, where there is none. A missing
-  /// name is none without a diagnostic: the parser has said so.
+  /// The symbol of this kind and owner; kNoSymbol, with a diagnostic, if it does not exist. A
+  /// missing name gives kNoSymbol without a diagnostic, because the parser has reported it.
   SymbolId use(SymbolKind kind, const syntax::Name& name, Role role, SymbolId owner = kNoSymbol);
-  /// The tag of an outcome or of an invariant, after `skill.res`.
+  /// Resolves the tag of an outcome or an invariant, after `skill.res`.
   void useResult(const syntax::Name& tag, SymbolId skill);
-  /// The word of a status; `found` of those allowed.
+  /// Resolves the word of a status, one of `allowed`.
   void useStatus(const syntax::Name& word, std::span<const std::string_view> allowed);
-  /// The label in any skill, for a property.
+  /// Resolves a label of any skill, for a property.
   void useLabelAnywhere(const syntax::Name& label);
-  /// The type of an input.
+  /// Resolves the type of an input.
   Type useType(const syntax::Name& name);
-  /// A parameter, with or without its `$`.
+  /// Resolves a parameter, with or without its `$`.
   SymbolId useParameter(const syntax::Name& name, Role role, SymbolId skill);
-  /// Says so where a number lies outside of the state variable that `type` is of.
+  /// Reports a number outside of the state variable's range, if `type` belongs to one.
   void checkDomain(const syntax::Expr& number, Type type);
-  /// For the index: the symbol is named here.
+  /// Records in the index that this name refers to the symbol.
   void note(SymbolId symbol, const syntax::Name& name, Role role);
 
 private:

@@ -9,20 +9,21 @@
 
 namespace proskill::analysis {
 
-/// What of an earlier analysis holds after an edit. Looked at again are the definitions whose text
-/// has changed, and those that have a word of which the meaning may be another now: the names that
-/// came and went, and those of definitions of which others see more than the name and the parts.
+/// Decides which parts of an earlier analysis remain valid after an edit. Checked again are:
+/// definitions whose text has changed, and definitions with a word whose meaning may have changed.
+/// Such words are names that were added or removed, and names of definitions of which other
+/// definitions read more than the name and the parts.
 class Reuse {
 public:
-  /// Nothing where the edit may matter anywhere.
+  /// Nothing if the edit may affect everything.
   [[nodiscard]] static std::optional<Reuse> find(const Earlier& earlier, const Program& now,
                                                  const SymbolTable& symbols);
 
-  /// The definitions to be looked at.
+  /// The definitions that must be checked again.
   [[nodiscard]] const Scope& scope() const { return looked; }
-  /// What a check of definitions has found, but for those that are looked at again.
+  /// The findings of a check for all other definitions.
   [[nodiscard]] const std::vector<Found>& found() const { return kept; }
-  /// \param noted in the definitions that were looked at
+  /// \param noted occurrences in the definitions that were checked again
   [[nodiscard]] Index index(SymbolTable symbols, std::vector<Occurrence> noted) &&;
 
 private:
@@ -43,16 +44,16 @@ private:
   std::vector<Occurrence> places;
 };
 
-/// The one file in which a program differs from what it was, and how.
+/// The only file in which two versions of a program differ, and the difference.
 struct FileChange {
   FileId file = 0;
   syntax::Change change;
 };
-/// Nothing where the programs differ in several files or in which files they are of.
+/// Nothing if the programs differ in several files, or consist of different files.
 [[nodiscard]] std::optional<FileChange> changeBetween(const Program& before, const Program& now);
 
-/// The diagnostics at their new places, after an edit of white space or comments. Nothing where one
-/// of them may have another text or another fix now.
+/// The diagnostics at their new places after an edit of white space or comments. Nothing if the
+/// text or the fix of one may have changed.
 [[nodiscard]] std::optional<std::vector<syntax::Diagnostic>>
 movedByLayout(const std::vector<syntax::Diagnostic>& diagnostics, const FileChange& edit);
 

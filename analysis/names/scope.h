@@ -11,11 +11,11 @@ namespace proskill::analysis {
 using syntax::FileId;
 using syntax::Location;
 
-/// Which definitions a check looks at: after an edit, those for which it may matter.
+/// The definitions that a check reads: after an edit, those that it may affect.
 struct Scope {
   bool isAll = true;
-  /// Where not all: those that begin in one of these, which are in the order of the files and of
-  /// their texts and do not overlap.
+  /// If not all: the definitions that begin in one of these locations. The locations are in the
+  /// order of the files and their texts and do not overlap.
   std::vector<Location> within{};
 
   [[nodiscard]] bool holds(FileId file, syntax::Offset begin) const {

@@ -8,17 +8,17 @@
 
 namespace proskill::analysis {
 
-/// What became of the symbols of a program.
+/// How the symbols of a program have changed.
 struct SymbolChange {
-  std::vector<SymbolId> now; ///< of each of the old ones; kNoSymbol where it is gone
-  /// Names of which the meaning may have changed elsewhere: of the definitions that came and went
-  /// or have other parts, and of the labels among these, which stand alone. Who has another part
-  /// has the name of its owner, or of a skill with an input of that type. They look into both
-  /// tables' texts.
+  std::vector<SymbolId> now; ///< by old symbol; kNoSymbol if it was removed
+  /// Names whose meaning may have changed in other definitions: names of definitions that were
+  /// added, removed or got other parts, and of labels among these parts, which are named without an
+  /// owner. A definition that uses another kind of part also contains the name of the part's owner,
+  /// or of a skill with an input of this type. The names refer to the texts of both tables.
   std::set<std::string_view> names;
 };
 
-/// Definitions are matched by their kind, name and order, their parts likewise.
+/// Definitions are matched by kind, name and order; their parts likewise.
 [[nodiscard]] SymbolChange changeBetween(const SymbolTable& before, const SymbolTable& now);
 
 } // namespace proskill::analysis

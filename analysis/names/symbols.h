@@ -20,9 +20,9 @@ enum class SymbolKind : std::uint8_t {
   Resource,
   Property,
   Environment,
-  // Inside of a state variable.
+  // Parts of a state variable.
   Value,
-  // Inside of a skill; labels inside of an environment too.
+  // Parts of a skill; labels also of an environment.
   Parameter,
   PreconditionTag,
   InvariantTag,
@@ -31,66 +31,67 @@ enum class SymbolKind : std::uint8_t {
   Label,
 };
 
-/// "state variable", "tag": what a user calls it.
+/// The name of the kind for users: "state variable", "tag".
 [[nodiscard]] std::string_view words(SymbolKind kind);
 
-/// `$height` as `height`: a parameter has its `$` where it is used, and none where it is given.
+/// `$height` becomes `height`: a parameter has its `$` where it is used, but not where it is given.
 [[nodiscard]] syntax::Name withoutDollar(syntax::Name name);
 
 /// An index into `SymbolTable::all`.
 using SymbolId = std::uint32_t;
 constexpr SymbolId kNoSymbol = ~SymbolId{0};
 
-/// Something that a program defines and that has a name.
+/// A named definition of a program.
 struct Symbol {
   SymbolKind kind = SymbolKind::Skill;
   std::string_view name;
   Location at;                ///< of the name
   syntax::Range extent;       ///< of the whole definition
-  SymbolId owner = kNoSymbol; ///< the state variable of a value, the skill of a tag
-  std::size_t definition = 0; ///< top level: its index in the program's table
+  SymbolId owner = kNoSymbol; ///< the state variable of a value, the skill of a tag, and so on
+  std::size_t definition = 0; ///< top level: index in the program's table
 };
 
-/// A name that its owner has already.
+/// A name that its owner already has.
 struct Duplicate {
   SymbolId first = kNoSymbol;
   SymbolId second = kNoSymbol;
 };
 
-/// Every definition of a program. A name belongs to a kind and an owner: two variables may share
-/// the value `Valid`, a skill and an event the name `land`. The first definition of a name has it.
+/// All definitions of a program. A name belongs to a kind and an owner: two variables may share the
+/// value `Valid`, a skill and an event the name `land`. If a name is defined several times, it
+/// refers to the first definition.
 class SymbolTable {
 public:
-  /// Those that follow each other.
+  /// Symbols with consecutive ids.
   using Ids = std::ranges::iota_view<SymbolId, SymbolId>;
 
   explicit SymbolTable(const Program& program);
-  /// The same after an edit, sooner where definitions are as they were.
-  /// \param symbolsBefore  of `before`
+  /// The table after an edit; faster if definitions have not changed.
+  /// \param symbolsBefore the table of `before`
   SymbolTable(const Program& program, const Program& before, const SymbolTable& symbolsBefore);
 
   [[nodiscard]] const std::vector<Symbol>& all() const { return symbols; }
   [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols[id]; }
   [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name,
                               SymbolId owner = kNoSymbol) const;
-  /// All of a kind and an owner, in the order of the program, second ones of a name included.
+  /// All symbols of a kind and an owner, in the order of the program, including duplicates.
   [[nodiscard]] Ids members(SymbolKind kind, SymbolId owner) const;
-  /// All whose owner it is, kind by kind.
+  /// All symbols of an owner, by kind.
   [[nodiscard]] Ids parts(SymbolId owner) const {
     return owner < ofDefinitions.size() ? ofDefinitions[owner] : Ids();
   }
-  /// What may follow `skill.res`: an outcome's tag, or that of an invariant that failed.
+  /// The tag after `skill.res`: of an outcome, or of an invariant that failed.
   [[nodiscard]] SymbolId findResult(std::string_view tag, SymbolId skill) const;
-  /// All labels of a name, whatever the skill that they stand in.
+  /// All labels with a name, in any skill.
   [[nodiscard]] std::span<const SymbolId> labels(std::string_view name) const;
-  /// The symbol of a definition at the top level, second ones of a name included.
+  /// The symbol of a top-level definition, including duplicates.
   [[nodiscard]] SymbolId topLevel(SymbolKind kind, std::size_t definition) const {
     return ofKinds[static_cast<std::size_t>(kind)][static_cast<SymbolId>(definition)];
   }
   [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return twice; }
 
 private:
-  /// What has parts, by its form.
+  /// A definition with parts.
   struct Owner {
     SymbolId id;
     const syntax::Form& form;
@@ -100,9 +101,9 @@ private:
   [[nodiscard]] SymbolId next() const { return static_cast<SymbolId>(symbols.size()); }
   void sortParts(SymbolId owner);
   void noteDuplicates(SymbolId owner);
-  /// Those that another table has of the same form.
+  /// Copies the parts of the same definition from another table.
   void copyParts(const SymbolTable& table, SymbolId ownerThere, Owner owner, syntax::Offset by);
-  /// \param name, extent  as they were read
+  /// \param name, extent with ranges as parsed
   void defineInside(SymbolKind kind, const syntax::Name& name, syntax::Range extent, Owner owner);
   struct Before {
     const Program& program;
@@ -124,11 +125,13 @@ private:
 
   static constexpr std::size_t kTopLevelKinds = 6;
 
-  std::vector<Symbol> symbols; ///< the top level, kind by kind, then the parts of each of it
+  std::vector<Symbol> symbols; ///< the top level by kind, then the parts of each definition
   Ids ofKinds[kTopLevelKinds];
-  std::vector<Ids> ofDefinitions; ///< the parts of each at the top level, kind by kind
-  std::unordered_map<std::string_view, SymbolId> names[kTopLevelKinds]; ///< the first of each
-  std::vector<SymbolId> byName; ///< the parts of each owner, at their own ids, by kind and name
+  std::vector<Ids> ofDefinitions; ///< by top-level definition: its parts, by kind
+  /// The first symbol of each name.
+  std::unordered_map<std::string_view, SymbolId> names[kTopLevelKinds];
+  /// The parts of each owner, at their own ids, sorted by kind and name.
+  std::vector<SymbolId> byName;
   std::unordered_map<std::string_view, std::vector<SymbolId>> labelsByName;
   std::vector<Duplicate> twice;
 };

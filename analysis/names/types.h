@@ -8,7 +8,7 @@
 namespace proskill::analysis {
 
 enum class TypeKind : std::uint8_t {
-  Unknown, ///< of what is wrong or missing; it fits everywhere, so that one mistake is told once
+  Unknown, ///< wrong or missing; fits everywhere, so that one error is reported once
   Boolean,
   Natural,
   Integer,
@@ -21,7 +21,7 @@ enum class TypeKind : std::uint8_t {
 
 struct Type {
   TypeKind kind = TypeKind::Unknown;
-  SymbolId of = kNoSymbol; ///< Value: its state variable; Natural: likewise, where it is of one
+  SymbolId of = kNoSymbol; ///< Value: its state variable; Natural: the same, if it is of one
 
   [[nodiscard]] bool known() const { return kind != TypeKind::Unknown; }
   friend bool operator==(const Type&, const Type&) = default;
@@ -29,26 +29,26 @@ struct Type {
 
 /// The words that `skill.status` can be compared with.
 [[nodiscard]] std::span<const std::string_view> statusWords();
-/// What `skill.res` is before the skill has ended for the first time.
+/// The value of `skill.res` before the skill has ended for the first time.
 constexpr std::string_view kNoResult = "no_result";
 /// The types of inputs that are not state variables.
 [[nodiscard]] std::span<const std::string_view> basicTypeWords();
 
-/// \pre `variable` is a state variable.
+/// \pre `variable` is a state variable
 [[nodiscard]] Type typeOfVariable(const Program& program, const SymbolTable& symbols,
                                   SymbolId variable);
-/// Of an input's type: `float`, `battery`. Unknown where there is no such type.
+/// The type with this name: `float`, `battery`. Unknown if there is none.
 [[nodiscard]] Type typeNamed(const Program& program, const SymbolTable& symbols,
                              std::string_view name);
-/// Of a number as written: the narrowest.
+/// The narrowest type of a number as written.
 [[nodiscard]] Type typeOfNumber(const syntax::Expr& number);
 
-/// A value of `given` can be passed where `wanted` is declared: naturals are integers, integers are
+/// Whether a value of type `given` can be passed as `wanted`: naturals are integers, integers are
 /// floats.
 [[nodiscard]] bool fits(Type given, Type wanted);
-/// `=` makes sense between them.
+/// Whether `=` can compare them.
 [[nodiscard]] bool comparable(Type a, Type b);
-/// With its article: "a value of `battery`".
+/// With an article: "a value of `battery`".
 [[nodiscard]] std::string describe(Type type, const SymbolTable& symbols);
 
 } // namespace proskill::analysis

@@ -6,13 +6,13 @@
 
 namespace proskill::analysis {
 
-/// Tells the names that mean nothing, each mistake once.
+/// Reports unknown names, each error once.
 ///
-/// Where a name is near to one that others use, each use is misspelt by itself and has an edit of
-/// its own. Else the definition is missing or misspelt: that is one mistake, however often the name
-/// is used. It is told at the first use, with the others as related places; where a definition that
-/// nobody mentions is near, the edit is there. What a definition or a file would have defined that
-/// was not read, which has been told, is no mistake of its own.
+/// If a name is close to an existing one, each use is a separate misspelling with its own fix.
+/// Otherwise the definition is missing or misspelt: one error, however often the name is used. It
+/// is reported at the first use, with the other uses as related places. If the name of an unused
+/// definition is close, the fix changes that. Names that a definition or file with syntax errors
+/// would have defined are not reported, because their cause has been.
 void reportUnknownNames(const Program& program, const Index& index,
                         const std::vector<UnknownName>& names, Findings& findings);
 

@@ -5,7 +5,7 @@
 
 namespace proskill::analysis {
 
-/// For whoever looks for one kind of statement and does not care how deep it is.
+/// Visits statements at any depth.
 using syntax::forEachStatement;
 
 /// The body of a composite skill, or of an environment.

@@ -6,10 +6,9 @@
 
 namespace proskill::analysis {
 
-/// Computes something once, by whoever comes first; others wait. Where the computation throws, as
-/// one that is cancelled does, nothing is computed yet, and the next one begins anew.
-/// `std::call_once` promises the same, but never ends under the thread sanitizer after an
-/// exception.
+/// Computes something once: the first caller computes, others wait. If the computation throws, for
+/// example because it is cancelled, the next caller starts it again. `std::call_once` promises the
+/// same, but after an exception it hangs under the thread sanitizer.
 class Once {
 public:
   template <class Compute> void operator()(Compute&& compute) {
@@ -28,7 +27,7 @@ private:
   static constexpr std::uint32_t kComputing = 1;
   static constexpr std::uint32_t kDone = 2;
 
-  /// Whether the caller is to compute it; returns when it is computed otherwise.
+  /// Whether the caller must compute; otherwise returns when the result is available.
   bool begin() {
     for (auto seen = state.load(std::memory_order_acquire); seen != kDone;
          seen = state.load(std::memory_order_acquire)) {

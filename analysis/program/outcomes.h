@@ -8,21 +8,21 @@
 
 namespace proskill::analysis {
 
-/// One way in which a call can end, as a `case` names it.
+/// An outcome of a call, as a `case` names it.
 struct CallOutcome {
   std::string_view status; ///< `success`, `failure`, `failed_inv`, `interrupted`, `refused`
-  std::string_view tag;    ///< empty where it has none
+  std::string_view tag;    ///< empty: none
   friend bool operator==(const CallOutcome&, const CallOutcome&) = default;
 };
 
-/// All ways in which a call of the skill can end, as far as its declaration and the form of its
-/// body tell, in the order of the declaration.
+/// All possible outcomes of a call of the skill, according to its declaration and the form of its
+/// body, in the order of the declaration.
 [[nodiscard]] std::vector<CallOutcome> outcomesOf(const syntax::Skill& skill);
 
-/// The pattern is for this outcome.
+/// Whether the pattern covers this outcome.
 [[nodiscard]] bool matches(const syntax::CasePattern& pattern, const CallOutcome& outcome);
 
-/// As an arm is written: `(success landed)`, `refused`.
+/// As written in an arm: `(success landed)`, `refused`.
 [[nodiscard]] std::string toString(const CallOutcome& outcome);
 
 } // namespace proskill::analysis

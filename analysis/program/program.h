@@ -15,12 +15,12 @@ using syntax::FileId;
 using syntax::Location;
 
 struct File {
-  std::filesystem::path path; ///< as a user would write it, or an editor names it
+  std::filesystem::path path; ///< as a user writes it or an editor names it
   syntax::Document document;
-  std::string canonical{}; ///< what tells it from other files; empty where nobody asks
+  std::string canonical{}; ///< the spelling that identifies the file; empty if nobody needs it
 };
 
-/// A definition: the form, and the file that it stands in. Valid as long as the program.
+/// A definition: its form and its file. Valid as long as the program.
 template <class Node> struct Definition {
   const syntax::Form* form = nullptr;
   FileId file = 0;
@@ -28,7 +28,7 @@ template <class Node> struct Definition {
   [[nodiscard]] std::string_view name() const { return form->name.text; }
   [[nodiscard]] const Node& node() const { return *form->as<Node>(); }
   const Node* operator->() const { return form->as<Node>(); }
-  /// For who asks all definitions after each edit, see syntax::Form.
+  /// For reading all definitions after each edit, see syntax::Form.
   [[nodiscard]] const Node& nodeAsRead() const { return *form->asRead<Node>(); }
   [[nodiscard]] Location atAsRead(syntax::Range range) const {
     return at(range.moved(form->offset()));
@@ -36,7 +36,7 @@ template <class Node> struct Definition {
   [[nodiscard]] Location at(syntax::Range range) const { return {file, range}; }
 };
 
-/// The definitions of one namespace: in the order of the program, and by name (the first of a
+/// The definitions of one namespace, in the order of the program, and by name (the first with each
 /// name).
 template <class Node> struct Table {
   std::vector<Definition<Node>> all;
@@ -48,11 +48,12 @@ template <class Node> struct Table {
   }
 };
 
-/// How much of a program the root file shows. A fragment is a file that others include, opened
-/// alone: what it does not define may be defined by a root that is not known here.
+/// How much of a program the root file contains. A fragment is a file that other files include,
+/// opened on its own: names that it does not define may be defined by a root that is not known
+/// here.
 enum class Extent : std::uint8_t { Whole, Fragment };
 
-/// A root file with all that it includes, in the order in which a reader would meet the forms.
+/// A root file with all its includes, forms in reading order.
 struct Program {
   Extent extent = Extent::Whole;
   std::vector<File> files; ///< files[0] is the root
@@ -62,34 +63,34 @@ struct Program {
   Table<syntax::Resource> resources;
   Table<syntax::Property> properties;
   Table<syntax::Environment> environments;
-  std::vector<syntax::Diagnostic> diagnostics; ///< of loading and of the texts' form
+  std::vector<syntax::Diagnostic> diagnostics; ///< of loading and parsing
 
   Program() = default;
   Program(Program&&) = default;
   Program& operator=(Program&&) = default;
-  Program(const Program&) = delete; ///< definitions point into files
+  Program(const Program&) = delete; ///< definitions refer to the files
   Program& operator=(const Program&) = delete;
 };
 
-/// Reads `root` and what it includes. Never fails: what cannot be read is a diagnostic.
+/// Loads `root` and what it includes. Never fails: files that cannot be read become diagnostics.
 [[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root,
                            Extent extent = Extent::Whole);
 
-/// The same with the document that an editor holds: `root` is given, only includes are read.
+/// The same with the root document that an editor has open; only includes are read.
 [[nodiscard]] Program load(const FileSystem& files, const std::filesystem::path& root,
                            syntax::Document document, Extent extent = Extent::Whole);
 
-/// Everything that is wrong with a program, those of loading included, in the order of the files.
+/// All diagnostics of a program, including those of loading, in the order of the files.
 [[nodiscard]] std::vector<syntax::Diagnostic> check(const Program& program);
 
-/// Which skill is the mission: the composite that no other calls and that is no monitor.
+/// The mission: the composite skill that no other skill calls and that is not a monitor.
 struct MainSkill {
   const Definition<syntax::Skill>* skill = nullptr; ///< null: a library of skills, or ambiguous
   std::vector<const Definition<syntax::Skill>*> candidates;
 };
 [[nodiscard]] MainSkill mainSkill(const Program& program);
 class CallGraph;
-/// The same for who has the program's calls.
+/// The same if the program's calls are known already.
 [[nodiscard]] MainSkill mainSkill(const Program& program, const CallGraph& calls);
 
 } // namespace proskill::analysis

@@ -2,15 +2,14 @@
 
 #include <functional>
 
-/// How long work learns that nobody waits for it any more: an editor's next letter makes an
-/// analysis useless that is only half done.
+/// Cooperative cancellation: an edit makes an unfinished analysis useless.
 namespace proskill::analysis {
 
-/// Ends the work; thrown by `stopIfAsked`. What was half computed is forgotten, and computed anew
-/// by whoever asks for it next.
+/// Thrown by `stopIfAsked` to end the work. Partial results are dropped; whoever needs them next
+/// computes them again.
 struct Stopped {};
 
-/// While it lives, work of this thread asks now and then whether it is useless.
+/// While it exists, work of this thread checks from time to time whether it is cancelled.
 class StopWhen {
 public:
   using Question = std::function<bool()>;
@@ -26,7 +25,8 @@ private:
   const StopWhen* outer;
 };
 
-/// For loops that may take more than some milliseconds, in each round. Costs nothing to speak of.
+/// Call this in each iteration of loops that may take more than a few milliseconds. The cost is
+/// negligible.
 void stopIfAsked();
 
 } // namespace proskill::analysis

@@ -2,8 +2,8 @@
 
 #include "analysis/flow/result/report.h"
 
-/// The checks, one file each (`check_NAME.cpp`), in the order in which they run: the earlier one
-/// explains what the later ones would only repeat.
+/// The checks, one file each (`check_NAME.cpp`), in the order in which they run. An earlier check
+/// reports causes that later checks then do not report again.
 namespace proskill::analysis::flow {
 
 void checkMoves(Report& report);

@@ -2,16 +2,16 @@
 
 #include "analysis/flow/result/report.h"
 
-/// What findings about loops have in common.
+/// Shared parts of findings about loops.
 namespace proskill::analysis::flow {
 
-/// The outermost `while` or `do` of some nodes, or what they begin with.
+/// The statement of the outermost `while` or `do` among the nodes; otherwise their first statement.
 [[nodiscard]] const syntax::Statement& loopStatement(const Process& process,
                                                      const std::vector<NodeId>& loop);
-/// Its first word.
+/// The location of its first word.
 [[nodiscard]] Location beginOf(const Report& report, const Process& process,
                                const syntax::Statement& loop);
-/// Where the loop has statements, behind the last of them.
+/// Adds a fix that inserts a wait after the last statement of the loop, if the loop has statements.
 void offerWait(Finding& finding, const Report& report, const Process& process,
                const syntax::Statement& loop);
 

@@ -5,26 +5,26 @@
 
 namespace proskill::analysis::flow {
 
-/// An assignment of a node, its names resolved. Besides those of the text there are those of the
-/// language: to statuses, results, and to what is running and used.
+/// An assignment of a node with resolved names. Besides effects of the text there are implicit
+/// ones: to statuses, results, and to which skills are called and how much of a resource is used.
 struct Assignment {
   VariableId variable = 0;
-  std::optional<Slot> slot; ///< nothing where the process does not follow the variable
+  std::optional<Slot> slot; ///< nothing: the process does not track the variable
   Term value;
   const syntax::Effect* source = nullptr; ///< in the text
 };
 
-/// What an assignment does to a variable that has a value of the class `from`.
+/// The effect of an assignment on a variable whose value is in the class `from`.
 struct Move {
   unsigned from = 0;
   ValueSet to;
-  bool mayFallShort = false;  ///< below the minimum; it saturates
-  bool mayOvershoot = false;  ///< above the maximum; it saturates
-  bool alwaysOutside = false; ///< one of both for sure
+  bool mayFallShort = false;  ///< below the minimum, where it saturates
+  bool mayOvershoot = false;  ///< above the maximum, where it saturates
+  bool alwaysOutside = false; ///< every possible value is out of bounds
 };
 
-/// One move for each class that the variable may have before. Right-hand sides are read in
-/// `before`.
+/// One move for each class of possible values before the assignment. Right-hand sides are evaluated
+/// in `before`.
 [[nodiscard]] std::vector<Move> moves(const Assignment& assignment, const Domain& domain,
                                       const State& before);
 

@@ -7,8 +7,8 @@
 
 namespace proskill::analysis::flow {
 
-/// A set of small numbers, kept as runs: sets of processes are mostly "those that this one calls"
-/// or "all but this one", and a program may have very many of them.
+/// A set of small integers, stored as intervals. Sets of processes are mostly "the processes that
+/// this one calls" or "all but this one", and a program may have very many processes.
 class IdSet {
 public:
   [[nodiscard]] bool empty() const { return runs.empty(); }
@@ -27,10 +27,10 @@ public:
     auto first = static_cast<std::uint32_t>(id);
     eraseAll(IdSet({first, first + 1}));
   }
-  /// \return something is new
+  /// \return whether the set has grown
   bool insertAll(const IdSet& other);
   void eraseAll(const IdSet& other);
-  /// Erases all but the `most` smallest.
+  /// Removes all but the `most` smallest members.
   void keepFirst(std::size_t most);
   [[nodiscard]] IdSet common(const IdSet& other) const {
     IdSet both;
@@ -46,7 +46,7 @@ public:
   IdSet() = default;
 
 private:
-  /// From `begin` to before `end`; in order, never touching each other.
+  /// From `begin` up to but excluding `end`. Intervals are ascending and not adjacent.
   struct Run {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
@@ -55,14 +55,14 @@ private:
 
   explicit IdSet(Run run) : runs{run} {}
 
-  /// \return something is new
+  /// \return whether the set has grown
   bool insert(Run run);
 
-  /// The first run that begins after the number.
+  /// The first interval that begins after the number.
   [[nodiscard]] std::vector<Run>::const_iterator after(std::size_t id) const {
     return std::ranges::upper_bound(runs, id, {}, &Run::begin);
   }
-  /// Calls `visit` on what both have, run by run, until it says that this is enough.
+  /// Calls `visit` for each common interval until it returns true.
   template <class Visit> bool walk(const IdSet& other, Visit&& visit) const {
     for (auto a = runs.begin(), b = other.runs.begin(); a != runs.end() && b != other.runs.end();) {
       std::uint32_t begin = std::max(a->begin, b->begin);

@@ -8,11 +8,11 @@
 
 namespace proskill::analysis::flow {
 
-/// The value of a whole number as written; nothing where the expression is none.
+/// The value of an integer literal; nothing for other expressions.
 [[nodiscard]] std::optional<std::int64_t> wholeNumber(const syntax::Expr& expr);
 
-/// Every whole number that stands in a condition or an effect of the program, with duplicates: the
-/// places where large domains are worth a cut.
+/// All integer literals in conditions and effects of the program, with duplicates. Large domains
+/// are split at these.
 [[nodiscard]] std::vector<std::int64_t> numbersIn(const Program& program);
 
 } // namespace proskill::analysis::flow

@@ -4,8 +4,8 @@
 
 namespace proskill::analysis::flow {
 
-/// Turns conditions and effects of the text into those over variables. Total: what cannot be
-/// understood is unknown, or left out.
+/// Resolves the names in conditions and effects to variables. Total: what it does not understand
+/// becomes unknown or is omitted.
 class Resolver {
 public:
   Resolver(const Program& program, const Variables& variables)
@@ -14,7 +14,7 @@ public:
   [[nodiscard]] std::optional<VariableId> stateVariable(std::string_view name) const;
   [[nodiscard]] std::optional<std::size_t> skill(std::string_view name) const;
 
-  /// Adds every variable that an expression reads.
+  /// Appends every variable that an expression reads.
   void addReads(const syntax::Expr& expr, std::vector<VariableId>& reads) const;
   [[nodiscard]] Condition condition(const syntax::Expr& expr, const Slots& slots) const;
   [[nodiscard]] std::vector<Assignment> assignments(const syntax::Effects& effects,

@@ -10,12 +10,12 @@ namespace proskill::analysis::flow {
 
 using Slot = std::uint32_t;
 
-/// Which variables a process follows, in the order of their numbers. A variable that neither it nor
-/// what it calls ever looks at is not worth a slot.
+/// The variables that a process tracks, in ascending order. A variable that neither it nor its
+/// callees ever read gets no slot.
 class Slots {
 public:
   Slots() = default;
-  /// Duplicates are welcome.
+  /// Duplicates are allowed.
   explicit Slots(std::vector<VariableId> variables) : ids(std::move(variables)) {
     std::ranges::sort(ids);
     ids.erase(std::ranges::unique(ids).begin(), ids.end());
@@ -34,12 +34,12 @@ private:
   std::vector<VariableId> ids;
 };
 
-/// A box: the values that each slot of a process may have, whatever the others have.
+/// A box: the possible values of each slot of a process, independent of each other.
 struct State {
   bool reachable = false;
-  std::vector<ValueSet> values; ///< one a slot where reachable
+  std::vector<ValueSet> values; ///< by slot; empty if unreachable
 
-  /// Takes in another way to get here. \return something is new
+  /// Adds the values of another path to this point. \return whether the box has grown
   bool join(const State& other) {
     if (!other.reachable) return false;
     if (!reachable) {
@@ -55,17 +55,17 @@ struct State {
   }
 };
 
-/// What a process knows at one point of its graph: a few boxes, one of which is true. So it stays
-/// known which values go together, such as a result and what the skill has left behind; where the
-/// boxes would be too many, those that differ least are made one. A process without slots has at
-/// most one box.
+/// The knowledge of a process at a point of its graph: a few boxes, one of which is true. Boxes
+/// preserve which values occur together, such as a result and the effects of the skill. If there
+/// are too many boxes, those that differ least are merged. A process without slots has at most one
+/// box.
 class Cases {
 public:
-  /// Keeps `most` boxes, or fewer where they have many slots. \return something is new
+  /// Keeps at most `most` boxes, fewer if they have many slots. \return whether something is new
   bool add(State box, std::size_t most);
   [[nodiscard]] bool reachable() const { return !boxes.empty(); }
   [[nodiscard]] const std::vector<State>& all() const { return boxes; }
-  /// All cases in one box.
+  /// The smallest box that contains all cases.
   [[nodiscard]] State hull() const;
 
 private:

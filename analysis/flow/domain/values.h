@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-/// The values of a variable, as the flow analysis sees them: a domain is cut into at most 64
-/// classes, and a set of values is a set of classes. A small domain has a class for each value, so
-/// that sets are exact; a large one is cut where the program compares or assigns. Sets are finite
-/// either way, so that no fixpoint needs widening.
+/// Abstract values of variables. A domain is split into at most 64 classes, and a set of values is
+/// a set of classes. A small domain has a class for each value, so sets are exact. A large domain
+/// is split at the numbers with which the program compares or which it assigns. All sets are
+/// finite, so no fixed point needs widening.
 namespace proskill::analysis::flow {
 
 /// A set of classes of one domain.
@@ -27,7 +27,7 @@ public:
   [[nodiscard]] constexpr bool contains(unsigned index) const { return (bits >> index & 1) != 0; }
   [[nodiscard]] constexpr bool within(ValueSet other) const { return (bits & ~other.bits) == 0; }
   [[nodiscard]] constexpr unsigned count() const { return std::popcount(bits); }
-  /// The lowest class. \pre not empty
+  /// The lowest class. \pre the set is not empty
   [[nodiscard]] constexpr unsigned first() const { return std::countr_zero(bits); }
   constexpr void removeFirst() { bits &= bits - 1; }
 
@@ -43,23 +43,23 @@ private:
   std::uint64_t bits = 0;
 };
 
-/// Calls `visit` on the index of each class of a set.
+/// Calls `visit` with the index of each class of a set.
 template <class Visit> void forEach(ValueSet set, Visit&& visit) {
   for (; !set.empty(); set.removeFirst()) visit(set.first());
 }
 
-/// Whole numbers from `first` to `last`, both included.
+/// Integers from `first` to `last`, both included.
 struct Span {
   std::int64_t first = 0;
   std::int64_t last = 0;
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// What a variable may hold: numbers, or words, whose number is their place in the list.
+/// The possible values of a variable: numbers, or words, represented by their index in the list.
 class Domain {
 public:
   static Domain ofWords(std::vector<std::string_view> words);
-  /// `min..max`, cut at each number of `cuts` where it has more than 64 values. \pre min <= max
+  /// `min..max`, split at each number of `cuts` if it has more than 64 values. \pre min <= max
   static Domain ofNumbers(std::int64_t min, std::int64_t max, std::span<const std::int64_t> cuts);
 
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(classes.size()); }
@@ -72,9 +72,9 @@ public:
   [[nodiscard]] std::optional<std::int64_t> numberOf(std::string_view word) const;
   [[nodiscard]] std::string_view word(std::int64_t number) const { return words[number]; }
   [[nodiscard]] const std::vector<std::string_view>& allWords() const { return words; }
-  /// The classes that have a number of the span.
+  /// The classes that contain a number of the span.
   [[nodiscard]] ValueSet touching(Span span) const;
-  /// The same after numbers outside of the domain went to its nearest end.
+  /// The same after numbers outside of the domain are replaced by its nearest end.
   [[nodiscard]] ValueSet saturated(Span span) const;
 
 private:

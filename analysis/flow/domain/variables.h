@@ -17,23 +17,25 @@ enum class VariableKind : std::uint8_t {
   StateVariable,
   Status, ///< `skill.status`
   Result, ///< `skill.res`: the tags of a skill, and `no_result`
-  Called, ///< of a skill: somebody has called it, and it has not returned
-  Used,   ///< of a resource
+  Called, ///< of a skill: it has been called and has not returned
+  Used,   ///< amount of a resource in use
 };
 
-/// Where the words of `statusWords()` stand in a status's domain.
+/// Indices of the words of `statusWords()` in a status's domain.
 enum class Status : std::uint8_t { None, Success, Failure, FailedInvariant, Interrupted };
 
-/// Something whose value the analysis follows.
+/// A variable that the analysis tracks.
 struct Variable {
   VariableKind kind = VariableKind::StateVariable;
-  std::size_t definition = 0; ///< in the program's table of state variables, skills, or resources
+  /// Index in the program's table of state variables, skills or resources.
+  std::size_t definition = 0;
   Domain domain;
   ValueSet initial;
-  std::vector<ValueSet> allowed; ///< state variables with listed moves: from each class
-  bool restricted = false;       ///< some moves are forbidden
+  /// State variables with listed transitions: by class, the classes to which it may move.
+  std::vector<ValueSet> allowed;
+  bool restricted = false; ///< some transitions are forbidden
 
-  /// The moves from `from` to values of `to` that the program forbids.
+  /// The values in `to` to which a move from `from` is forbidden.
   [[nodiscard]] ValueSet forbidden(unsigned from, ValueSet to) const {
     return allowed.empty() ? ValueSet() : to - allowed[from];
   }
@@ -47,9 +49,9 @@ public:
   [[nodiscard]] std::size_t size() const { return all.size(); }
   [[nodiscard]] const Variable& operator[](VariableId id) const { return all[id]; }
   [[nodiscard]] VariableId of(VariableKind kind, std::size_t definition) const;
-  /// "`battery`", "`takeoff.status`": what a user calls it.
+  /// The name for users: "`battery`", "`takeoff.status`".
   [[nodiscard]] std::string name(VariableId id) const;
-  /// "Good", "Good or Low", "0..3".
+  /// The values for users: "Good", "Good or Low", "0..3".
   [[nodiscard]] std::string words(VariableId id, ValueSet values) const;
 
 private:
@@ -58,8 +60,9 @@ private:
   void addResource(std::size_t definition);
 
   const Program& program;
-  std::vector<Variable> all; ///< by kind, then by definition: so a set of one kind has long runs
-  std::array<VariableId, 5> firstOf{}; ///< of each kind
+  /// By kind, then by definition, so that a set of one kind has long intervals.
+  std::vector<Variable> all;
+  std::array<VariableId, 5> firstOf{}; ///< by kind
 };
 
 } // namespace proskill::analysis::flow

@@ -8,17 +8,18 @@ namespace proskill::analysis::flow {
 
 using ProcessId = std::uint32_t;
 
-/// Who starts whom, in an order in which those who are started come first.
+/// An order of all processes in which callees come before their callers.
 class CallOrder {
 public:
-  /// `started` has for each process what it calls or forks.
+  /// \param started by process: the processes that it calls or forks
   explicit CallOrder(std::vector<std::vector<ProcessId>> started);
 
-  /// The place of a process in the order.
+  /// The position of a process in the order.
   [[nodiscard]] std::size_t rank(ProcessId id) const { return ranks[id]; }
-  /// Adds to the set of each process those of all that it starts, directly or not.
+  /// Adds to the set of each process the sets of all processes that it starts, directly or
+  /// indirectly.
   void closeOver(std::vector<IdSet>& sets) const;
-  /// For each process, of the sets of all that it starts, the first `most` members.
+  /// For each process, the first `most` members of the sets of all processes that it starts.
   [[nodiscard]] std::vector<IdSet> inherited(const std::vector<IdSet>& sets,
                                              std::size_t most) const;
 

@@ -10,12 +10,12 @@
 
 namespace proskill::analysis::flow {
 
-/// Moves of one variable: from each class, the classes that somebody may change it to.
+/// Moves of a variable: for each class, the classes to which some process may change it.
 class Relation {
 public:
   explicit Relation(unsigned classes) : rows(classes) {}
 
-  /// \return something is new
+  /// \return whether the relation has grown
   bool add(unsigned from, ValueSet to) {
     to = to - ValueSet::of(from);
     if (to.within(rows[from])) return false;
@@ -29,7 +29,7 @@ public:
   [[nodiscard]] ValueSet from(unsigned index) const { return rows[index]; }
   [[nodiscard]] bool empty() const { return sources.empty(); }
 
-  /// What a variable with one of these values may have after any number of moves.
+  /// The possible values of a variable after any number of moves from these values.
   [[nodiscard]] ValueSet closure(ValueSet values) const {
     ValueSet pending = values & sources;
     while (!pending.empty()) {
@@ -43,34 +43,35 @@ public:
 
 private:
   std::vector<ValueSet> rows;
-  ValueSet sources; ///< with a row that is not empty
+  ValueSet sources; ///< classes with a move
 };
 
-/// Somebody who closes what it knows under a relation, and wants to know when that grows.
+/// A user of a relation who must be notified when it grows.
 struct Reader {
   ProcessId process = 0;
-  NodeId node = kNoNode; ///< the node that looks at the moves; none: all that know the slot
-  bool inside = false;   ///< of these, those where the skill is running; or else the others
+  /// The node that depends on the moves; kNoNode: all nodes that know the slot.
+  NodeId node = kNoNode;
+  /// Of these, only the nodes at which the skill is running; otherwise only the others.
+  bool inside = false;
   Slot slot = 0;
 };
 
-/// The moves that some processes make with one variable.
+/// The moves of one variable by some processes.
 struct View {
   const IdSet* processes = nullptr;
   Relation relation;
   std::vector<Reader> readers;
 };
 
-/// Who changes what: the moves that each process makes with each variable, whenever it makes them.
-/// It only grows while the analysis runs. This is the rely-guarantee method, one variable at a
-/// time: C. B. Jones, "Tentative steps toward a development method for interfering programs",
-/// TOPLAS 1983; A. Miné, "Static analysis of run-time errors in embedded critical parallel C
-/// programs", ESOP 2011.
+/// Records which moves each process makes with each variable at any time. It only grows during the
+/// analysis. This is the rely-guarantee method, applied to each variable separately: C. B. Jones,
+/// "Tentative steps toward a development method for interfering programs", TOPLAS 1983; A. Miné,
+/// "Static analysis of run-time errors in embedded critical parallel C programs", ESOP 2011.
 class Interference {
 public:
   explicit Interference(const Variables& variables);
 
-  /// Notes that a process may move a variable, and calls `tell(reader)` for each reader of a view
+  /// Records that a process may move a variable, and calls `tell(reader)` for each reader of a view
   /// that grows.
   template <class Tell>
   void add(ProcessId process, VariableId variable, unsigned from, ValueSet to, Tell&& tell) {
@@ -82,24 +83,24 @@ public:
     });
   }
 
-  /// The moves of a variable that any process of the set makes; it grows with them.
+  /// The moves of a variable by any process of the set. The view grows with them.
   [[nodiscard]] View& of(const IdSet& processes, VariableId variable);
 
 private:
   struct PerVariable {
     std::map<ProcessId, Relation> writers;
-    std::map<std::size_t, View> views; ///< by the number of the set
-    /// For each move that somebody makes, the views of which nobody makes it.
+    std::map<std::size_t, View> views; ///< by number of the set
+    /// By move: the views none of whose processes makes it.
     std::map<std::pair<unsigned, unsigned>, std::vector<View*>> without;
   };
 
-  /// What is new of the moves that a process makes.
+  /// The part of a process's moves that is new.
   ValueSet added(ProcessId process, VariableId variable, unsigned from, ValueSet to);
-  /// The views that do not have the move yet, and do now.
+  /// The views that get this move now and did not have it before.
   std::vector<View*> grown(ProcessId process, VariableId variable, unsigned from, unsigned to);
 
   const Variables& variables;
-  std::map<IdSet, std::size_t> known; ///< with their numbers
+  std::map<IdSet, std::size_t> known; ///< sets of processes with their numbers
   std::vector<PerVariable> all;
 };
 

@@ -10,23 +10,23 @@
 
 namespace proskill::analysis::flow {
 
-/// What may be true at each point of a program: the least solution of the equations between the
-/// states of all nodes, the exits of what they call, and who interferes.
+/// Computes what may be true at each point of a program: the least solution of the equations
+/// between the states of all nodes, the exits of callees, and interference by other processes.
 ///
-/// Sound for the model of docs/semantics.md with time left out: a step may be delayed or hurried at
-/// will, and anybody who may run beside may act between two steps, at the same instant too. What is
-/// known from a test is therefore closed under interference before the next step; within a step (a
+/// Sound for the model of docs/semantics.md without time: a step may be delayed or hurried
+/// arbitrarily, and any concurrent process may act between two steps, also at the same instant. So
+/// knowledge from a test is closed under interference before the next step. Within a step (a
 /// precondition and the start effects, a wait and its effects) it is exact.
 class Solver {
 public:
   explicit Solver(const System& system);
 
   [[nodiscard]] const System& system() const { return model; }
-  /// When the process has come to the node, before it does what the node says.
+  /// The cases in which the process reaches the node, before the node's action.
   [[nodiscard]] const std::vector<State>& cases(ProcessId process, NodeId node) const {
     return states[process][node].all();
   }
-  /// The same in one box.
+  /// The same as one box.
   [[nodiscard]] State before(ProcessId process, NodeId node) const {
     return states[process][node].hull();
   }
@@ -35,37 +35,38 @@ public:
   }
   [[nodiscard]] bool mayHold(ProcessId process, NodeId node, const Condition& condition) const;
   [[nodiscard]] bool mayFail(ProcessId process, NodeId node, const Condition& condition) const;
-  /// All that a variable may ever be.
+  /// All values that a variable may ever have.
   [[nodiscard]] ValueSet ever(VariableId variable) const { return everything[variable]; }
-  /// The values that one step of anybody may change it to.
+  /// The values to which one step of any process may change it.
   [[nodiscard]] ValueSet mayMove(VariableId variable, unsigned from) const {
     return byAnyone[variable]->from(from);
   }
-  /// It is called, or starts with the program.
+  /// Whether it is called or starts with the program.
   [[nodiscard]] bool started(ProcessId process) const {
     return !states[process].empty() && states[process].front().reachable();
   }
-  /// `(x.interrupt)` or the world outside may interrupt it while its caller goes on.
+  /// Whether `(x.interrupt)` or the outside world may interrupt it while its caller continues.
   [[nodiscard]] bool mayBeInterrupted(ProcessId process) const { return interrupted[process]; }
-  /// Its caller may stop it because it is stopped itself.
+  /// Whether its caller may stop it because the caller itself is stopped.
   [[nodiscard]] bool mayBeStopped(ProcessId process) const { return stopped[process]; }
-  /// What the callee of a call may find, over its own slots.
+  /// The states in which the callee of a call may start, over the callee's slots.
   [[nodiscard]] std::vector<State> atCallee(ProcessId caller, NodeId call) const;
-  /// While the node waits for what it has called, if it has.
+  /// The state while the node waits for its callees; meaningful for nodes that call.
   [[nodiscard]] State during(ProcessId process, NodeId node) const;
-  /// After the effects of a node that the text states: where a postcondition is tested.
+  /// After the effects of a node in the text; postconditions are tested in this state.
   [[nodiscard]] State afterEffects(State before, const Process& process, NodeId node) const;
-  /// After all that the node sets, in the same step.
+  /// After everything that the node sets, in the same step.
   [[nodiscard]] State after(State before, const Process& process, NodeId node) const;
 
 private:
-  /// The moves that close a state.
+  /// The moves under which a state is closed.
   struct Closing {
     std::vector<const Relation*> relations; ///< by slot
-    std::vector<Slot> moving;               ///< those whose relation is not empty
-    std::vector<Slot> stale;                ///< outcomes that may be older: from none at all on
+    std::vector<Slot> moving;               ///< slots with a relation that is not empty
+    /// Slots of outcomes that may be older: they may also have any earlier value, or none.
+    std::vector<Slot> stale;
   };
-  /// The same for what a node calls, of the few slots that this may change.
+  /// The same for a node's callees, limited to the few slots that they may change.
   using Changes = std::vector<std::pair<Slot, const Relation*>>;
 
   void prepare();
@@ -84,7 +85,7 @@ private:
   void run(ProcessId process);
   void step(ProcessId process, NodeId node);
   void flow(ProcessId process, NodeId node, const Edge& edge);
-  /// \return the edge can be taken
+  /// \return whether the edge can be taken
   bool stop(ProcessId process, NodeId node, const Edge& edge);
   void stopCall(ProcessId process, NodeId node, NodeId exit);
   void call(ProcessId process, NodeId node, NodeId next);
@@ -114,7 +115,7 @@ private:
   void enter(ProcessId process, State state);
   void announceEnd(ProcessId process);
   void wakeForks(ProcessId skill);
-  /// All that the variable may be, as far as is known.
+  /// All values that the variable may have, as far as known.
   [[nodiscard]] ValueSet anything(VariableId variable) const {
     return byAnyone[variable]->closure(model.variables()[variable].initial);
   }
@@ -126,18 +127,18 @@ private:
   const System& model;
   Interference moves;
   std::vector<std::vector<Cases>> states;
-  std::vector<Cases> stoppedEnds;                 ///< of each skill, when its caller was stopped
-  std::vector<Closing> rely;                      ///< of each process
-  std::vector<Closing> relyInside;                ///< of each skill while it is running
-  std::vector<std::vector<Changes>> whileCalling; ///< of each node that calls or forks
-  std::vector<std::set<NodeId>> pending;          ///< nodes to step
-  std::vector<std::set<Slot>> grown;              ///< slots that are to be closed again
+  std::vector<Cases> stoppedEnds;                 ///< by skill: when its caller was stopped
+  std::vector<Closing> rely;                      ///< by process
+  std::vector<Closing> relyInside;                ///< by skill: while it is running
+  std::vector<std::vector<Changes>> whileCalling; ///< by node that calls or forks
+  std::vector<std::set<NodeId>> pending;          ///< nodes to be processed
+  std::vector<std::set<Slot>> grown;              ///< slots to be closed again
   std::vector<bool> interrupted;
   std::vector<bool> stopped;
   Worklist queue;
   std::size_t mostCases = 0;
   std::vector<ValueSet> everything;
-  std::vector<const Relation*> byAnyone; ///< of each variable
+  std::vector<const Relation*> byAnyone; ///< by variable
 };
 
 } // namespace proskill::analysis::flow

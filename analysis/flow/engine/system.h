@@ -14,36 +14,38 @@ constexpr ProcessId kNoProcess = ~ProcessId{0};
 
 enum class ProcessKind : std::uint8_t { Skill, Branch, Environment, Events };
 
-/// What the transitions of a node do, over the slots of its process.
+/// The effects of a node's transitions over the slots of its process.
 struct Action {
   std::vector<Condition> conditions;
   std::vector<Assignment> assignments;
   ProcessId target = kNoProcess;   ///< Call: what is called; Interrupt: what is interrupted
   std::vector<ProcessId> branches; ///< Fork
-  ProcessId leaver = kNoProcess;   ///< Outcome that a branch chose: the branch
-  NodeId leave = kNoNode;          ///< … and its node there
+  ProcessId leaver = kNoProcess;   ///< Outcome chosen by a branch: this branch
+  NodeId leave = kNoNode;          ///< Outcome chosen by a branch: its node in the branch
 };
 
-/// A thread of the model: it does one step at a time, in between of those of others.
+/// A thread of the model. Its steps interleave with those of other processes.
 struct Process {
   ProcessKind kind = ProcessKind::Skill;
-  std::size_t definition = 0; ///< in the program's table: the skill (of a branch too), environment
-  const Graph* graph = nullptr;  ///< null for the events: each is a step at any time
-  ProcessId parent = kNoProcess; ///< of a branch: where it was forked
+  /// Index in the program's table of skills (also for branches) or environments.
+  std::size_t definition = 0;
+  /// Null for events: each event is a step that may happen at any time.
+  const Graph* graph = nullptr;
+  ProcessId parent = kNoProcess; ///< of a branch: the process that forks it
   bool root = false;             ///< starts with the program
-  bool repeats = false;          ///< called again and again by whoever uses the library
-  bool analysed = false;         ///< some root starts it, directly or not
+  bool repeats = false;          ///< users of the library may call it again and again
+  bool analysed = false;         ///< a root starts it, directly or indirectly
   Slots slots;
-  std::vector<Action> actions; ///< one a node, or an event
+  std::vector<Action> actions; ///< by node, or by event
 };
 
-/// Who calls whom, and where.
+/// A call: the caller and the place.
 struct Site {
   ProcessId caller = kNoProcess;
   NodeId node = kNoNode;
 };
 
-/// A program as processes that share variables: what the analysis runs on. Looks into the program.
+/// A program as processes that share variables; the input of the solver. It refers to the program.
 class System {
 public:
   explicit System(const Program& program);
@@ -55,34 +57,36 @@ public:
   [[nodiscard]] const Process& operator[](ProcessId id) const { return processes[id]; }
   [[nodiscard]] const std::vector<Process>& all() const { return processes; }
   [[nodiscard]] ProcessId ofSkill(std::size_t skill) const { return skillProcess[skill]; }
-  /// The process of all events: they come one after the other, in any order.
+  /// The process of all events. They happen one after the other, in any order.
   [[nodiscard]] ProcessId ofEvents() const { return eventProcess; }
   /// The calls of a skill's process.
   [[nodiscard]] const std::vector<Site>& callers(ProcessId id) const { return sites[id]; }
-  /// A process, its branches, all that these call, and so on.
+  /// A process, its branches, their callees, and so on.
   [[nodiscard]] const IdSet& activity(ProcessId id) const { return activities[id]; }
-  /// What calls comes after what it calls.
+  /// Callees come before their callers.
   [[nodiscard]] std::size_t rank(ProcessId id) const { return calls->rank(id); }
-  /// The variables that these set.
+  /// The variables that the process's activity sets.
   [[nodiscard]] const IdSet& writes(ProcessId id) const { return written[id]; }
   [[nodiscard]] const IdSet& everybody() const { return allProcesses; }
-  /// Those that may act between two steps of a process and are not called by it.
+  /// The processes that may act between two steps of a process, except those that it calls.
   [[nodiscard]] const IdSet& concurrent(ProcessId id) const { return others[id]; }
-  /// The variable is the status or result of a skill that the body calls, and another one, too, and
-  /// the thread may read it before it calls the skill: what it reads is the outcome of the body's
-  /// own last call, which lies before this run, whatever others have called since.
+  /// Whether a thread may read an outcome from before this run. The variable is the status or
+  /// result of a skill that the body and another process call, and the thread may read it before it
+  /// calls the skill. It then reads the outcome of the body's own last call, whatever others have
+  /// called since.
   [[nodiscard]] bool mayReadStale(ProcessId reader, VariableId variable) const;
-  /// The variable is the status or result of a skill that the body calls, and that something called
-  /// by the body calls, too: the body reads the outcome of its own last call, and its guards that
-  /// of the last call of all. One set of values cannot stand for both, so the process does not
-  /// follow the variable.
+  /// Whether a variable has two meanings in a process. It is the status or result of a skill that
+  /// the body calls and that something called by the body calls too. The body reads the outcome of
+  /// its own last call; its guards read the outcome of the last call by anybody. One set of values
+  /// cannot represent both, so the process does not track the variable.
   [[nodiscard]] bool hasTwoMeanings(ProcessId reader, VariableId variable) const;
-  /// Skills that cannot be running while this one is; itself, where it is never called while it is.
+  /// Skills that cannot run while this one runs; includes itself if it is never called while it
+  /// runs.
   [[nodiscard]] const IdSet& exclusive(ProcessId id) const { return excluded[id]; }
-  /// Interrupts from outside happen at any time, and so do all events: no environment restricts
-  /// them.
+  /// Whether interrupts from outside and all events may happen at any time: no environment
+  /// restricts them.
   [[nodiscard]] bool hasFreeInterrupts() const { return source.environments.all.empty(); }
-  /// An event happens by itself: nothing says when, or its `:every` does.
+  /// Whether an event happens by itself: at any time, or as its `:every` says.
   [[nodiscard]] bool isFree(std::size_t event) const {
     return hasFreeInterrupts() || source.events.all[event]->every;
   }
@@ -117,8 +121,8 @@ private:
   std::deque<SkillGraph> graphs;
   std::vector<Process> processes;
   std::vector<ProcessId> skillProcess;
-  ProcessId eventProcess = 0;        ///< the last
-  std::vector<ProcessId> candidates; ///< each may be the main skill, one is
+  ProcessId eventProcess = 0;        ///< the last process
+  std::vector<ProcessId> candidates; ///< one of these is the main skill
   std::vector<std::vector<Site>> sites;
   std::optional<CallOrder> calls;
   std::vector<IdSet> activities;

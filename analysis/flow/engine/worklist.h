@@ -7,16 +7,17 @@
 
 namespace proskill::analysis::flow {
 
-/// Processes that have something to do, taken like a lift: up from those who are called to their
-/// callers, and down again. So all that is new at the ends of the called comes up a long chain of
-/// calls in one go, and all that is new at the entries goes down in one. If who is called always
-/// came first, each caller would send what it has learnt down the chain by itself.
+/// Processes to be analysed, taken like stops of a lift: up from callees to callers, then down
+/// again. So everything new at the ends of callees travels up a long chain of calls in one pass,
+/// and everything new at their entries travels down in one pass. If callees always came first, each
+/// caller would send its news down the chain separately.
 class Worklist {
 public:
   [[nodiscard]] bool empty() const { return waiting.empty(); }
-  /// `rank` is that of the call order: no other process has it.
+  /// \param rank of the call order; no other process has it
   void add(std::size_t rank, ProcessId process) { waiting.emplace(rank, process); }
-  /// The next in this direction, or where there is none, in the other. \pre not empty
+  /// The next process in the current direction; if there is none, in the other direction. \pre not
+  /// empty
   ProcessId take() {
     auto next = goesUp ? waiting.lower_bound(floor) : waiting.upper_bound(floor);
     if (next == (goesUp ? waiting.end() : waiting.begin())) goesUp = !goesUp;

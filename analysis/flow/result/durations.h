@@ -9,7 +9,7 @@
 
 namespace proskill::analysis::flow {
 
-/// A region of time in seconds. Bounds are as if closed.
+/// An interval of time in seconds with closed bounds.
 struct Duration {
   syntax::Rational least;
   std::optional<syntax::Rational> most; ///< nothing: no bound is known
@@ -18,18 +18,18 @@ struct Duration {
 /// "5 s", "5 to 35 s", "at least 5 s".
 [[nodiscard]] std::string words(const Duration& duration);
 
-/// How long skills take, from their parts: sequences, branches, parallel branches, loops that
-/// count.
+/// Computes how long skills take, from their parts: sequences, branches, parallel branches, loops
+/// that count.
 class Durations {
 public:
   explicit Durations(const Solver& solver);
 
-  /// From the start to the end of a process in runs that nobody stops; nothing where it cannot end.
-  /// `least` is never too large; `most` is never too small, over stopped runs too.
+  /// The duration of a process in runs without a stop; nothing if it cannot end. `least` is never
+  /// too large. `most` is never too small, also for runs that are stopped.
   [[nodiscard]] std::optional<Duration> of(ProcessId process);
-  /// Somebody may interrupt it, or a guard of its own may fail.
+  /// Whether something may interrupt it, or a guard of its own may fail.
   [[nodiscard]] bool mayEndEarly(ProcessId skill) const;
-  /// Once at a node: until it goes on.
+  /// The duration of one visit of a node.
   [[nodiscard]] Duration ofNode(ProcessId process, NodeId node);
 
 private:
@@ -45,16 +45,16 @@ private:
   [[nodiscard]] static Date earliestEnd(const Unrolled& ways, const std::vector<Duration>& times);
   [[nodiscard]] static Date latestExit(const Unrolled& ways, const std::vector<Duration>& times);
 
-  /// What is known of a process.
+  /// The results for a process.
   struct Known {
-    std::optional<Duration> whole; ///< until its end; nothing where it cannot end
-    Date latestExit;               ///< also to where a branch ends its skill
+    std::optional<Duration> whole; ///< until its end; nothing if it cannot end
+    Date latestExit;               ///< including exits where a branch ends its skill
   };
 
   const Solver& solver;
   const System& system;
   std::vector<std::optional<Known>> known;
-  std::vector<bool> busy; ///< being computed: a recursive program is another check's matter
+  std::vector<bool> busy; ///< being computed; another check reports recursion
 };
 
 } // namespace proskill::analysis::flow

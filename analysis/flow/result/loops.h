@@ -7,11 +7,11 @@
 
 namespace proskill::analysis::flow {
 
-/// Whether no time passes in a step from this node, whatever the others do.
+/// Whether a step from this node takes no time, whatever other processes do.
 [[nodiscard]] bool takesNoTime(const Node& node);
 
-/// The loops of a graph that stay within some of its nodes: its strongly connected components that
-/// have an edge inside, each with its nodes in their order.
+/// The loops of a graph, restricted to some nodes: the strongly connected components with an inner
+/// edge, each with its nodes in order.
 [[nodiscard]] std::vector<std::vector<NodeId>> loopsOf(const Graph& graph,
                                                        const std::function<bool(NodeId)>& within);
 

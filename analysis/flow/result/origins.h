@@ -8,18 +8,18 @@
 
 namespace proskill::analysis::flow {
 
-/// Where a value may come from: an effect, or the start of the program.
+/// A possible origin of a value: an effect, or the start of the program.
 struct Origin {
   Location at;
   std::string description; ///< "becomes Good here"
 };
 
-/// The effects of a program by what they set.
+/// The effects of a program, by variable.
 class Origins {
 public:
   explicit Origins(const Report& report);
 
-  /// The first few places where the variable gets a value of the set.
+  /// The first few places at which the variable gets a value of the set.
   [[nodiscard]] std::vector<Origin> of(VariableId variable, ValueSet values) const;
 
 private:

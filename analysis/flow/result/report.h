@@ -11,23 +11,22 @@
 
 namespace proskill::analysis::flow {
 
-/// What the checks of this folder see, and where they put what they find.
+/// The input of the checks of this folder, and where they report.
 struct Report {
   const Program& program;
   const Solver& solver;
   const Index& index;
   Findings& findings;
-  /// Nodes of which something has been said that explains what follows; the checks that come later
-  /// are silent about them.
+  /// Nodes with a finding that explains what follows; later checks do not report them.
   std::set<std::pair<ProcessId, NodeId>> explained{};
-  /// Variables whose values have been told already.
+  /// Variables whose values have already been reported.
   std::set<VariableId> told{};
-  /// Variables of which it was told that one skill sets them while another relies on them.
+  /// Variables with a finding that one skill sets them while another relies on them.
   std::set<VariableId> disputed{};
-  /// Statuses and results of skills of which it was told that they cannot start.
+  /// Statuses and results of skills with a finding that they cannot start.
   std::set<VariableId> blamed{};
-  /// Of statuses and results, the values of outcomes that the skill declares and never returns,
-  /// which is told where it is defined.
+  /// Values of statuses and results for outcomes that the skill declares but never returns. The
+  /// finding is at their definition.
   std::map<VariableId, ValueSet> unreturned{};
 
   [[nodiscard]] const System& system() const { return solver.system(); }
@@ -42,35 +41,36 @@ struct Report {
   }
 };
 
-/// Where a variable is defined: its own name, or that of its skill or resource.
+/// Where a variable is defined: its own name, or the name of its skill or resource.
 [[nodiscard]] Location definitionOf(const Report& report, VariableId variable);
 
-/// Says of each variable of the conditions which values it can have in the state.
+/// Adds to a finding the possible values of each variable of the conditions in the state.
 void addValues(Finding& finding, Report& report, const Process& process, const State& state,
                const std::vector<Condition>& conditions);
 
-/// The variables that a condition reads.
+/// Adds the variables that a condition reads.
 void collectSlots(const Condition& condition, std::set<Slot>& slots);
 
-/// What is said about a skill that cannot start also explains its status and its result.
+/// Notes that a finding about a skill that cannot start also explains its status and its result.
 void blameSkill(Report& report, std::size_t skill);
-/// Some variable of the conditions has been blamed.
+/// Whether a variable of the conditions is blamed.
 [[nodiscard]] bool isBlamed(const Report& report, const Process& process,
                             const std::vector<Condition>& conditions);
 
 /// Fills `report.unreturned`.
 void noteUnreturned(Report& report);
-/// The condition of a node could hold, or fail, if the skills returned all that they declare.
+/// Whether the condition of a node could hold, or fail, if the skills returned all outcomes that
+/// they declare.
 [[nodiscard]] bool dependsOnUnreturned(const Report& report, ProcessId process, NodeId node,
                                        const Condition& condition, bool holds);
 
-/// What a fix puts between a statement and one that it adds behind it: the same indentation on a
-/// line of its own, where the statement begins its line; else a space.
+/// The white space that a fix puts between a statement and one that it adds after it: a new line
+/// with the same indentation if the statement begins its line, otherwise a space.
 [[nodiscard]] std::string lineAfter(const Report& report, Location statement);
-/// A part of a text with the white space that goes when it is removed.
+/// A part of a text together with the white space to be removed with it.
 [[nodiscard]] Location withSpaceAround(const Report& report, Location part);
 
-/// Calls `visit(id, process, nodeId, node)` for each node of each process that somebody starts.
+/// Calls `visit(id, process, nodeId, node)` for each node of each process that is started.
 template <class Visit> void forEachNode(const Report& report, Visit&& visit) {
   for (ProcessId id = 0; id < report.system().size(); ++id) {
     const Process& process = report.system()[id];
@@ -80,7 +80,7 @@ template <class Visit> void forEachNode(const Report& report, Visit&& visit) {
   }
 }
 
-/// The same for the nodes that can be reached.
+/// The same for reachable nodes only.
 template <class Visit> void forEachReachedNode(const Report& report, Visit&& visit) {
   forEachNode(report, [&](ProcessId id, const Process& process, NodeId node, const Node& each) {
     if (report.solver.reachable(id, node)) visit(id, process, node, each);

@@ -6,16 +6,15 @@
 
 namespace proskill::analysis::flow {
 
-/// The graph of a process in which loops that count are laid out round by round: a node stands
-/// there once for each value of the naturals that the process counts with. Every way that the
-/// process can go is a way through it.
+/// The graph of a process with counting loops unrolled: it has a copy of a node for each value of
+/// the naturals with which the process counts. Every path of the process is a path in it.
 struct Unrolled {
-  Graph graph;                  ///< of the nodes that can be reached, and their edges
-  std::vector<NodeId> original; ///< of each node, that of the process
+  Graph graph;                  ///< reachable nodes and their edges
+  std::vector<NodeId> original; ///< by node: the node of the process
 };
 
-/// The naturals are those that the process tests and sets, and nobody else sets meanwhile. Where
-/// there are none, or their values are too many, each node stands there once. \pre it is started
+/// Unrolls over the naturals that the process tests and sets and that nobody else sets meanwhile.
+/// If there are none, or too many values, each node has one copy. \pre the process is started
 [[nodiscard]] Unrolled unrolled(const Solver& solver, ProcessId process);
 
 } // namespace proskill::analysis::flow
