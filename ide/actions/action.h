@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// What an editor offers to do at a place. Each kind of action is a file in `ide/actions/`, with
-/// one function that adds what it can do there; it adds nothing where the result would not be what
-/// the title says.
+/// Code actions: edits that an editor offers at a place. Each kind of action is a file in
+/// `ide/actions/` with one function that adds its actions. An action is added only if its result is
+/// what its title says.
 namespace proskill::ide {
 
 enum class ActionKind : std::uint8_t {
@@ -29,11 +29,11 @@ struct FileEdit {
 struct Action {
   std::string title;
   ActionKind kind = ActionKind::QuickFix;
-  std::shared_ptr<const AnalysedProgram> owner; ///< whose files the edits are in
-  std::vector<FileEdit> edits;                  ///< of texts as they are, none over another
-  const syntax::Diagnostic* fixes = nullptr;    ///< lives in the owner
-  bool preferred = false;                       ///< the only way to mend it
-  std::string_view explains{}; ///< a code: nothing is edited, its explanation is shown
+  std::shared_ptr<const AnalysedProgram> owner; ///< the program whose files the edits change
+  std::vector<FileEdit> edits;                  ///< of the current texts, without overlaps
+  const syntax::Diagnostic* fixes = nullptr;    ///< owned by `owner`
+  bool preferred = false;                       ///< the only fix for the diagnostic
+  std::string_view explains{}; ///< a code: the action edits nothing and shows its explanation
 };
 
 struct ActionContext {
@@ -45,8 +45,8 @@ struct ActionContext {
   [[nodiscard]] std::string_view textOf(syntax::Range range) const {
     return std::string_view(view.text()).substr(range.begin, range.length());
   }
-  /// The definition that the selection stands in; null where it stands in none, or in one that was
-  /// mended before it could be read.
+  /// The definition that contains the selection; null if there is none, or if it was repaired
+  /// before parsing.
   [[nodiscard]] const syntax::Form* form() const;
 };
 
@@ -64,11 +64,11 @@ void addMonitor(const ActionContext& context, Actions& actions);
 void addTransitions(const ActionContext& context, Actions& actions);
 void addSortFields(const ActionContext& context, Actions& actions);
 
-/// All that can be done at a selection of a file.
+/// All actions for a selection in a file.
 [[nodiscard]] Actions actions(const Snapshot& snapshot, const std::filesystem::path& file,
                               syntax::Range selection);
 
-/// An action on the file at hand whose result is laid out where it differs.
+/// Adds an action on the current file; the changed text is formatted.
 void addLaidOut(const ActionContext& context, Actions& actions, std::string title, ActionKind kind,
                 std::vector<syntax::TextEdit> edits);
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <span>
 
-/// What actions on bodies share.
+/// Shared parts of actions on bodies.
 namespace proskill::ide {
 
-/// Statements of one block that follow each other, and the definition that they stand in.
+/// Consecutive statements of one block, and the definition that contains them.
 struct Selected {
   const syntax::Form* form = nullptr;
   const syntax::Skill* skill = nullptr;
@@ -19,15 +19,15 @@ struct Selected {
   }
 };
 
-/// The statements of a skill's body that are selected; of a selection within one statement, the
-/// innermost. Empty where there are none.
+/// The selected statements of a skill's body; for a selection within one statement, the innermost.
+/// Empty if there are none.
 [[nodiscard]] Selected selectedStatements(const ActionContext& context);
 
-/// Whether any statement, however deep, is of one of these kinds.
+/// Whether any statement, at any depth, is of one of these kinds.
 [[nodiscard]] bool contains(std::span<const syntax::Statement> statements,
                             std::initializer_list<syntax::StatementKind> kinds);
 
-/// Whether a `break` would leave a loop around the statements.
+/// Whether the statements contain a `break` of a loop around them.
 [[nodiscard]] bool breaksOut(std::span<const syntax::Statement> statements);
 
 /// The blocks of a statement.

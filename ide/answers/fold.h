@@ -11,7 +11,7 @@ namespace proskill::ide {
 
 enum class FoldKind : std::uint8_t { Form, Comment };
 
-/// Lines that can be folded into the first of them.
+/// Lines that can be folded into the first one.
 struct Fold {
   std::uint32_t firstLine = 0;
   std::uint32_t lastLine = 0; ///< > firstLine
@@ -20,7 +20,7 @@ struct Fold {
   friend bool operator==(const Fold&, const Fold&) = default;
 };
 
-/// The lines that things take, by the first of them; of two that begin in one line the longer one.
+/// Folds by first line; of two that begin on one line, the longer is kept.
 class FoldList {
 public:
   explicit FoldList(const syntax::LineIndex& lines) : lines(lines) {}
@@ -43,7 +43,7 @@ public:
 
 private:
   const syntax::LineIndex& lines;
-  std::uint32_t near = 0; ///< the line of the last one
+  std::uint32_t near = 0; ///< the line of the last fold
   std::vector<Fold> folds;
 };
 

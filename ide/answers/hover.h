@@ -7,7 +7,7 @@ namespace proskill::ide {
 
 struct Hover {
   Markup text;
-  syntax::Range range; ///< of the word that it is about
+  syntax::Range range; ///< of the word that it describes
 };
 
 } // namespace proskill::ide

@@ -6,7 +6,7 @@
 
 namespace proskill::ide {
 
-/// In the order of the legend that clients are told; new ones are added at the end.
+/// In the order of the legend sent to clients. Add new types at the end.
 enum class TokenType : std::uint8_t {
   Keyword, // `defskill`, `if`, `and`
   Field,   // `:init`
@@ -27,11 +27,11 @@ enum class TokenType : std::uint8_t {
   Label,
 };
 
-/// Bits of a set.
+/// Bits of a set of modifiers.
 enum TokenModifier : std::uint8_t {
   kDefinition = 1,
-  kWritten = 2, ///< a state variable is set
-  kUnused = 4,  ///< the definition of what nothing else mentions
+  kWritten = 2, ///< sets a state variable
+  kUnused = 4,  ///< a definition that nothing else mentions
 };
 
 struct Token {

@@ -7,12 +7,12 @@
 
 namespace proskill::ide {
 
-/// Gathers what can be written at a place, in the order of its fitness. Used by `complete` alone.
+/// Collects the completions at a place, best first. Only `complete` uses it.
 class Completer {
 public:
   Completer(const Snapshot& snapshot, const View& view, const Path& path, const Place& place);
 
-  /// \pre the place is none in a comment
+  /// \pre the place is not in a comment
   [[nodiscard]] std::vector<Completion> gather() &&;
 
 private:
@@ -22,13 +22,13 @@ private:
   void fill();
   void fillNames();
 
-  /// With nothing but its label; valid until the next one.
+  /// Adds a completion with only a label. The reference is valid until the next call.
   Completion& add(std::string label, CompletionKind kind);
 
-  // The language's words.
+  // Adds a word of the language.
   void word(const Word& word);
   void words(WordKind kind);
-  /// In parentheses, where it is a list and they are not there yet.
+  /// Adds a form. \param isList whether it is a list, which gets parentheses unless they exist
   void form(const Word& word, bool isList);
   void forms(WordKind kind, bool areLists = true);
   void fields(WordKind kind);
@@ -36,7 +36,7 @@ private:
   void conditions();
   void statements();
 
-  // Names.
+  // Adds a name.
   Completion& name(SymbolId symbol, CompletionKind kind);
   void members(SymbolKind kind, SymbolId owner, CompletionKind as);
   void values(std::string_view variable);
@@ -62,7 +62,7 @@ private:
   void files();
 
   [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name) const;
-  /// The skill or environment that the place is in.
+  /// The skill or environment that contains the place.
   [[nodiscard]] SymbolId owner() const;
   [[nodiscard]] const syntax::Skill& skill(SymbolId symbol) const;
   [[nodiscard]] const syntax::StateVariable& variable(SymbolId symbol) const;
@@ -76,7 +76,7 @@ private:
   const analysis::SymbolTable& symbols;
   std::set<SymbolId> deprecated;
   std::vector<Completion> items;
-  unsigned rank = 0; ///< of what is added next
+  unsigned rank = 0; ///< of the completions added next
 };
 
 } // namespace proskill::ide

@@ -31,36 +31,36 @@ enum class CompletionKind : std::uint8_t {
 struct Completion {
   std::string label;
   CompletionKind kind = CompletionKind::Keyword;
-  std::string detail;  ///< one line; empty where the label says all
-  std::string insert;  ///< what is written, plain
-  std::string snippet; ///< the same with places to fill in, in LSP's syntax; empty: there are none
-  std::string filter;  ///< what the typed word is compared with
-  unsigned rank = 0;   ///< less is better
+  std::string detail;  ///< one line; empty if the label says everything
+  std::string insert;  ///< the inserted text
+  std::string snippet; ///< the same with placeholders, in LSP's syntax; empty: none
+  std::string filter;  ///< the text with which the typed word is compared
+  unsigned rank = 0;   ///< smaller is better
   bool isDeprecated = false;
   std::optional<SymbolKey> symbol;
-  const Word* word = nullptr; ///< of the language
+  const Word* word = nullptr; ///< for a word of the language
 };
 
 struct Completions {
   std::vector<Completion> items; ///< best first
   syntax::Range insert;          ///< the word up to the cursor
-  syntax::Range replace;         ///< the whole word that the cursor stands in
-  bool isComplete = true;        ///< nothing was left out that further typing could bring in
+  syntax::Range replace;         ///< the whole word at the cursor
+  bool isComplete = true;        ///< further typing cannot add completions
 };
 
-/// What asked for completions.
+/// The reason why completions are requested.
 struct CompletionTrigger {
-  /// A character that was typed; else a person asked. After a space nothing is offered where nearly
-  /// everything could stand.
+  /// The typed character; nothing if the user requested completions. After a space there are no
+  /// completions if nearly everything is allowed.
   std::optional<char> typed;
 };
 
-/// What can be written at a place, told from what stands before it. Nothing in comments, in
-/// strings that are no paths, and where a new name is due.
+/// The completions at a place, computed from the text before it. None in comments, in strings that
+/// are not paths, and where a new name is expected.
 [[nodiscard]] Completions complete(const Snapshot& snapshot, const View& view, syntax::Offset at,
                                    CompletionTrigger trigger = {});
 
-/// What is told of an item when it is looked at; empty where there is nothing.
+/// The documentation of an item; empty if there is none.
 [[nodiscard]] Markup documentation(const View& view, const Completion& item);
 
 } // namespace proskill::ide

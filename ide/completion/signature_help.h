@@ -10,7 +10,7 @@
 namespace proskill::ide {
 
 struct SignatureParameter {
-  syntax::Range label; ///< in the signature, in bytes
+  syntax::Range label; ///< within the signature, in bytes
   std::string documentation;
 };
 
@@ -18,11 +18,11 @@ struct Signature {
   std::string label;
   Markup documentation;
   std::vector<SignatureParameter> parameters;
-  std::optional<std::size_t> active; ///< which of them is being written
+  std::optional<std::size_t> active; ///< the parameter at the place
 };
 
-/// How the call, the form or the field around a place is written, innermost first: of a call the
-/// inputs of the skill, of a clause its fields, of a statement or an operator its parts.
+/// The signature of the innermost call, form or field around a place: the inputs of a skill, the
+/// fields of a clause, or the parts of a statement or an operator.
 [[nodiscard]] std::optional<Signature> signatureHelp(const View& view, syntax::Offset at);
 
 } // namespace proskill::ide

@@ -4,14 +4,14 @@
 
 namespace proskill::ide {
 
-/// A diagnostic, and the program that its places are in.
+/// A diagnostic, and the program to which its locations refer.
 struct Finding {
   std::shared_ptr<const AnalysedProgram> owner;
   const syntax::Diagnostic* diagnostic = nullptr;
 };
 
-/// What is wrong with a file in any program that it belongs to; what several of them say is given
-/// once.
+/// The diagnostics of a file in all programs that include it. A diagnostic that several of them
+/// have is returned once.
 [[nodiscard]] std::vector<Finding> diagnostics(const Snapshot& snapshot,
                                                const std::filesystem::path& file);
 

@@ -5,14 +5,14 @@
 
 #include <string>
 
-/// What a diagnostic is about, for a person who meets it for the first time.
+/// Explanations of diagnostics for users.
 namespace proskill::ide {
 
-/// The message of a code, with `…` for what differs from place to place.
+/// The message of a code with `…` for its arguments.
 [[nodiscard]] std::string titleOf(const syntax::CodeInfo& code);
-/// Its explanation as one line.
+/// The explanation as one line.
 [[nodiscard]] std::string paragraphOf(const syntax::CodeInfo& code);
-/// Title, explanation, and the example where there is one.
+/// Title, explanation and, if there is one, the example.
 [[nodiscard]] Markup explanation(const syntax::CodeInfo& code);
 
 } // namespace proskill::ide

@@ -6,23 +6,23 @@
 
 namespace proskill::ide {
 
-/// Words between backticks are code: the words alone, for who shows texts as they are.
+/// The text without the backticks around code, for clients that show plain text.
 [[nodiscard]] std::string withoutBackticks(std::string_view text);
 
-/// A short text for a reader. Words between backticks in it are code.
+/// A short text for users. Words between backticks are code.
 class Markup {
 public:
-  /// A piece of a program.
+  /// Appends a block of code.
   void code(std::string_view program);
-  /// A paragraph; lines of it stay lines.
+  /// Appends a paragraph; line breaks are kept.
   void prose(std::string_view text);
-  /// The first row is the head.
+  /// Appends a table; the first row is its head.
   void table(const std::vector<std::vector<std::string>>& rows);
 
   [[nodiscard]] bool empty() const { return inMarkdown.empty(); }
   /// CommonMark with tables, as editors show it.
   [[nodiscard]] const std::string& markdown() const { return inMarkdown; }
-  /// The same for who shows texts as they are.
+  /// The same as plain text.
   [[nodiscard]] const std::string& plain() const { return inPlain; }
 
 private:

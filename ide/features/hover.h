@@ -7,8 +7,8 @@
 
 namespace proskill::ide {
 
-/// What is told of the name or the word of the language at a place: the definition, the comment
-/// above it, the allowed moves, who sets it, what it can be here. Nothing where no word stands.
+/// The description of the name or keyword at a place: its definition, the comment above it, the
+/// allowed transitions, what sets it, and its possible values here. Nothing if there is no word.
 [[nodiscard]] std::optional<Hover> hover(const View& view, syntax::Offset at);
 
 } // namespace proskill::ide

@@ -10,28 +10,27 @@ namespace proskill::ide {
 
 enum class HintKind : std::uint8_t { ArgumentType, Values, Duration };
 
-/// A word that an editor shows in a text without its being there.
+/// A word that an editor shows in a text without inserting it.
 struct InlayHint {
   HintKind kind = HintKind::Values;
-  syntax::Offset at = 0; ///< shown before what stands here
+  syntax::Offset at = 0; ///< shown before this offset
   std::string label;
   std::string tooltip;
-  std::optional<analysis::Location>
-      about; ///< the name of what it speaks about, where it is defined
+  std::optional<analysis::Location> about; ///< the name that it is about, where it is defined
 };
 
-/// In the order of the text: the types of the inputs of calls that are given literals, what a
-/// tested variable can be there where that is less than it can be elsewhere, and how long bodies
-/// take. What is not known yet of a large program is left out.
+/// In the order of the text: the types of inputs of calls with literals, the possible values of a
+/// tested variable if they are fewer than elsewhere, and the durations of bodies. Facts about a
+/// large program that are not computed yet are omitted.
 [[nodiscard]] std::vector<InlayHint> inlayHints(const View& view, syntax::Range range);
 
-/// A name whose value a debugger shows beside it.
+/// A name whose value a debugger shows next to it.
 struct InlineVariable {
   syntax::Range range;
   std::string name;
 };
 
-/// The state variables that are named in a range, each once a line.
+/// The state variables that are named in a range, each once per line.
 [[nodiscard]] std::vector<InlineVariable> inlineVariables(const View& view, syntax::Range range);
 
 } // namespace proskill::ide

@@ -8,24 +8,25 @@
 namespace proskill::ide {
 
 enum class LensKind : std::uint8_t {
-  References, ///< counted when somebody looks at it
+  References, ///< counted on demand
   Automaton,
   Verify,
   Verdicts,
 };
 
-/// A line above a definition that leads somewhere.
+/// A code lens: a line above a definition with a link.
 struct Lens {
   LensKind kind = LensKind::References;
   analysis::SymbolId symbol = analysis::kNoSymbol; ///< kNoSymbol in Fiacre
-  syntax::Range at;                                ///< the definition's name
-  std::string title;                               ///< empty of references
-  std::string property; ///< Verdicts: the one whose trace is worth a look; empty: there is none
-  std::string name{};   ///< without a symbol: of which property; empty: of all
+  syntax::Range at;                                ///< the name of the definition
+  std::string title;                               ///< empty for References
+  std::string property; ///< Verdicts: the property whose trace is most useful; empty: none
+  std::string name{};   ///< if there is no symbol: the property; empty: all properties
 };
 
-/// The lenses of a file, in the order of the text. Verdicts are those for the texts as they are, or
-/// are called stale. \param verdicts of all programs
+/// The lenses of a file, in the order of the text. Verdicts for other versions of the texts are
+/// marked as stale.
+/// \param verdicts of all programs
 [[nodiscard]] std::vector<Lens> lenses(const View& view, const Verdicts& verdicts);
 
 /// "3 references", without the definition itself.

@@ -9,14 +9,14 @@
 
 namespace proskill::ide {
 
-/// A file, or a folder with all that is in it, that gets another name.
+/// A file, or a folder with its content, that is renamed.
 struct Move {
   std::filesystem::path from;
   std::filesystem::path to;
 };
 
-/// What includes must say instead so that they lead to the same files after all of the moves, by
-/// the files' names before them.
+/// The edits of includes after which they refer to the same files as before the moves. By the
+/// files' old names.
 [[nodiscard]] std::map<std::filesystem::path, std::vector<syntax::TextEdit>>
 includesAfter(const Snapshot& snapshot, const std::vector<Move>& moves);
 

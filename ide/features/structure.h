@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-/// What can be told of a text from its form alone: folds, selections, links.
+/// Features that need only the syntax of a text: folds, selection ranges, links.
 namespace proskill::ide {
 
-/// By their first lines, which all differ.
+/// Ordered by their first lines, which are all different.
 [[nodiscard]] std::vector<Fold> folds(const syntax::Document& document);
 
-/// What grows around a place: its word, the expression, the statement, …, the whole text; each
-/// holds the one before it.
+/// The ranges around a place: its word, the expression, the statement, …, the whole text; each
+/// contains the one before it.
 [[nodiscard]] std::vector<syntax::Range> selections(const syntax::Document& document,
                                                     syntax::Offset at);
 
-/// A path in a text, and the file that it names.
+/// A path in a text, and the file to which it refers.
 struct DocumentLink {
   syntax::Range range; ///< between the quotes
   std::filesystem::path target;

@@ -9,32 +9,33 @@ namespace proskill::ide {
 
 /// An entry of a file's outline.
 struct OutlineEntry {
-  std::string name; ///< never empty: what has no name yet is called by its keyword
+  std::string name; ///< never empty: a definition without a name has its keyword
   std::string detail;
   analysis::SymbolKind kind = analysis::SymbolKind::Skill;
-  bool isFile = false;     ///< an include; `kind` means nothing
+  bool isFile = false;     ///< an include; `kind` is undefined
   syntax::Range range;     ///< of the whole definition
   syntax::Range selection; ///< of its name, within `range`
   std::vector<OutlineEntry> children;
 };
 
-/// The definitions of a file with what is defined inside of them, in the order of the text.
+/// The definitions of a file and their parts, in the order of the text.
 [[nodiscard]] std::vector<OutlineEntry> outline(const View& view);
-/// Those that begin in a range. Of a region, they depend on its text alone.
+/// The entries that begin in a range. For a region, they depend only on its text.
 [[nodiscard]] std::vector<OutlineEntry> outline(const View& view, syntax::Range within);
 
 struct FoundSymbol {
   std::string name;
   analysis::SymbolKind kind = analysis::SymbolKind::Skill;
   std::filesystem::path file;
-  syntax::Range at;                   ///< as the file was when it was last read
-  std::optional<std::string> owner{}; ///< the name of what it is inside of
+  syntax::Range at;                   ///< in the last read version of the file
+  std::optional<std::string> owner{}; ///< the name of the enclosing definition
 };
 
-/// The symbols of all files of the workspace, and of those that they include, whose names match,
-/// best first, at most 256; inputs and tags are found under the names of their skills alone. An
-/// empty query matches everything. No program is looked at.
-/// \param isCancelled is asked now and then; what was found so far is given
+/// The symbols that match a query, of all files of the workspace and of their includes; best first,
+/// at most 256. Inputs and tags are found only together with the names of their skills. An empty
+/// query matches everything. No program is analysed.
+/// \param isCancelled called from time to time; if it returns true, the symbols found so far are
+/// returned
 [[nodiscard]] std::vector<FoundSymbol> workspaceSymbols(const Snapshot& snapshot,
                                                         std::string_view query,
                                                         const std::function<bool()>& isCancelled);

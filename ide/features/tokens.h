@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
-/// What each word of a text is, for an editor that colours by meaning.
+/// Semantic tokens: the kind of each word of a text.
 namespace proskill::ide {
 
-/// In the order of the text; those that touch `within`.
+/// The tokens that touch `within`, in the order of the text.
 [[nodiscard]] std::vector<Token> tokens(const View& view, syntax::Range within);
 [[nodiscard]] std::vector<Token> tokens(const View& view);
 
-/// The names that begin in a range, in their order: all that the tokens of a region of a program
-/// depend on beside its own text.
+/// The names that begin in a range, in order. The tokens of a region depend only on these and on
+/// its own text.
 [[nodiscard]] std::vector<Token> nameTokens(const View& view, syntax::Range within);
 /// The tokens of a region of the view's document.
 /// \param names of the region's range

@@ -6,7 +6,7 @@
 
 namespace proskill::ide {
 
-/// What an editor shows names of Fiacre as.
+/// How editors show a kind of Fiacre name.
 struct Look {
   TokenType token;
   CompletionKind completion;

@@ -7,16 +7,16 @@
 #include <string_view>
 #include <vector>
 
-/// Renaming within a text in Fiacre; comments stay.
+/// Renaming within a Fiacre text. Comments do not change.
 namespace proskill::ide {
 
-/// The name at a place, or in words for a user why it cannot be renamed.
+/// The name at a place, or the reason, for the user, why it cannot be renamed.
 [[nodiscard]] std::expected<syntax::Range, std::string> renameableInFiacre(std::string_view text,
                                                                            syntax::Offset at);
 
-/// Where the new name is to be written, in the order of the text. Refused, in words for a user,
-/// where the new name is none, or would make any name mean something else than before, or the model
-/// wrong: the renamed text is read, and every name in it must mean what it meant.
+/// The places of the new name, in the order of the text. Refused, with a reason for the user, if
+/// the new name is not a name, would change the meaning of any name, or would make the model
+/// invalid. The renamed text is parsed, and every name in it must have its old meaning.
 [[nodiscard]] std::expected<std::vector<syntax::Range>, std::string>
 renameInFiacre(std::string_view text, syntax::Offset at, std::string_view newName);
 

@@ -12,47 +12,48 @@
 #include <string_view>
 #include <vector>
 
-/// What an editor asks of a text in Fiacre: each a function of the text and a place. A text that
-/// cannot be read as a whole is answered about as far as it can.
+/// Editor features for Fiacre texts; each is a function of the text and a place. A text with syntax
+/// errors is answered as far as possible.
 namespace proskill::ide {
 
-/// Known in its process, component or function alone.
+/// Whether names of this kind are visible only in their process, component or function.
 [[nodiscard]] bool isLocalName(fiacre::NameKind kind);
 
 /// An entry of a text's outline.
 struct FiacreEntry {
   std::string name;
-  std::string detail; ///< a type, a number of ports
+  std::string detail; ///< a type, or the number of ports
   fiacre::NameKind kind = fiacre::NameKind::Process;
   syntax::Range range;     ///< of the whole declaration
   syntax::Range selection; ///< of its name, within `range`
   std::vector<FiacreEntry> children;
 };
 
-/// A text as it was read, with each name's declaration.
+/// A parsed text with the declaration of each name.
 class FiacreText {
 public:
-  /// \param text outlives it
+  /// \param text must outlive this
   explicit FiacreText(std::string_view text);
   FiacreText(const FiacreText&) = delete;
   FiacreText& operator=(const FiacreText&) = delete;
 
-  /// Where the name at a place was declared; the place may be just behind the name.
+  /// The declaration of the name at a place; the place may be just after the name.
   [[nodiscard]] std::optional<syntax::Range> definition(syntax::Offset at) const;
 
-  /// Every place of the name, in the order of the text; its declaration where asked for.
+  /// All places of the name, in the order of the text; its declaration only on request.
   struct Use {
     syntax::Range range;
     bool declares = false;
   };
   [[nodiscard]] std::vector<Use> uses(syntax::Offset at, bool withDeclaration) const;
 
-  /// For each name of the text, in its order: which of them declares it, kNowhere where none does.
+  /// For each name in the order of the text: the index of its declaration, or kNowhere.
   [[nodiscard]] const std::vector<std::size_t>& meanings() const { return declarations; }
 
-  /// The name of what is the model, where it stands as such; nothing where the text names none.
+  /// The name of the model's main component where it is named as such; nothing if the text names
+  /// none.
   [[nodiscard]] std::optional<syntax::Range> model() const;
-  /// The names of the properties that are asserted, where they are declared.
+  /// The declarations of the asserted properties.
   [[nodiscard]] std::vector<syntax::Range> asserted() const;
 
   /// The declaration and the comment above it.
@@ -60,11 +61,11 @@ public:
   [[nodiscard]] std::vector<FiacreEntry> outline() const;
   [[nodiscard]] std::vector<Token> tokens() const;
   [[nodiscard]] std::vector<Fold> folds() const;
-  /// Words of the language that can stand anywhere, and the names that are known at a place.
+  /// The keywords, and the names that are visible at a place.
   [[nodiscard]] Completions complete(syntax::Offset at, CompletionTrigger trigger = {}) const;
 
 private:
-  using Place = std::size_t; ///< in `mentions()`
+  using Place = std::size_t; ///< index in `mentions()`
   static constexpr Place kNowhere = static_cast<Place>(-1);
 
   [[nodiscard]] const std::vector<fiacre::Mention>& mentions() const { return parsed.mentions; }
@@ -88,10 +89,10 @@ private:
 
   std::string_view text;
   fiacre::Parsed parsed;
-  std::vector<fiacre::Token> words;                      ///< with comments
-  std::map<std::string_view, std::vector<Place>> byName; ///< what declares a name
-  std::vector<Place> declarations;                       ///< of each mention
-  std::vector<const fiacre::Block*> blocks;              ///< of each mention; null: of none
+  std::vector<fiacre::Token> words;                      ///< including comments
+  std::map<std::string_view, std::vector<Place>> byName; ///< the declarations of a name
+  std::vector<Place> declarations;                       ///< by mention
+  std::vector<const fiacre::Block*> blocks;              ///< by mention; null: outside of blocks
 };
 
 } // namespace proskill::ide

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-/// Where a cursor stands, told from the text before it alone: no parenthesis after it, and nothing
-/// that the grammar cannot take, makes a difference to somebody who is typing.
+/// The position of a cursor, computed from the text before it. Missing parentheses after it and
+/// syntax errors make no difference while typing.
 namespace proskill::ide {
 
-/// What stands directly in a list: a word, or a whole list.
+/// A direct element of a list: a word or a nested list.
 struct Item {
   syntax::Range range;
   std::string_view text; ///< empty: a list
@@ -23,25 +23,24 @@ struct Item {
 /// A list that is open at the cursor.
 struct OpenList {
   syntax::Offset begin = 0; ///< of its parenthesis
-  std::vector<Item> items;  ///< those that ended before the cursor's word
+  std::vector<Item> items;  ///< elements that end before the cursor's word
 };
 
 enum class Surrounding : std::uint8_t { Code, String, Comment };
 
 struct Path {
   std::vector<OpenList> lists; ///< outermost first
-  /// The word that the cursor stands in or touches; empty where it touches none. Of a string, what
-  /// stands between its quotes.
+  /// The word that contains or touches the cursor; empty if there is none. In a string, the text
+  /// between the quotes.
   syntax::Range word;
   std::string_view prefix; ///< the word up to the cursor
   Surrounding surrounding = Surrounding::Code;
 };
 
-/// \pre at <= the text's length
+/// \pre `at` is at most the text's length
 [[nodiscard]] Path pathTo(const syntax::Document& document, syntax::Offset at);
 
-/// The form whose text a place belongs to: the last one that begins before it. Null before the
-/// first.
+/// The last form that begins before a place; null if there is none.
 [[nodiscard]] const syntax::Form* formBefore(const syntax::Document& document, syntax::Offset at);
 
 } // namespace proskill::ide

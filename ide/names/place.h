@@ -3,11 +3,11 @@
 #include "ide/names/path.h"
 #include "ide/names/vocabulary.h"
 
-/// What may stand at a place of a program, told from the lists that are open there.
+/// What is allowed at a place of a program, according to the open lists.
 namespace proskill::ide {
 
 enum class Slot : std::uint8_t {
-  Nothing, ///< a new name, a number, or what nobody can guess
+  Nothing, ///< a new name, a number, or something that cannot be guessed
   Definition,
   IncludePath,
   Field,          ///< a keyword of `Place::fields`
@@ -15,7 +15,7 @@ enum class Slot : std::uint8_t {
   VariableValue,  ///< of the state variable `subject`
   Transitions,    ///< `:all`, or a list
   TransitionList, ///< pairs
-  Transition,     ///< one value of a pair
+  Transition,     ///< a value in a pair
   InputList,      ///< a new parameter
   InputType,
   PreconditionList, ///< a new tag
@@ -30,13 +30,13 @@ enum class Slot : std::uint8_t {
   ResourceList,
   Monitor,
   Interruptible,
-  Effects,     ///< one or a list of them
-  EffectItem,  ///< one of a list
+  Effects,     ///< an effect or a list of effects
+  EffectItem,  ///< an effect in a list
   EffectValue, ///< for the state variable `subject`
   Condition,
   Proposition, ///< a condition of a property
   Temporal,    ///< a formula of linear temporal logic
-  Operand,     ///< a value beside `subject`, which may be empty
+  Operand,     ///< a value compared with `subject`, which may be empty
   Number,      ///< a value that is a number
   Body,        ///< a list of statements
   Statement,
@@ -65,23 +65,24 @@ enum class Slot : std::uint8_t {
 
 struct Place {
   Slot slot = Slot::Nothing;
-  /// The cursor stands first in a list that is for the slot: what is offered has its parenthesis.
+  /// The cursor is at the start of a list that belongs to the slot, so completions must not add a
+  /// parenthesis.
   bool isHead = false;
   WordKind fields = WordKind::SkillField; ///< Field, OutcomeClause
   std::string_view subject;
   std::string_view argument;
-  std::string_view definition;    ///< `defskill`, … around the place
-  std::string_view owner;         ///< the name of that definition
+  std::string_view definition;    ///< `defskill`, … of the enclosing definition
+  std::string_view owner;         ///< its name
   const OpenList* list = nullptr; ///< the innermost list; null at the top level
 };
 
 /// \pre the path outlives the place
 [[nodiscard]] Place placeOf(const Path& path);
 
-/// The same for the first `depth` lists of the path: what the list behind them stands for.
+/// The same for the first `depth` lists of the path: the meaning of the next list.
 [[nodiscard]] Place placeOf(const Path& path, std::size_t depth);
 
-/// The fields of the definition that begins with this word; null where it has none.
+/// The fields of definitions with this keyword; null if there are none.
 [[nodiscard]] const WordKind* fieldsOf(std::string_view definition);
 
 } // namespace proskill::ide

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-/// The words of the language itself, with what the manual says of them: one table for all features.
+/// The keywords of the language with their documentation: one table for all features.
 namespace proskill::ide {
 
 enum class WordKind : std::uint8_t {
@@ -40,16 +40,16 @@ enum class WordKind : std::uint8_t {
 struct Word {
   WordKind kind;
   std::string_view text;
-  std::string_view form;     ///< how it is written, for a reader
-  std::string_view snippet;  ///< what a completion puts behind it, in LSP's syntax of snippets
-  std::string_view sentence; ///< the manual's
+  std::string_view form;     ///< how it is written, for users
+  std::string_view snippet;  ///< what a completion inserts after it, in LSP's snippet syntax
+  std::string_view sentence; ///< from the manual
 };
 
-/// All words; those of a kind stand together.
+/// All words, grouped by kind.
 [[nodiscard]] std::span<const Word> vocabulary();
-/// The words of one kind, in the order in which a program has them.
+/// The words of one kind, in their usual order in a program.
 [[nodiscard]] std::span<const Word> wordsOf(WordKind kind);
-/// Null where the kind has no such word.
+/// Null if the kind has no such word.
 [[nodiscard]] const Word* findWord(WordKind kind, std::string_view text);
 
 } // namespace proskill::ide

@@ -4,8 +4,8 @@
 
 namespace proskill::ide {
 
-/// The word of the language that the path ends in, by the meaning that it has there; null where it
-/// is none: a state variable may well be called `process` or `if`.
+/// The keyword at the end of the path, with its meaning there; null if the word is a name: a state
+/// variable may be called `process` or `if`.
 [[nodiscard]] const Word* wordAt(const Path& path, std::string_view text);
 
 } // namespace proskill::ide

@@ -8,9 +8,9 @@
 
 namespace proskill::ide {
 
-/// Some dialects have several `from` of one state; Fiacre has one. \param second the origin of the
-/// later one. \return the edit that makes one of the two, with `select`; nothing where `second` is
-/// no such `from`
+/// Some dialects allow several `from` for one state, Fiacre only one. Returns the edit that merges
+/// both with `select`; nothing if `second` is not such a `from`.
+/// \param second the origin of the later one
 [[nodiscard]] std::optional<syntax::Fix> joinedFrom(const codegen::Model& model,
                                                     fiacre::OriginId second, std::string_view text);
 

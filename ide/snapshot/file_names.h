@@ -9,23 +9,23 @@
 
 namespace proskill::ide {
 
-/// The names of the definitions in a file that are searched for, of its text alone. Inputs and tags
-/// are found under the names of their skills. It takes little: of each file of a folder there is
-/// one.
+/// The searchable names of the definitions of a file, from its text alone. Inputs and tags are
+/// found only together with the names of their skills. The representation is small, because there
+/// is one for each file of a folder.
 class FileNames {
 public:
   struct Name {
     analysis::SymbolKind kind{};
-    bool isInner = false;      ///< it has an owner, which is `owner`
-    std::uint32_t owner = 0;   ///< the index of the definition that it is inside of
-    std::uint32_t letters = 0; ///< where they begin
+    bool isInner = false;      ///< it is inside of the definition `owner`
+    std::uint32_t owner = 0;   ///< index of the enclosing definition
+    std::uint32_t letters = 0; ///< index of its first letter
     std::uint32_t length = 0;
     syntax::Range at;
 
     friend bool operator==(const Name&, const Name&) = default;
   };
 
-  FileNames() = default; ///< none
+  FileNames() = default; ///< no names
   explicit FileNames(const syntax::Document& document);
 
   /// In the order of `SymbolTable`.
@@ -33,7 +33,7 @@ public:
   [[nodiscard]] std::string_view wordOf(const Name& name) const {
     return std::string_view(letters).substr(name.letters, name.length);
   }
-  /// \pre it is inside of another
+  /// \pre it is inside of a definition
   [[nodiscard]] std::string_view ownerOf(const Name& name) const {
     return wordOf(names[name.owner]);
   }

@@ -11,74 +11,74 @@
 #include <unordered_map>
 #include <vector>
 
-/// The files that an editor knows, and which of them includes which.
+/// The files that an editor knows, and their includes.
 namespace proskill::ide {
 
 /// A file that is open or in the workspace.
 struct KnownFile {
   struct Include {
-    std::string path;      ///< as it follows from the text, normal
-    std::string canonical; ///< of the file that is there
+    std::string path;      ///< resolved from the text, in normal form
+    std::string canonical; ///< of the file at this path
 
     friend bool operator==(const Include&, const Include&) = default;
   };
 
-  std::filesystem::path name; ///< of all its names the one that the editor uses
-  std::string canonical;      ///< what tells it from other files
+  std::filesystem::path name; ///< the one of its names that the editor uses
+  std::string canonical;      ///< identifies the file
   std::vector<Include> includes;
-  FileNames names{}; ///< of a text that is not open
+  FileNames names{}; ///< only if it is not open
 
   friend bool operator==(const KnownFile&, const KnownFile&) = default;
 };
 
-/// Of a text that is open. \param canonical of the file
+/// An open text. \param canonical name of the file
 [[nodiscard]] KnownFile knownText(const analysis::FileSystem& files, std::filesystem::path name,
                                   std::string canonical, const syntax::Document& document);
-/// The same of one that is not, with its names.
+/// A file that is not open, with its names.
 [[nodiscard]] KnownFile knownFile(const analysis::FileSystem& files, std::filesystem::path name,
                                   std::string canonical, const syntax::Document& document);
 
-/// The document includes what was known of the file.
+/// Whether the includes of the document are those known for the file.
 [[nodiscard]] bool includesAsBefore(const KnownFile& file, const syntax::Document& document);
 
-/// What a document includes, resolved against its own path.
+/// The includes of a document, resolved against its own path.
 [[nodiscard]] std::vector<std::filesystem::path> includesOf(const std::filesystem::path& file,
                                                             const syntax::Document& document);
 
-/// Never changes: what changes is a new one, which shares with the old one what both know. Any
-/// thread may use it. Files are asked for by their names.
+/// An immutable graph; changed graphs share unchanged parts. Thread-safe. Files are looked up by
+/// name.
 class IncludeGraph {
 public:
   using Path = std::filesystem::path;
   using File = std::shared_ptr<const KnownFile>;
 
-  /// Of files that are the same the last counts.
+  /// If a file occurs several times, its last entry counts.
   explicit IncludeGraph(std::vector<File> files = {});
 
-  /// With this file in place of what was known of it.
+  /// A graph in which this file is replaced or added.
   [[nodiscard]] std::shared_ptr<const IncludeGraph> with(KnownFile file) const;
   [[nodiscard]] std::shared_ptr<const IncludeGraph> without(std::string_view canonical) const;
 
-  /// The canonical names of the files of which the other graph knows something else.
+  /// The canonical names of the files that differ between the graphs.
   [[nodiscard]] std::vector<std::string_view> differenceTo(const IncludeGraph& other) const;
 
-  /// In the order of their canonical names.
+  /// Ordered by canonical name.
   [[nodiscard]] const std::vector<File>& files() const { return all; }
-  /// Null where no file is known there.
+  /// Null if the file is unknown.
   [[nodiscard]] const KnownFile* find(std::string_view canonical) const;
   [[nodiscard]] const KnownFile* named(const Path& name) const;
 
-  /// The files that are the root of a program.
+  /// The files that are roots of programs.
   [[nodiscard]] std::vector<Path> roots() const;
-  /// The roots of the programs that a file belongs to; one that nothing includes is its own root.
+  /// The roots of the programs that contain a file. A file that nothing includes is its own root.
   [[nodiscard]] std::vector<Path> rootsOf(const Path& file) const;
 
 private:
-  using Indices = std::vector<std::uint32_t>; ///< of `all`
+  using Indices = std::vector<std::uint32_t>; ///< into `all`
 
   struct Edges {
     std::unordered_map<std::string_view, std::uint32_t> byName;
-    /// Of every file that is included, known or not, by its canonical name.
+    /// By canonical name of every included file, known or not.
     std::unordered_map<std::string_view, Indices> includers;
   };
 
@@ -87,7 +87,7 @@ private:
 
   std::vector<File> all;
   mutable analysis::Once once;
-  mutable Edges known; ///< made when first asked for: most edits never ask
+  mutable Edges known; ///< computed on demand, since most edits do not need it
 };
 
 } // namespace proskill::ide

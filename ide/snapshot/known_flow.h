@@ -8,24 +8,24 @@
 
 namespace proskill::ide {
 
-/// What may be true where in a program: computed of the program as it is, or as it was before edits
-/// of white space and comments, which do not change what flows where. Never changes.
+/// The flow of a program, computed for its current text, or for an earlier text that differs only
+/// in white space and comments. Immutable.
 class KnownFlow {
 public:
-  /// Computes it. \pre the program has no errors
+  /// Computes the flow. \pre the program has no errors
   explicit KnownFlow(std::shared_ptr<const analysis::Program> program);
 
-  /// The same flow after such an edit; null after too many.
+  /// The same flow after such an edit; null after too many edits.
   [[nodiscard]] std::shared_ptr<const KnownFlow> after(analysis::FileId file,
                                                        const syntax::Replacement& edit) const;
 
-  /// Its places are those of the program that it was computed of.
+  /// Its locations refer to the program for which it was computed.
   [[nodiscard]] const analysis::flow::Flow& flow() const { return computed->flow; }
   [[nodiscard]] const analysis::flow::System& system() const { return computed->flow.system; }
   [[nodiscard]] const analysis::flow::Solver& solver() const { return computed->flow.solver; }
-  /// Where a place of the program as it is now stood in that one.
+  /// Converts a current location to that program.
   [[nodiscard]] analysis::Location then(analysis::Location now) const;
-  /// Where a place of that program stands now.
+  /// Converts a location of that program to the current one.
   [[nodiscard]] analysis::Location now(analysis::Location then) const;
 
 private:
@@ -42,7 +42,7 @@ private:
   };
 
   std::shared_ptr<const Computed> computed;
-  std::vector<Step> steps; ///< since then
+  std::vector<Step> steps; ///< edits since then
 };
 
 } // namespace proskill::ide

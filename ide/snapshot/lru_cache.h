@@ -10,8 +10,7 @@
 
 namespace proskill::ide {
 
-/// What can be had again, by name: of all that was put in, what was used last and has room. For one
-/// thread at a time.
+/// A least-recently-used cache of values that can be computed again. Not thread-safe.
 template <class Value> class LruCache {
 public:
   struct Item {
@@ -21,17 +20,17 @@ public:
   };
 
   explicit LruCache(std::size_t room) : room(room) {}
-  LruCache(const LruCache&) = delete; ///< names are looked up by the items' own
+  LruCache(const LruCache&) = delete; ///< names refer to the items' own strings
   LruCache& operator=(const LruCache&) = delete;
 
-  /// Null where it is not there. It is the last used now, and valid until something is put in.
+  /// Null if it is not cached. Marks it as used; valid until the next `put`.
   [[nodiscard]] Value* use(std::string_view name) {
     const auto found = byName.find(name);
     if (found == byName.end()) return nullptr;
     items.splice(items.begin(), items, found->second);
     return &items.front().value;
   }
-  /// In place of what had the name. What is larger than the room is alone there.
+  /// Adds or replaces an item. An item larger than the capacity is then the only one.
   void put(std::string name, Value value, std::size_t size) {
     drop(name);
     items.push_front({std::move(name), size, std::move(value)});
@@ -48,7 +47,7 @@ public:
     items.erase(item);
   }
 
-  /// The last used first.
+  /// The most recently used first.
   [[nodiscard]] const std::list<Item>& all() const { return items; }
 
 private:

@@ -18,16 +18,16 @@
 #include <unordered_set>
 #include <vector>
 
-/// The texts of an editor at one moment, and what analysis says of them.
+/// The texts of an editor at one moment, with their analysis.
 namespace proskill::ide {
 
-/// The cells of a notebook are texts that have no files. The text of a notebook itself is nobody's:
-/// it includes the cells, so that they are one program, and no answer ever speaks of it.
+/// Cells of a notebook are texts without files. The text of the notebook itself is internal: it
+/// includes the cells, so that they form one program, and no answer refers to it.
 enum class TextKind : std::uint8_t { File, Cell, Notebook };
 
-/// A text as an editor holds it; its file may not exist.
+/// A text that is open in an editor; its file need not exist.
 struct OpenText {
-  std::string uri; ///< as the client spells it
+  std::string uri; ///< as the client writes it
   std::int64_t version = 0;
   syntax::Document document;
   TextKind kind = TextKind::File;
@@ -35,14 +35,13 @@ struct OpenText {
 
 using OpenTexts = std::map<std::filesystem::path, OpenText>;
 
-/// A program and what is known of it. What takes long is computed when it is first asked for, once,
-/// by whoever asks first.
+/// A program with its analysis. Expensive results are computed once, on first access.
 class AnalysedProgram {
-  std::shared_ptr<const analysis::Program> shared; ///< what was computed of it may live longer
+  /// Shared, because results computed from it may live longer.
+  std::shared_ptr<const analysis::Program> shared;
 
 public:
-  /// \param earlier the program before some edits, null where it is not known: what still holds of
-  ///        it is not computed again
+  /// \param earlier the program before some edits, or null: its valid results are reused
   AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings,
                   const AnalysedProgram* earlier = nullptr);
   AnalysedProgram(const AnalysedProgram&) = delete;
@@ -52,28 +51,29 @@ public:
   const analysis::Analysis analysis;
   const analysis::flow::Settings settings;
 
-  /// Which values a variable can have where; null in a program with errors.
+  /// The flow of values; null for a program with errors.
   [[nodiscard]] std::shared_ptr<const KnownFlow> flow() const;
-  /// The same where it is known already; null else. For who cannot wait.
+  /// The same without computing it; null if it is not known yet.
   [[nodiscard]] std::shared_ptr<const KnownFlow> flowIfKnown() const;
-  /// Gives back its memory, which is most of a program's. Who asks for it has it computed again;
-  /// the findings are known still.
+  /// Frees the memory of the flow, which is most of a program's. It is computed again on the next
+  /// access; the findings stay known.
   void forgetFlow() const;
-  /// Somebody wanted the flow, and did not wait for it. Any thread.
+  /// Notes that somebody needed the flow but could not wait for it. Thread-safe.
   void missFlow() const { missedFlow = true; }
-  /// What somebody missed is there now: true once.
+  /// Returns true once when a flow that was missed has become known.
   [[nodiscard]] bool takeMissedFlow() const { return flowIfKnown() && missedFlow.exchange(false); }
-  /// All that `proskill check` tells of the program, weighed by its settings.
+  /// All diagnostics that `proskill check` reports, with its settings.
   [[nodiscard]] const std::vector<syntax::Diagnostic>& findings() const;
 
 private:
   using Diagnostics = std::vector<syntax::Diagnostic>;
 
-  /// All that was known of the flow of a program: what is kept for the next one that differs in
-  /// white space and comments only, also where programs with errors come in between.
+  /// The flow of a program, kept for the next version that differs only in white space and
+  /// comments, even if versions with errors come in between.
   struct FlowMemory {
     std::shared_ptr<const analysis::Program> program;
-    std::shared_ptr<const KnownFlow> flow; ///< null: it has errors, or the flow was forgotten
+    /// null: the program has errors, or the flow was dropped.
+    std::shared_ptr<const KnownFlow> flow;
     std::shared_ptr<const Diagnostics> findings;
   };
   using Memory = std::shared_ptr<const FlowMemory>;
@@ -84,23 +84,23 @@ private:
   void takeFlow(const AnalysedProgram& earlier);
   void noteFlowFindings(Diagnostics found) const;
 
-  const bool flows;             ///< it has a flow, known or not
-  mutable std::mutex computing; ///< the flow
+  const bool flows;             ///< whether it has a flow, known or not
+  mutable std::mutex computing; ///< held while the flow is computed
   mutable std::atomic<bool> missedFlow = false;
   mutable analysis::Once flowFindingsOnce;
-  mutable std::mutex mutex; ///< of what follows
+  mutable std::mutex mutex; ///< for the members below
   mutable std::shared_ptr<const KnownFlow> knownFlow;
   mutable Memory known;      ///< of this program
-  mutable Memory remembered; ///< of one before it, until this one's own is known; may be null
+  mutable Memory remembered; ///< of an earlier version, until this one's own is known; may be null
   mutable analysis::Once findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;
 };
 
-/// How the findings of the program of a root file are weighed. Any thread may call it.
+/// Returns the severities of findings for the program with this root. Thread-safe.
 using SettingsOf = std::function<analysis::flow::Settings(const std::filesystem::path& root)>;
 
-/// A file within the program that it belongs to: what a feature looks at. Keeps all alive that it
-/// refers to.
+/// A file within one of its programs; the input of features. Keeps everything alive to which it
+/// refers.
 struct View {
   std::shared_ptr<const AnalysedProgram> owner;
   analysis::FileId file = 0;
@@ -112,82 +112,81 @@ struct View {
   [[nodiscard]] const std::string& text() const { return document().text(); }
 };
 
-/// Of open texts alone.
+/// The graph of the open texts only.
 [[nodiscard]] std::shared_ptr<const IncludeGraph> graphOf(const analysis::FileSystem& disk,
                                                           const OpenTexts& open);
 
-/// Never changes; programs are analysed when they are first asked for, once, by whoever asks first.
-/// Any thread may use it.
+/// Immutable. Programs are analysed once, on first access. Thread-safe.
 class Snapshot {
 public:
-  /// Where nobody says how findings are weighed, it is as their table says.
+  /// \param settings empty: the severities of the table
   Snapshot(std::shared_ptr<const analysis::FileSystem> disk, OpenTexts open,
            std::shared_ptr<const IncludeGraph> graph, SettingsOf settings = nullptr);
 
-  /// The same moment after an edit: programs that the edit does not touch are kept, and of the
-  /// others what still holds of them.
+  /// The snapshot after an edit. Reuses programs that the edit does not touch, and the valid
+  /// results of the others.
   [[nodiscard]] std::shared_ptr<const Snapshot>
   with(OpenTexts open, std::shared_ptr<const IncludeGraph> graph) const;
-  /// Programs before the edits, which were needed until those after them were analysed. To destroy
-  /// them takes a while: nobody should wait for it. Each is given once.
+  /// Earlier versions of programs, which were needed until the new versions were analysed.
+  /// Destroying them takes long, so do it where nobody waits. Each is returned once.
   [[nodiscard]] std::vector<std::shared_ptr<const AnalysedProgram>> takeReplaced() const;
 
-  /// Somebody missed the flow of a program with open texts, which is known by now: true once.
+  /// Returns true once when the flow of a program with open texts that was missed has become known.
   [[nodiscard]] bool takeMissedFlow() const;
 
   [[nodiscard]] const OpenTexts& open() const { return texts; }
-  /// Of a text that is open, or of a file.
+  /// The kind of an open text or a file.
   [[nodiscard]] TextKind kindOf(const std::filesystem::path& name) const {
     const auto found = texts.find(name);
     return found == texts.end() ? TextKind::File : found->second.kind;
   }
-  /// Every file that is open or in the workspace. A file has one name in all that a snapshot gives,
-  /// whatever links lead to it: the one that the editor opened it by, else that in the workspace.
+  /// All files that are open or in the workspace. Each file has one name in a snapshot, whatever
+  /// links lead to it: the name by which the editor opened it, otherwise its name in the workspace.
   [[nodiscard]] auto files() const {
     return graph->files() |
            std::views::transform([](const auto& file) -> const auto& { return file->name; });
   }
   [[nodiscard]] const std::shared_ptr<const IncludeGraph>& includes() const { return graph; }
-  /// The same files, with what each includes.
+  /// The same files with their includes.
   [[nodiscard]] const std::vector<IncludeGraph::File>& knownFiles() const { return graph->files(); }
   [[nodiscard]] bool knows(const std::filesystem::path& file) const { return graph->named(file); }
   [[nodiscard]] bool isKnown(std::string_view canonical) const { return graph->find(canonical); }
   /// The name of the file at a path.
   [[nodiscard]] std::filesystem::path nameOf(const std::filesystem::path& path) const;
-  /// As the editor holds it, or else the disk, or why it cannot be read.
+  /// The editor's text, otherwise the file's; or why it cannot be read.
   [[nodiscard]] std::expected<std::string, std::string>
   textOf(const std::filesystem::path& path) const;
   [[nodiscard]] std::expected<syntax::Document, std::string>
   documentOf(const std::filesystem::path& path) const;
-  /// What tells the file at a path from others, open or not.
+  /// The unique name of the file at a path, open or not.
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const {
     return disk->canonical(path);
   }
-  /// Those of the files that are the root of a program.
+  /// The files that are roots of programs.
   [[nodiscard]] std::vector<std::filesystem::path> roots() const { return graph->roots(); }
-  /// The file in each program that it belongs to, one a root; a file that nothing includes is its
-  /// own root.
+  /// The file in each program that contains it, one view per root. A file that nothing includes is
+  /// its own root.
   [[nodiscard]] std::vector<View> views(const std::filesystem::path& file) const;
-  /// The same, one after the other: of hundreds not all need be held.
+  /// The same, one after the other, so that hundreds of programs need not be in memory together.
   void eachView(const std::filesystem::path& file,
                 const std::function<void(const View&)>& visit) const;
-  /// The first of them.
+  /// The first of these views.
   [[nodiscard]] View view(const std::filesystem::path& file) const;
-  /// It is the first program of an open text: features look into it.
+  /// Whether it is the first program of an open text, which features use.
   [[nodiscard]] bool isLookedAt(const AnalysedProgram& analysed) const;
 
 private:
-  /// Analysed at most once, whoever comes first.
+  /// Analysed at most once.
   struct Entry {
     analysis::Once once;
     std::shared_ptr<const AnalysedProgram> program;
     std::shared_ptr<const AnalysedProgram> earlier; ///< until it is analysed; may be null
   };
   using Entries = std::unordered_map<std::string, std::shared_ptr<Entry>>;
-  /// Programs none of whose files is open: an edit, which touches none of them, does not look at
-  /// them. In a large workspace there are many, of which those that were used last are kept.
+  /// Programs without open files. Edits do not affect them. There may be many in a large workspace;
+  /// the most recently used are kept.
   struct ClosedPrograms {
-    static constexpr std::size_t kMostBytes = 1 << 20; ///< of their texts
+    static constexpr std::size_t kMostBytes = 1 << 20; ///< total length of their texts
 
     void put(const std::string& root, const std::shared_ptr<Entry>& entry);
 
@@ -200,7 +199,7 @@ private:
   std::shared_ptr<const AnalysedProgram> program(const std::filesystem::path& root) const;
   std::shared_ptr<Entry> entryOf(const std::string& root) const;
   void analyse(const std::shared_ptr<Entry>& entry, const std::filesystem::path& root) const;
-  /// \param changed files of which something else is known or open now, by any of their names
+  /// \param changed files that were edited, opened or closed, by any of their names
   void takeOpenPrograms(const Snapshot& before, const std::vector<std::string_view>& changed);
   void takeClosedPrograms(const Snapshot& before, const std::vector<std::string_view>& changed);
 
@@ -209,12 +208,12 @@ private:
   std::shared_ptr<const IncludeGraph> graph;
   SettingsOf settings;
   mutable std::mutex mutex;
-  mutable Entries entries; ///< by the names of their roots
-  /// Of all snapshots with the same files, open or not.
+  mutable Entries entries; ///< by name of the root
+  /// Shared by all snapshots with the same files, open or not.
   std::shared_ptr<ClosedPrograms> closed = std::make_shared<ClosedPrograms>();
   mutable std::vector<std::shared_ptr<const AnalysedProgram>> replaced;
   mutable analysis::Once lookedAtOnce;
-  mutable std::unordered_set<std::string> lookedAt; ///< the roots of programs
+  mutable std::unordered_set<std::string> lookedAt; ///< roots of programs
 };
 
 } // namespace proskill::ide

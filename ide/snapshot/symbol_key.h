@@ -7,24 +7,24 @@
 
 namespace proskill::ide {
 
-/// A symbol by its names: finds the same thing again after an edit, where a number would not.
+/// Identifies a symbol by its names, so that it can be found again after an edit.
 struct SymbolKey {
   analysis::SymbolKind kind = analysis::SymbolKind::Skill;
   std::string name;
-  std::string owner; ///< the name of what it is inside of; empty at the top level
+  std::string owner; ///< the name of the enclosing definition; empty at the top level
 
   friend bool operator==(const SymbolKey&, const SymbolKey&) = default;
 };
 
 [[nodiscard]] SymbolKey keyOf(const analysis::SymbolTable& symbols, analysis::SymbolId symbol);
-/// None where the program has no such symbol.
+/// kNoSymbol if the program has no such symbol.
 [[nodiscard]] analysis::SymbolId findSymbol(const analysis::SymbolTable& symbols,
                                             const SymbolKey& key);
 
-/// The definition at the top level that a place stands in; none where it stands in none.
+/// The top-level definition that contains a place; kNoSymbol if there is none.
 [[nodiscard]] analysis::SymbolId definitionAround(const View& view, analysis::Location place);
 
-/// The symbol that a form defines; none where it defines none.
+/// The symbol that a form defines; kNoSymbol if it defines none.
 [[nodiscard]] analysis::SymbolId symbolOf(const View& view, analysis::FileId file,
                                           const syntax::Form& form);
 

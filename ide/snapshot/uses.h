@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-/// Who uses a symbol, by the definitions in which it is named.
+/// The users of a symbol: the definitions that name it.
 namespace proskill::ide {
 
-/// The place sets a state variable; of a value, it is the value that is set.
+/// Whether the place sets a state variable. For a value: whether this value is set.
 [[nodiscard]] bool isSetting(const View& view, const analysis::Occurrence& place);
 
-/// The definitions at the top level in which the symbol is named in such a role, in the order of
-/// the program, each once.
+/// The top-level definitions that name the symbol in one of these roles, in the order of the
+/// program, each once.
 [[nodiscard]] std::vector<analysis::SymbolId> usersOf(const View& view, analysis::SymbolId symbol,
                                                       bool (*matters)(const View&,
                                                                       const analysis::Occurrence&));

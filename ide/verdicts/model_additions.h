@@ -6,27 +6,28 @@
 #include <string>
 #include <vector>
 
-/// What a user adds to the model of a program, written in Fiacre. The text becomes a file of the
+/// Additions to a program's model that a user writes in Fiacre. The text becomes a file of the
 /// program, so that diagnostics and traces can show its lines.
 namespace proskill::ide {
 
-/// Puts the process or component of a text in the place of the environment that was generated. Its
-/// ports are events and interrupts of the program, by the names that they have in the model; those
-/// that it has not never happen. Its parameters are variables of the model, by reference. The text
-/// may declare types, constants, functions and further processes; which one is the environment says
-/// the name at its end, or it is the last component, or the only process. A check of the states of
-/// the old environment goes. \return what is wrong with it; the model means nothing then \pre the
-/// model is one for verification
+/// Replaces the generated environment by the process or component of a text. Its ports are events
+/// and interrupts of the program, with their names in the model; events that it does not mention
+/// never happen. Its parameters are variables of the model, passed by reference. The text may
+/// declare types, constants, functions and other processes. The environment is the one named at its
+/// end; otherwise the last component, or the only process. Checks about states of the old
+/// environment are removed.
+/// \return diagnostics; if there are any, the model is undefined
+/// \pre the model is one for verification
 [[nodiscard]] std::vector<syntax::Diagnostic> replaceEnvironment(codegen::Model& model,
                                                                  analysis::Program& program,
                                                                  const std::filesystem::path& path,
                                                                  std::string text);
 
-/// Adds the properties of a text, with a check for each that is asserted. Paths begin with the
-/// model's main component, or with `model`; their steps are places in `par` or what the program
-/// calls the process. Variables and values may have the names that the program gives them. The text
-/// of a file `.ltl` is one formula, called as the file. \return what is wrong with it; the model
-/// means nothing then
+/// Adds the properties of a text, with a check for each asserted one. Paths begin with the model's
+/// main component or with `model`; their steps are positions in `par` or the program's names of
+/// processes. Variables and values may have their names in the program. The text of a file `.ltl`
+/// is a single formula, named after the file.
+/// \return diagnostics; if there are any, the model is undefined
 [[nodiscard]] std::vector<syntax::Diagnostic> addProperties(codegen::Model& model,
                                                             analysis::Program& program,
                                                             const std::filesystem::path& path,

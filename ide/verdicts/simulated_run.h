@@ -9,63 +9,64 @@
 
 namespace proskill::ide {
 
-/// A step of a run as it is found again: in the same program, and in the program after edits.
+/// A chosen step, which can be found again in the same program and in edited versions.
 struct ChosenStep {
   std::string actor;
   std::string description;
-  /// Of the Fiacre model: tell apart steps that read the same. After edits others may have them.
+  /// Transitions of the Fiacre model; they distinguish steps with the same description. Their names
+  /// may change with edits.
   std::vector<std::string> transitions;
   verify::When when = verify::When::Early;
 };
 
-/// The first of the chosen steps that is not possible where it was.
+/// The first of the chosen steps that was not possible.
 struct MissingStep {
-  std::size_t index = 0; ///< among those that were asked for
+  std::size_t index = 0; ///< index in the list of chosen steps
   std::string why;
 };
 
-/// A run of a program that somebody chooses the steps of, in the program's words.
+/// A run of a program whose steps the user chooses, in the program's terms.
 class SimulatedRun {
 public:
-  /// What cannot be simulated is said in words.
+  /// The error explains to the user why the model cannot be simulated.
   [[nodiscard]] static std::expected<SimulatedRun, std::string> start(codegen::Model model);
 
   [[nodiscard]] const std::string& mainSkill() const { return model->mainSkill; }
   [[nodiscard]] const codegen::Model& of() const { return *model; }
-  /// The first values and the steps that were taken.
+  /// The initial values and the steps taken so far.
   [[nodiscard]] const Trace& trace() const { return taken; }
-  /// What may come next, the likeliest first; empty where nothing is possible any more.
+  /// The possible next steps, the likeliest first; empty if no step is possible.
   [[nodiscard]] std::vector<TraceStep> choices() const;
   /// \pre choice < choices().size()
   void take(std::size_t choice, verify::When when = verify::When::Early);
-  /// False at the start.
+  /// Returns false at the start.
   bool undo();
-  /// Makes these the steps of the run, from the first that differs on. Where one is not possible,
-  /// the run ends before it.
+  /// Makes these the steps of the run, keeping the steps before the first difference. If a step is
+  /// not possible, the run ends before it.
   [[nodiscard]] std::optional<MissingStep> follow(std::span<const ChosenStep> wanted);
-  /// Each variable's value now.
+  /// The current value of each variable.
   [[nodiscard]] std::map<std::string, std::string> values() const;
 
 private:
   SimulatedRun(std::unique_ptr<const codegen::Model> of, verify::Simulation started);
   [[nodiscard]] std::string whyMissing(const ChosenStep& wanted) const;
-  /// A choice as the step that it would be.
+  /// The step that a choice would be.
   [[nodiscard]] TraceStep stepOf(const verify::Choice& choice) const;
 
   std::unique_ptr<const codegen::Model> model;
   verify::Simulation simulation;
   Trace taken;
-  std::vector<verify::When> dated; ///< of each step that was taken
+  std::vector<verify::When> dated; ///< by step taken
 };
 
-/// A value that a run was expected to end with.
+/// A value that differs from the expected one at the end of a run.
 struct UnmetValue {
   std::string variable;
   std::string expected;
   std::string actual; ///< empty: the program has no such variable
 };
 
-/// What of the expectation is not so now.
+/// The expectations that do not hold now.
 [[nodiscard]] std::vector<UnmetValue> unmet(const SimulatedRun& run,
                                             const std::map<std::string, std::string>& expected);
 

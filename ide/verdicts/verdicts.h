@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-/// What was last decided about programs, for all that shows it: lenses, hints, diagnostics.
+/// The latest verdicts on programs, for lenses, hints and diagnostics.
 namespace proskill::ide {
 
-/// A place that a trace passes, and what happens there: "2 s: takeoff starts".
+/// A place of a trace, with what happens there: "2 s: takeoff starts".
 struct Waypoint {
   analysis::Location location;
   std::string description;
@@ -21,20 +21,20 @@ struct Waypoint {
   bool operator==(const Waypoint&) const = default;
 };
 
-/// The verdict on one property, without the model that it was reached on.
+/// The verdict on one property, independent of the model.
 struct PropertyVerdict {
   std::string name;        ///< `takeoff.can_succeed.at_altitude`
-  std::string kind;        ///< `can_succeed`; `property` for the program's own
+  std::string kind;        ///< `can_succeed`; `property` for a property of the program
   std::string subject;     ///< `takeoff`
   std::string description; ///< "`takeoff` can succeed with `at_altitude`"
   Verdict verdict = Verdict::Inconclusive;
   codegen::Weight weight = codegen::Weight::Error;
   std::optional<analysis::Location> location; ///< in the program that was verified
-  std::string reason;                         ///< where inconclusive
-  std::string summary;                        ///< what its trace shows; empty where it has none
-  bool pending = false;                       ///< it is being verified, and not decided yet
-  std::optional<std::size_t> steps;           ///< of its trace; nothing: it has none
-  std::vector<Waypoint> way;                  ///< of its trace, where it is bad; the first of them
+  std::string reason;                         ///< if inconclusive
+  std::string summary;                        ///< what its trace shows; empty without a trace
+  bool pending = false; ///< verification is running, and the property is not decided yet
+  std::optional<std::size_t> steps; ///< number of steps of its trace; nothing: no trace
+  std::vector<Waypoint> way;        ///< first places of its trace, if the verdict is bad
 
   [[nodiscard]] bool good() const {
     return verdict == Verdict::Holds || verdict == Verdict::Reachable;
@@ -44,10 +44,10 @@ struct PropertyVerdict {
   bool operator==(const PropertyVerdict&) const = default;
 };
 
-/// What was decided about a program, and the texts that it was decided for.
+/// The verdicts on a program, and the texts for which they were reached.
 struct ProgramVerdicts {
   std::shared_ptr<const AnalysedProgram> program;
-  std::map<std::filesystem::path, std::int64_t> versions; ///< of those of its texts that were open
+  std::map<std::filesystem::path, std::int64_t> versions; ///< versions of the open texts
   std::vector<PropertyVerdict> properties;
   verify::Exploration exploration;
 
@@ -56,18 +56,19 @@ struct ProgramVerdicts {
   }
 };
 
-/// By the path of the root file; both maps and entries never change.
+/// By path of the root file. Entries are immutable.
 using Verdicts = std::map<std::filesystem::path, std::shared_ptr<const ProgramVerdicts>>;
 
-/// Whether the verdicts are for just these texts. What is false of them may be shown as stale, and
-/// never as current; places in it may have moved.
+/// Whether the verdicts are for exactly these texts. Otherwise they may be shown only as stale, and
+/// their locations may have moved.
 [[nodiscard]] bool areCurrent(const ProgramVerdicts& verdicts, const analysis::Program& now);
 
-/// The verdicts on a program, where they are for its texts as they are now; else null.
+/// The verdicts on a program if they are current; otherwise null.
 [[nodiscard]] std::shared_ptr<const ProgramVerdicts> currentVerdicts(const Verdicts& all,
                                                                      const View& view);
 
-/// Those about a skill, state variable or property of the program's own, in the model's order.
+/// The verdicts about a skill, a state variable or a property of the program, in the order of the
+/// model.
 [[nodiscard]] std::vector<const PropertyVerdict*> verdictsOn(const ProgramVerdicts& verdicts,
                                                              std::string_view subject);
 

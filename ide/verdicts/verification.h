@@ -9,37 +9,39 @@
 #include <string>
 #include <vector>
 
-/// From a model to verdicts in the words of the program that it was made from.
+/// From a model to verdicts in the program's terms.
 namespace proskill::ide {
 
 enum class Verdict : std::uint8_t { Holds, Violated, Reachable, Unreachable, Inconclusive };
 
 [[nodiscard]] std::string_view toString(Verdict verdict);
 
-/// A date or a delay in seconds; `strict`: not quite reached.
+/// A date or a delay in seconds. `strict`: the value itself is excluded.
 struct Moment {
   syntax::Rational seconds;
   bool strict = false;
 };
 
-/// One step of a trace, as a reader of the program sees it.
+/// A step of a trace in the program's terms.
 struct TraceStep {
   std::string actor;       ///< a skill, a branch, an event, the environment
   std::string description; ///< "succeeds with `at_altitude`"
   std::optional<analysis::Location> location;
   Moment earliest;
-  std::optional<Moment> latest; ///< nothing: as late as one likes
-  syntax::Rational date;        ///< in the run that was replayed, seconds since the start
-  syntax::Rational delay;       ///< since the step before, in that run
+  std::optional<Moment> latest; ///< nothing: unbounded
+  syntax::Rational date;        ///< in the replayed run, in seconds since the start
+  syntax::Rational delay;       ///< since the previous step in that run
   std::vector<verify::Change> changes;
-  std::vector<std::string> transitions;  ///< of the Fiacre model
-  std::vector<fiacre::OriginId> origins; ///< of what was passed, for places in the model's text
-  std::string why; ///< why it came, or came so: "`energy` is 0 since step 15"; may be empty
-  std::vector<std::size_t> causes; ///< steps that it depends on directly, from 0, ascending
+  std::vector<std::string> transitions; ///< of the Fiacre model
+  /// Of the passed statements, for places in the model's text.
+  std::vector<fiacre::OriginId> origins;
+  /// The reason for the step or its result: "`energy` is 0 since step 15"; may be empty.
+  std::string why;
+  std::vector<std::size_t> causes; ///< steps on which it directly depends, from 0, ascending
   bool relevant = true;            ///< to what the trace shows: see verify/trace/causes.h
 };
 
-/// Who takes a step, and what it is, in the program's words.
+/// The actor and the description of a step, in the program's terms.
 struct StepName {
   std::string actor;
   std::string description;
@@ -47,14 +49,14 @@ struct StepName {
 
 [[nodiscard]] StepName nameOf(const verify::Step& step, const fiacre::Provenance& provenance);
 
-/// A step in the program's words, without its dates.
+/// A step in the program's terms, without dates.
 [[nodiscard]] TraceStep inWords(verify::Step step, const fiacre::Provenance& provenance);
 
-/// An interval of units of time in seconds: "2 to 8 s", "more than 3 s".
+/// An interval in time units as text in seconds: "2 to 8 s", "more than 3 s".
 [[nodiscard]] std::string inSeconds(const fiacre::Interval& interval, syntax::Rational unit);
 
-/// Seconds of a number of units, each 1/scale of the model's unit; a date that does not fit is as
-/// good as the largest that does.
+/// Converts a number of units, each 1/scale of the model's unit, to seconds. A date that does not
+/// fit becomes the greatest one that does.
 [[nodiscard]] syntax::Rational seconds(std::int64_t units, std::int64_t scale,
                                        syntax::Rational unit);
 [[nodiscard]] syntax::Rational difference(syntax::Rational later, syntax::Rational earlier);
@@ -62,23 +64,24 @@ struct StepName {
 struct Trace {
   std::vector<verify::Change> initial;
   std::vector<TraceStep> steps;
-  std::optional<std::size_t> loop; ///< the steps from this one on are repeated for ever
-  /// Until when nothing else happens, where that is what is shown: seconds since the start.
+  std::optional<std::size_t> loop; ///< the steps from this one on repeat for ever
+  /// The end of the time without further steps that the trace shows, in seconds since the start;
+  /// nothing if the steps alone show it.
   std::optional<syntax::Rational> end;
-  verify::Rest rest = verify::Rest::No; ///< behind the last step
-  std::string summary;                  ///< what the trace shows, in a sentence
+  verify::Rest rest = verify::Rest::No; ///< what may follow the last step
+  std::string summary;                  ///< what the trace shows, as a sentence
 };
 
 /// The verdict on one property.
 struct VerdictRow {
-  const codegen::Check* check = nullptr; ///< lives in the model
+  const codegen::Check* check = nullptr; ///< owned by the model
   Verdict verdict = Verdict::Inconclusive;
   std::optional<analysis::Location> location;
   std::optional<Trace> trace;
   std::string
-      reason; ///< why inconclusive; else what the verdict rests on, if not on the model alone
+      reason; ///< why the verdict is inconclusive; otherwise what it depends on besides the model
 
-  /// Whether this is what one hopes for. An inconclusive verdict is neither good nor bad.
+  /// Whether the verdict is the expected one. An inconclusive verdict is neither good nor bad.
   [[nodiscard]] bool good() const;
   [[nodiscard]] bool bad() const { return verdict != Verdict::Inconclusive && !good(); }
 };
@@ -88,34 +91,34 @@ struct VerificationReport {
   verify::Exploration exploration;
 };
 
-/// Whether a check is asked for; an empty list of names asks for all. A name selects the check of
-/// that name and all whose name it begins, up to a dot: `takeoff`, `takeoff.can_succeed`,
+/// Whether a check is selected; an empty list selects all. A name selects the check with this name
+/// and all checks whose name continues it after a dot: `takeoff`, `takeoff.can_succeed`,
 /// `takeoff.can_succeed.at_altitude`.
 [[nodiscard]] bool selects(const std::vector<std::string>& names, const codegen::Check& check);
 
-/// Selected checks of a model, in the model's order, and the question of each.
+/// Selected checks of a model, in the model's order, with their questions.
 struct Asked {
-  std::vector<const codegen::Check*> checks; ///< live in the model
+  std::vector<const codegen::Check*> checks; ///< owned by the model
   std::vector<verify::Question> questions;
 };
 [[nodiscard]] Asked askedOf(const codegen::Model& model, const std::vector<std::string>& names);
 
-/// The verdicts that answers to these questions are, whoever gave them.
+/// The report for answers to these questions, from any backend.
 [[nodiscard]] VerificationReport reportOf(const codegen::Model& model, const Asked& asked,
                                           verify::Result result);
 
-/// Gets a row of the report to come, by its place, as soon as its property is decided.
+/// Receives each row of the report and its index as soon as its property is decided.
 using OnRow = std::function<void(std::size_t, const VerdictRow&)>;
 
-/// Which traces somebody looks at; the others are not made.
+/// The traces that are needed; no others are built.
 enum class WantedTraces : std::uint8_t {
   All,
-  Findings, ///< of what may be bad
+  Findings, ///< of verdicts that may be bad
   None,
 };
 
-/// Verdicts on the selected checks of the model, in the model's order, from one exploration.
-/// \param options its `decided` is not called
+/// Verifies the selected checks in one exploration; verdicts are in the order of the model.
+/// \param options `options.decided` is not called
 [[nodiscard]] std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
             verify::Options options, const OnRow& onRow = {},

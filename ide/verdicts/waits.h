@@ -7,8 +7,8 @@
 
 namespace proskill::ide {
 
-/// "`left` waits for `(door Open)`; `m` waits until `drive` returns": what each of these origins is
-/// the next step of. Empty where there are none.
+/// "`left` waits for `(door Open)`; `m` waits until `drive` returns": the next steps with these
+/// origins. Empty if there are none.
 [[nodiscard]] std::string waitsText(const std::vector<fiacre::OriginId>& waits,
                                     const codegen::Model& model);
 

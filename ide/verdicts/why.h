@@ -2,16 +2,16 @@
 
 #include "ide/verdicts/verification.h"
 
-/// Why things happen in a trace, in the program's words. All of it is read off what was computed
-/// (verify/trace/causes.h); where nothing is known, nothing is said.
+/// Explains in the program's terms why things happen in a trace. Explanations come only from
+/// computed causes (verify/trace/causes.h).
 namespace proskill::ide {
 
-/// For each step a sentence, or nothing.
+/// By step: the reason as text; empty if none is known.
 [[nodiscard]] std::vector<std::string> whyOf(const verify::Trace& trace,
                                              const codegen::Model& model);
 
-/// What the trace shows of the property, in a sentence.
-/// \param support what the condition at its end was decided by
+/// What the trace shows about the property, as a sentence.
+/// \param support facts that decided the condition at its end
 [[nodiscard]] std::string summaryOf(const codegen::Check& check, const codegen::Model& model,
                                     const Trace& trace,
                                     const std::vector<verify::Support>& support);
