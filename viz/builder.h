@@ -9,7 +9,7 @@
 
 namespace proskill::viz {
 
-/// An edge that knows where it comes from and not yet where it goes.
+/// An edge with a known source whose target is not known yet.
 struct Exit {
   std::size_t from = 0;
   EdgeRole role = EdgeRole::Next;
@@ -18,7 +18,7 @@ struct Exit {
 };
 using Exits = std::vector<Exit>;
 
-/// Makes a graph of what stands in one file of a program.
+/// Builds a graph from definitions in one file of a program.
 class Builder {
 public:
   Builder(const analysis::Program& shown, syntax::FileId where) : program(shown), file(where) {}
@@ -26,21 +26,21 @@ public:
   std::size_t node(NodeRole role, std::string label, syntax::Range range,
                    std::vector<std::string> details = {});
   void edge(Edge edge) { graph.edges.push_back(std::move(edge)); }
-  /// Every way goes on to a node.
+  /// Connects all exits to a node.
   void connect(const Exits& exits, std::size_t to);
-  /// The same, and the way on from there.
+  /// The same; returns the exit of that node.
   Exits then(const Exits& exits, std::size_t to);
 
-  /// Nodes that are made until `leaveCluster` are in the cluster.
+  /// Nodes added until `leaveCluster` belong to the cluster.
   void enterCluster(std::string label, syntax::Range range, bool labelRight = false);
   void leaveCluster();
 
   [[nodiscard]] Source source(syntax::Range range) const;
-  /// The program's own words, on one line.
+  /// The program's text on one line.
   [[nodiscard]] std::string text(syntax::Range range) const;
-  /// `motion := Free`, one a line.
+  /// One per line: `motion := Free`.
   [[nodiscard]] std::vector<std::string> effects(const syntax::Effects& effects) const;
-  /// Seconds as they were written, with their unit.
+  /// Seconds as written, with their unit.
   [[nodiscard]] std::string seconds(const syntax::Interval& interval) const;
 
   Graph graph;
@@ -51,7 +51,8 @@ private:
   std::optional<std::size_t> cluster;
 };
 
-/// The range that spans all of these; that of the first where they are not in one row.
+/// The range from the first to the last of the parts; only the first part's range if they are not
+/// in order.
 template <class Parts> syntax::Range span(const Parts& parts) {
   return parts.empty() ? syntax::Range{}
                        : syntax::Range{parts.front().range.begin, parts.back().range.end};
@@ -59,10 +60,10 @@ template <class Parts> syntax::Range span(const Parts& parts) {
 
 using SkillDefinition = analysis::Definition<syntax::Skill>;
 
-/// From the call to the first step: precondition, resources, start effects.
-/// \return the ways on
+/// Draws a skill from the call to its first step: precondition, resources, start effects.
+/// \return the exits
 Exits drawBeginning(Builder& builder, const SkillDefinition& skill);
-/// The outcome's node: its tag, its effects, what is checked then.
+/// Draws the node of an outcome: its tag, its effects, and its postcondition.
 std::size_t drawOutcome(Builder& builder, NodeRole role, const syntax::Outcome& outcome);
 
 Graph drawStateVariable(const analysis::Program& program,

@@ -6,11 +6,11 @@
 
 namespace proskill::viz {
 
-/// A graph some of whose clusters are drawn as one node each.
+/// A graph in which some clusters are drawn as single nodes.
 struct Folded {
   Graph graph;
-  /// Of each cluster of the whole graph, the node or the cluster of `graph` that stands for it;
-  /// neither where it is within one that is folded.
+  /// For each cluster of the original graph: the node or cluster of `graph` that represents it;
+  /// neither if it is inside of a folded cluster.
   struct Part {
     std::optional<std::size_t> node;
     std::optional<std::size_t> cluster;
@@ -18,11 +18,12 @@ struct Folded {
   std::vector<Part> parts;
 };
 
-/// Edges between the same nodes that say the same become one; those within a folded cluster go.
+/// Folds clusters. Equal edges between the same nodes are merged; edges within a folded cluster are
+/// dropped.
 [[nodiscard]] Folded fold(const Graph& graph, const std::set<std::size_t>& clusters);
 
-/// Which clusters to fold so that about `most` nodes remain: the largest first, none where the
-/// graph is small enough or where nothing more can be folded.
+/// The clusters to fold so that about `most` nodes remain, the largest first. None if the graph is
+/// small enough or nothing more can be folded.
 [[nodiscard]] std::set<std::size_t> clustersToFold(const Graph& graph, std::size_t most);
 
 } // namespace proskill::viz

@@ -7,16 +7,15 @@
 #include <string>
 #include <vector>
 
-/// Pictures as plain values: what there is, what it means, and where it comes from; neither shapes
-/// nor colours.
+/// Pictures as plain values: elements, their meaning and their source, without shapes and colours.
 namespace proskill::viz {
 
-/// What a node stands for. The theme gives each its shape and its colours, the legend its words.
+/// The meaning of a node. The theme defines shape and colours, the legend a description.
 enum class NodeRole : std::uint8_t {
   Start,     // where it begins
   End,       // where it gives control back
   State,     // a value of a state variable, a state of a watchdog
-  Test,      // a condition that chooses the way
+  Test,      // a condition that decides the way
   Step,      // sets state variables
   Action,    // the platform's command
   Call,      // calls a skill
@@ -26,17 +25,17 @@ enum class NodeRole : std::uint8_t {
   Success,
   Failure,
   Invariant, // a guard that failed
-  Error,     // what must not happen
+  Error,     // an error
   Fork,      // all branches begin
   Join,      // all branches have ended
-  Junction,  // ways meet
+  Junction,  // paths meet
   Label,     // for goto
   Event,     // something that happens in the environment
   Mission,   // the main skill
   Monitor,
   Composite,
   Basic,
-  Folded, // a cluster as one node
+  Folded, // a folded cluster
 };
 
 enum class EdgeRole : std::uint8_t {
@@ -49,9 +48,9 @@ enum class EdgeRole : std::uint8_t {
   Interrupts,
 };
 
-/// A place in the program, for links back to it.
+/// A place in the program, for links.
 struct Source {
-  std::string file; ///< as a user would write it
+  std::string file; ///< as the user writes it
   syntax::Range range;
   syntax::Position position; ///< of the range's begin
 };
@@ -70,18 +69,18 @@ struct Edge {
   EdgeRole role = EdgeRole::Next;
   std::string label;
   std::optional<Source> source;
-  bool twoWay = false; ///< the same back again
+  bool twoWay = false; ///< also in the other direction
 };
 
-/// A frame around nodes, perhaps within another.
+/// A frame around nodes, possibly nested.
 struct Cluster {
   std::string label;
   std::optional<std::size_t> parent;
   Source source;
-  bool labelRight = false; ///< out of the way of an edge that comes from the left
+  bool labelRight = false; ///< so that an edge from the left does not cross it
 };
 
-/// How the nodes are best placed.
+/// The layout algorithm for the nodes.
 enum class Layout : std::uint8_t { Layered, Circular };
 
 struct Graph {

@@ -14,13 +14,13 @@
 namespace proskill::viz {
 
 enum class Kind : std::uint8_t {
-  StateVariable, ///< its values, and the moves between them that are allowed
-  Skill,         ///< a basic skill from its call to its outcomes; of a composite skill its body
+  StateVariable, ///< its values, and the allowed moves between them
+  Skill,         ///< a basic skill from its call to its outcomes; a composite skill's body
   Body,          ///< the statements of a composite skill or of an environment
-  Calls,         ///< who calls and who interrupts whom
+  Calls,         ///< which skills call and interrupt which
 };
 
-/// The words for kinds, on the command line and in JSON.
+/// The names of kinds, on the command line and in JSON.
 inline constexpr std::array kKindWords{std::pair<std::string_view, Kind>{"sv", Kind::StateVariable},
                                        std::pair<std::string_view, Kind>{"skill", Kind::Skill},
                                        std::pair<std::string_view, Kind>{"body", Kind::Body},
@@ -28,15 +28,15 @@ inline constexpr std::array kKindWords{std::pair<std::string_view, Kind>{"sv", K
 [[nodiscard]] std::string_view wordOf(Kind kind);
 [[nodiscard]] std::optional<Kind> kindOf(std::string_view word);
 
-/// Which picture of a program.
+/// Selects a picture of a program.
 struct Request {
   Kind kind = Kind::Calls;
-  std::string name;       ///< of what; of no meaning for Calls
-  bool forbidden = false; ///< of a state variable: the moves that are not allowed, too
+  std::string name;       ///< of the definition; unused for Calls
+  bool forbidden = false; ///< state variables: also show the moves that are not allowed
 };
 
-/// The picture, or why there is none. Any program will do, also one with errors: what cannot be
-/// understood is left out.
+/// The picture, or why it cannot be drawn. Works also for programs with errors; parts that are not
+/// understood are omitted.
 [[nodiscard]] std::expected<Graph, std::string> draw(const analysis::Program& program,
                                                      const Request& request);
 

@@ -10,9 +10,8 @@ namespace proskill::viz {
 
 enum class Format : std::uint8_t { Dot, Svg, Png };
 
-/// The picture's bytes; the same graph gives the same bytes. What Graphviz complains about is the
-/// error, and never goes to standard error. May be called from any thread: Graphviz runs in one at
-/// a time.
+/// The picture as bytes; equal graphs give equal bytes. The error contains Graphviz's messages,
+/// which never go to standard error. Thread-safe, but only one call runs Graphviz at a time.
 [[nodiscard]] std::expected<std::string, std::string> render(const Graph& graph, Format format,
                                                              Scheme scheme);
 

@@ -8,10 +8,10 @@ namespace proskill::viz {
 
 enum class Scheme : std::uint8_t { Light, Dark };
 
-/// How the nodes of a role look. Colours as Graphviz and SVG write them: `#rrggbb`.
+/// The style of nodes with a role. Colours are in the format of Graphviz and SVG: `#rrggbb`.
 struct NodeStyle {
-  std::string_view id;      ///< `call`: of SVG classes
-  std::string_view meaning; ///< in the legend; empty: not there
+  std::string_view id;      ///< `call`: for SVG classes
+  std::string_view meaning; ///< in the legend; empty: not in the legend
   std::string_view shape;
   std::string_view style;
   std::string_view fill;
@@ -23,7 +23,7 @@ struct EdgeStyle {
   std::string_view meaning;
   std::string_view style;
   std::string_view colour;
-  std::string_view sign; ///< how the legend draws it
+  std::string_view sign; ///< its symbol in the legend
 };
 
 struct PageStyle {
@@ -31,10 +31,10 @@ struct PageStyle {
   std::string_view text;
   std::string_view faint; ///< details, labels of edges, the legend
   std::string_view frame; ///< lines of clusters
-  std::string_view shade; ///< ground of clusters
+  std::string_view shade; ///< background of clusters
 };
 
-/// Verdana is as wide, for machines that have no DejaVu.
+/// Verdana has the same width, for machines without DejaVu.
 inline constexpr std::string_view kFont = "DejaVu Sans,Verdana,sans-serif";
 
 [[nodiscard]] NodeStyle nodeStyle(NodeRole role, Scheme scheme);

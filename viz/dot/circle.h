@@ -6,14 +6,15 @@
 
 namespace proskill::viz {
 
-/// In inches, y upwards.
+/// In inches; y points up.
 struct Point {
   double x = 0;
   double y = 0;
 };
 
-/// Where the nodes of a circular graph stand: clockwise in their order from the top, each start
-/// outside of the node that it points to. (Graphviz's own circular layout is not the same twice.)
+/// Positions of nodes in a circular graph: clockwise from the top in their order; each start node
+/// is outside of the node to which it points. (Graphviz's own circular layout is not
+/// deterministic.)
 [[nodiscard]] std::vector<Point> placeInCircle(const Graph& graph);
 
 } // namespace proskill::viz

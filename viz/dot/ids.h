@@ -4,8 +4,8 @@
 
 namespace proskill::viz {
 
-/// Numbers the parts of a graph as they come. cgraph by itself takes the addresses of their names,
-/// and walks subgraphs in that order: no two runs would give the same picture.
+/// Numbers the parts of a graph in order of creation. By default cgraph uses the addresses of their
+/// names and iterates over subgraphs in this order, so no two runs would draw the same picture.
 [[nodiscard]] Agiddisc_t* sequentialIds();
 
 } // namespace proskill::viz

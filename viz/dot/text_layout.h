@@ -4,8 +4,8 @@
 
 namespace proskill::viz {
 
-/// A plugin by which Graphviz measures text without fonts, for `gvContextPlugins`. What it measures
-/// can be written as SVG alone: those who draw text as pixels want to have measured it themselves.
+/// A plugin for `gvContextPlugins` that lets Graphviz measure text without fonts. It supports only
+/// SVG output: renderers of pixels insist on measuring text themselves.
 [[nodiscard]] const lt_symlist_t* textLayoutPlugin();
 
 } // namespace proskill::viz

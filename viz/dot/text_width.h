@@ -4,8 +4,8 @@
 
 namespace proskill::viz {
 
-/// How wide a line of text in UTF-8 is in DejaVu Sans, and nearly in Verdana, as a multiple of the
-/// size of the font. From a table: a picture is the same whatever fonts its computer has.
+/// The width of a line of UTF-8 text in DejaVu Sans, approximately also in Verdana, as a multiple
+/// of the font size. It comes from a table, so that pictures do not depend on installed fonts.
 [[nodiscard]] double textWidth(std::string_view text, bool bold);
 
 } // namespace proskill::viz
