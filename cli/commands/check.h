@@ -6,8 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill check`: exit 0 nothing is wrong (hints do not count), 1 errors or warnings, 2 usage,
-/// or a file that cannot be read.
+/// `proskill check`: exits with 0 if there are no errors or warnings (hints do not count), 1 if
+/// there are some, 2 for wrong usage or an unreadable file.
 void addCheck(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

@@ -6,7 +6,7 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill dap`: exit 0 where the client disconnected, 1 where it was gone before, 2 where the
+/// `proskill dap`: exits with 0 if the client disconnected, 1 if the connection broke, 2 if the
 /// port cannot be used.
 void addDap(CLI::App& app, int& exitCode);
 

@@ -6,8 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill emit fiacre|tina|hfiacre`: exit 0 written, 1 a program with errors, 2 usage, or
-/// nowhere to write to.
+/// `proskill emit fiacre|tina|hfiacre`: exits with 0 if the model was written, 1 if the program has
+/// errors, 2 for wrong usage or if the output cannot be written.
 void addEmit(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

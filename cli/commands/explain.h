@@ -6,7 +6,7 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill explain`: exit 0, or 2 where there is no such code.
+/// `proskill explain`: exits with 0, or 2 if the code does not exist.
 void addExplain(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

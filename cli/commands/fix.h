@@ -13,9 +13,9 @@ struct FixCount {
   std::size_t files = 0;
 };
 
-/// Writes the edits that findings carry to their files: where a finding has exactly one, and no
-/// earlier one touches the same place. Forbidden moves are left alone: whether the move or the
-/// transition is wrong is for a person to say. An error is a sentence for the user.
+/// Applies the fixes of findings to their files. A finding is fixed if it has exactly one fix, and
+/// no earlier fix touches the same place. Forbidden moves are not fixed, since only the user knows
+/// whether the move or the list of transitions is wrong. The error is a message for the user.
 [[nodiscard]] std::expected<FixCount, std::string>
 applyFixes(std::span<const report::CheckedProgram> programs);
 

@@ -6,8 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill fmt`: exit 0 all is laid out now, or was; 1 with `--check`, where a file is not; 2
-/// usage, or a file that cannot be read or written.
+/// `proskill fmt`: exits with 0 if all files are formatted now; 1 with `--check` if a file is not;
+/// 2 for wrong usage or a file that cannot be read or written.
 void addFmt(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

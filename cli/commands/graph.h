@@ -6,7 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill graph`: exit 0 drawn, 1 a program with errors, 2 usage, or nowhere to write to.
+/// `proskill graph`: exits with 0 if the picture was drawn, 1 if the program has errors, 2 for
+/// wrong usage or if the output cannot be written.
 void addGraph(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

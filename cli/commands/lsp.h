@@ -6,8 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill lsp`: exit 0 where the client said `shutdown` before it left, 1 where it did not, 2
-/// where the port or the log cannot be used.
+/// `proskill lsp`: exits with 0 if the client sent `shutdown` first, 1 if it did not, 2 if the port
+/// or the log file cannot be used.
 void addLsp(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

@@ -6,8 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill verify`: exit 0 all good, 1 something is violated, 3 something is open because a limit
-/// was met, 2 usage, or a program with errors.
+/// `proskill verify`: exits with 0 if all verdicts are good, 1 if some property is violated, 3 if
+/// some are inconclusive because a limit was met, 2 for wrong usage or a program with errors.
 void addVerify(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

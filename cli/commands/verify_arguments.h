@@ -14,7 +14,7 @@ namespace proskill::cli {
 
 enum class VerifyFormat : std::uint8_t { Text, Json, JUnit, Sarif };
 
-/// What a user says to `proskill verify`.
+/// The arguments of `proskill verify`.
 struct VerifyArguments {
   std::string file;
   std::string environment;
@@ -37,16 +37,16 @@ struct VerifyArguments {
   verify::GraphKind graphOf = verify::GraphKind::Classes;
   BackendArguments backend;
   bool fairRuns = true;
-  bool list = false; ///< the names of the properties alone
+  bool list = false; ///< print only the names of the properties
   bool strict = false;
   bool expanded = false;
   codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
 };
 
-/// The command's options, and what its help says of them; `arguments` has to outlive the command.
+/// Adds the command's options and their help. `arguments` must outlive the command.
 void addVerifyOptions(CLI::App& command, VerifyArguments& arguments);
 
-/// The reductions of the names that were given; all without any.
+/// The reductions with these names; all if there are none.
 [[nodiscard]] std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names);
 
 } // namespace proskill::cli

@@ -6,8 +6,7 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill verify-worker`, which `--help` does not show: the process that verifies for `proskill
-/// lsp`.
+/// `proskill verify-worker`, hidden in `--help`: the process that verifies for `proskill lsp`.
 void addVerifyWorker(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

@@ -6,7 +6,7 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill view`: exit 0 ended by the user, 2 usage.
+/// `proskill view`: exits with 0 when the user ends it, 2 for wrong usage.
 void addView(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

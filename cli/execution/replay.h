@@ -6,7 +6,8 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill replay`: exit 0 where all runs are possible and end as expected, 1 where not, 2 usage.
+/// `proskill replay`: exits with 0 if all runs are possible and end as expected, 1 if not, 2 for
+/// wrong usage.
 void addReplay(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

@@ -20,7 +20,7 @@ struct RunArguments {
   std::string platform; ///< a file; empty: simulated
   std::string script;   ///< a file
   std::string record;   ///< a file
-  std::string clock;    ///< `real`, `simulated`, `10x`; empty: what suits the platform
+  std::string clock;    ///< `real`, `simulated`, `10x`; empty: depends on the platform
   std::uint64_t seed = 0;
   std::optional<runtime::Nanoseconds> until;
   RunFormat format = RunFormat::Text;
@@ -29,7 +29,7 @@ struct RunArguments {
 
 void addRunOptions(CLI::App& command, RunArguments& arguments);
 
-/// How fast a real clock goes: 1, 10 for `10x`; nothing: simulated.
+/// The speed of a real clock: 1, or 10 for `10x`; nothing: simulated.
 [[nodiscard]] std::optional<double> clockFactor(const std::string& clock);
 
 } // namespace proskill::cli

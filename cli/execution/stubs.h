@@ -6,7 +6,7 @@ class App;
 
 namespace proskill::cli {
 
-/// `proskill stubs`: exit 0 written, 2 nothing was written.
+/// `proskill stubs`: exits with 0 if the files were written, 2 if not.
 void addStubs(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

@@ -9,15 +9,15 @@
 
 namespace proskill::cli {
 
-/// The program of a root file, for commands that need one without errors: its errors and warnings
-/// are printed to standard error. Nothing where it has errors or cannot be read.
+/// Loads a program for commands that need one without errors, and prints its errors and warnings to
+/// standard error. Nothing if it has errors or cannot be read.
 [[nodiscard]] std::optional<analysis::Program> loadChecked(const std::string& root,
                                                            ColourChoice colour);
 
-/// Says on standard error why there is no model of a program. \return kFailed
+/// Prints to standard error why a program has no model. \return kFailed
 int failGeneration(const analysis::Program& program, const codegen::GenerationError& error);
 
-/// Says on standard error why the engine cannot explore a model. \return kFailed
+/// Prints to standard error why the engine cannot explore a model. \return kFailed
 int failUnsupported(const verify::Unsupported& error);
 
 } // namespace proskill::cli

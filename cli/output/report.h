@@ -8,8 +8,8 @@
 
 namespace proskill::cli {
 
-/// Writes `index.html` into the directory, which is made: verdicts, traces, texts and pictures in
-/// one page that needs nothing else. What went wrong, if something did.
+/// Writes `index.html` to the directory, which is created if missing: verdicts, traces, texts and
+/// pictures in one self-contained page. Returns an error message, or nothing.
 [[nodiscard]] std::optional<std::string> writeReport(const std::filesystem::path& directory,
                                                      const report::VerifyReport& report);
 

@@ -8,8 +8,8 @@
 
 namespace proskill::cli {
 
-/// Writes each trace of the report as `PROPERTY.json` and `PROPERTY.txt` into `directory`, which is
-/// made where it is missing. What could not be written, in words, or nothing.
+/// Writes each trace of the report to `directory` as `PROPERTY.json` and `PROPERTY.txt`. The
+/// directory is created if missing. Returns an error message, or nothing.
 [[nodiscard]] std::optional<std::string> saveTraces(const std::filesystem::path& directory,
                                                     const report::VerifyReport& report);
 

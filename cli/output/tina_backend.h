@@ -11,7 +11,7 @@ namespace proskill::cli {
 
 enum class Backend : std::uint8_t { Engine, Tina, Both };
 
-/// What a user says of the backend.
+/// The options that select the backend.
 struct BackendArguments {
   Backend backend = Backend::Engine;
   tina::ToolChoice tools;
@@ -21,7 +21,7 @@ struct BackendArguments {
 
 void addBackend(CLI::App& command, BackendArguments& arguments);
 
-/// What Tina says of a model.
+/// The results of Tina for a model.
 struct TinaReport {
   ide::VerificationReport report;
   tina::Outcome outcome;
@@ -31,8 +31,8 @@ struct TinaRun {
   std::expected<TinaReport, tina::Failure> said;
 };
 
-/// Runs the tools on the selected properties, with a line of progress where standard error is a
-/// terminal. Where a tool is missing: what, and how to get it, in words.
+/// Runs the tools on the selected properties and shows a progress line if standard error is a
+/// terminal. If a tool is missing, the error says which one and how to get it.
 [[nodiscard]] std::expected<TinaRun, std::string>
 runTina(const BackendArguments& arguments, const codegen::Model& model,
         const std::vector<std::string>& properties, const verify::Options& options);

@@ -8,7 +8,7 @@
 
 namespace proskill::cli {
 
-/// What edits do to a file, as `diff -u` prints it; empty where there are none.
+/// The effect of edits on a file, as `diff -u` prints it; empty if there are no edits.
 [[nodiscard]] std::string unifiedDiff(const std::string& file, const syntax::Document& before,
                                       std::span<const syntax::TextEdit> edits);
 

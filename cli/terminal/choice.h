@@ -20,7 +20,7 @@ template <class Value> std::string words(const Choices<Value>& choices, std::str
   return text;
 }
 
-/// An option that takes one of some words, each for a value. Its help names them.
+/// An option with a fixed set of words, each for a value. Its help lists them.
 template <class Value>
 CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen,
                        const Choices<Value>& choices, const std::string& help,
@@ -34,7 +34,7 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen
   return show(option, inGroup, words(choices, "|"));
 }
 
-/// A length of time in seconds: more than nothing, and finite, which `nan` and `1e999` are not.
+/// A positive, finite length of time in seconds; rejects `nan` and `1e999`.
 inline CLI::Validator positiveSeconds() {
   constexpr double kLongest = 1e9; // thirty years
   return {[](std::string& word) {

@@ -2,15 +2,15 @@
 
 namespace proskill::cli {
 
-/// With what a command ends; its `--help` says what each code means for it.
+/// Exit codes. Each command's `--help` says what they mean for it.
 enum ExitCode {
   kDone = 0,
-  kFound = 1,          ///< what the command looks for: errors, violations, files to lay out
-  kAbandoned = 1,      ///< a client went away without saying so
-  kFailed = 2,         ///< the command line, a file or the program is wrong
+  kFound = 1,          ///< the command found something: errors, violations, unformatted files
+  kAbandoned = 1,      ///< a client disconnected without notice
+  kFailed = 2,         ///< the command line, a file or the program is invalid
   kInconclusive = 3,   ///< a limit was met before the answer
   kDiffer = 4,         ///< two backends disagree
-  kInternalError = 70, ///< EX_SOFTWARE of sysexits.h: our mistake, not the user's
+  kInternalError = 70, ///< EX_SOFTWARE of sysexits.h: a bug of this program
   kOutOfMemory = 71,   ///< EX_OSERR
 };
 

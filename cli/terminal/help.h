@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-/// What `--help` shows. The manual page and the completions of the shells are made from the same
-/// declarations, by completions/generate.py.
+/// The content of `--help`. completions/generate.py makes the manual page and the shell completions
+/// from the same declarations.
 namespace proskill::cli {
 
-/// The groups that options stand in.
+/// Groups of options in the help.
 namespace group {
 inline constexpr const char* kSubject = "Selection";
 inline constexpr const char* kOutput = "Output";
@@ -19,23 +19,23 @@ inline constexpr const char* kBackends = "Backends";
 inline constexpr const char* kAdvanced = "Advanced";
 } // namespace group
 
-/// Puts an option into a group and says what its value is: FILE, DIRECTORY, or `a|b|c`.
+/// Puts an option into a group and names its value: FILE, DIRECTORY, or `a|b|c`.
 CLI::Option* show(CLI::Option* option, const char* inGroup, const std::string& value = "");
 
 /// The option `--main SKILL` of a subcommand.
 void addMainSkill(CLI::App& command, std::string& mainSkill);
 
-/// An exit code, and when a command ends with it.
+/// An exit code and its meaning.
 struct ExitMeaning {
   int code;
   std::string meaning;
 };
 
-/// What stands below the options: commands to try, and the exit codes.
+/// The text below the options: example commands and exit codes.
 void showBelow(CLI::App& command, const std::vector<std::string>& examples,
                const std::vector<ExitMeaning>& exits);
 
-/// A subcommand whose options go to `Arguments` of its own, with which it is run.
+/// Adds a subcommand that runs with an `Arguments` object of its own.
 template <class Arguments>
 CLI::App& addCommand(CLI::App& app, const std::string& name, const std::string& description,
                      void (*addOptions)(CLI::App&, Arguments&), int (*run)(const Arguments&),
@@ -47,10 +47,10 @@ CLI::App& addCommand(CLI::App& app, const std::string& name, const std::string& 
   return *command;
 }
 
-/// Options in two columns, of which the right one is wrapped.
+/// Prints options in two columns and wraps the right one.
 void useHelpFormat(CLI::App& app);
 
-/// Adds `help-data`, which is hidden: what `--help` shows of all commands, as JSON.
+/// Adds the hidden command `help-data`, which prints the help of all commands as JSON.
 void addHelpData(CLI::App& app, int& exitCode);
 
 } // namespace proskill::cli

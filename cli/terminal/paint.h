@@ -12,7 +12,7 @@ namespace proskill::cli {
 
 enum class ColourChoice : std::uint8_t { Auto, Always, Never };
 
-/// Auto: where the stream is a terminal and NO_COLOR is not set.
+/// Auto: if the stream is a terminal and NO_COLOR is not set.
 [[nodiscard]] bool wantsColour(ColourChoice choice, int fileDescriptor);
 
 /// The option `--color auto|always|never` of a subcommand.

@@ -7,8 +7,8 @@
 
 namespace proskill::cli {
 
-/// One line on a terminal that tells how far an exploration is; nothing where standard error is no
-/// terminal. The line is gone when the object is.
+/// A progress line on the terminal; prints nothing if standard error is not a terminal. The
+/// destructor removes the line.
 class ProgressLine {
 public:
   ProgressLine();
@@ -16,10 +16,10 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Empty where there is no terminal.
+  /// Empty if there is no terminal.
   [[nodiscard]] std::function<void(const verify::Progress&)> callback();
 
-  /// Puts this in place of what stands there; does nothing where there is no terminal.
+  /// Replaces the current line; does nothing without a terminal.
   void say(const std::string& line);
 
 private:
