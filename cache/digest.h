@@ -5,12 +5,12 @@
 
 namespace proskill::cache {
 
-/// 128 bits as 32 hexadecimal digits. Different texts have different ones for all practical
-/// purposes; it is no protection against somebody who looks for two that have the same.
+/// A digest of 128 bits as 32 hexadecimal digits. Different texts have different digests for all
+/// practical purposes, but the digest does not protect against deliberate collisions.
 [[nodiscard]] std::string digestOf(std::string_view text);
 
-/// The digest of the program that runs: another build may decide otherwise, or number differently.
-/// Empty where it cannot be read.
+/// The digest of the running executable, since another build may decide or number differently.
+/// Empty if it cannot be read.
 [[nodiscard]] const std::string& digestOfThisProgram();
 
 } // namespace proskill::cache

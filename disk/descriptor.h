@@ -8,7 +8,7 @@
 
 namespace proskill::disk {
 
-/// A descriptor that is closed with its owner, and what is written to it.
+/// A stream buffer that writes to a file descriptor and closes it in its destructor.
 class Descriptor : public std::streambuf {
 public:
   explicit Descriptor(int opened) : descriptor(opened), failed(opened < 0 ? errno : 0) { rewind(); }
@@ -16,9 +16,9 @@ public:
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
 
-  /// The system's number of the first error, 0 where there is none.
+  /// The errno of the first error, 0 if there was none.
   [[nodiscard]] int error() const { return failed; }
-  /// Some errors are known only when a file is closed. \return error()
+  /// Closes the descriptor, since some errors appear only then. \return error()
   [[nodiscard]] int finish() {
     if (descriptor < 0) return failed;
     sync();

@@ -7,8 +7,8 @@
 
 namespace proskill::disk {
 
-/// The regular files of this machine. Nothing else is read: a pipe can keep its reader waiting for
-/// ever, and a device may never end.
+/// Reads regular files of this machine. It reads nothing else, because reading a pipe may block for
+/// ever and a device may never end.
 class DiskFileSystem : public analysis::FileSystem {
 public:
   [[nodiscard]] std::expected<std::string, std::string>

@@ -7,17 +7,18 @@
 
 namespace proskill::disk {
 
-/// A file that grows, and whose end is always the same: each addition is written together with that
-/// end over the former one. A process that is killed leaves what was added by then, with its end.
+/// A file that grows but always has the same end: each addition overwrites the previous end,
+/// together with a new one. So after a crash the file contains everything added until then, with
+/// its end.
 class GrowingFile {
 public:
-  /// A file that is there is emptied. What went wrong is in words.
+  /// Creates a file or empties an existing one. The error is a message.
   [[nodiscard]] static std::expected<GrowingFile, std::string> create(const std::string& path);
   GrowingFile(GrowingFile&& other) noexcept;
   GrowingFile& operator=(GrowingFile&&) = delete;
   ~GrowingFile();
 
-  /// What went wrong, in words, or nothing. Where there is no room, what was there before stays.
+  /// Returns an error message, or nothing. If the disk is full, the previous content stays.
   [[nodiscard]] std::optional<std::string> add(std::string_view bytes, std::string_view end);
 
 private:
@@ -25,7 +26,7 @@ private:
 
   int descriptor = -1;
   std::string path;
-  std::int64_t length = 0; ///< without the end
+  std::int64_t length = 0; ///< without its end
   std::string buffer;
 };
 

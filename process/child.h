@@ -12,17 +12,17 @@
 
 namespace proskill::process {
 
-/// A program that runs beside this one, with its standard input and output at the other end of a
-/// socket. It never outlives its object: the destructor kills it and waits for its end. Nor does a
-/// child that asks for it (`dieWithParent`) outlive the thread that started it.
+/// A child process whose standard input and output are connected to a socket. It never outlives its
+/// object: the destructor kills it and waits for its end. A child that calls `dieWithParent` does
+/// not outlive the thread that started it either.
 class Child {
 public:
-  /// Starts a program, without a shell; its first word is a path. The error is a sentence.
+  /// Starts a program without a shell; the first word is a path. The error is a message.
   [[nodiscard]] static std::expected<Child, std::string>
   start(const std::vector<std::string>& command);
-  /// The same in a directory, with a first word that is looked for on the PATH where it has no
-  /// slash. The program leads a process group of its own, which a Ctrl-C on the terminal does not
-  /// reach, and which is killed as a whole.
+  /// The same in a directory; a first word without a slash is searched on the PATH. The program
+  /// leads a process group of its own, so Ctrl-C on the terminal does not reach it, and the whole
+  /// group is killed with it.
   [[nodiscard]] static std::expected<Child, std::string>
   startGroup(const std::vector<std::string>& command, const std::filesystem::path& directory);
 
@@ -34,25 +34,25 @@ public:
   struct Exchange {
     std::string received;
     std::size_t sent = 0;
-    bool ended = false; ///< no more output
+    bool ended = false; ///< there is no more output
   };
-  /// Sends as many bytes as the child accepts and receives its output; blocks until one is
+  /// Sends as many bytes as the child accepts and receives its output. Blocks until one of these is
   /// possible.
   [[nodiscard]] Exchange exchange(std::string_view toSend, std::chrono::milliseconds patience);
 
-  /// How it ended: "it was ended by signal 9 (Killed)". Kills it where it does not end by itself
-  /// within a second after its output has ended.
+  /// How it ended: "it was ended by signal 9 (Killed)". Kills it if it does not end within a second
+  /// after its output has ended.
   [[nodiscard]] std::string ending();
-  /// The same, where it has ended already; else nothing, without waiting.
+  /// The same if it has ended already; otherwise nothing. Does not wait.
   [[nodiscard]] std::optional<std::string> endingIfOver();
   /// Closes the input of the child.
   void endInput();
   /// Sends a signal to the child, or to its whole group.
   void signal(int number) const;
   [[nodiscard]] pid_t id() const { return pid; }
-  /// The socket: readable after output of the child, and after the end of its output.
+  /// The socket: readable when there is output of the child, or its output has ended.
   [[nodiscard]] int descriptor() const { return socket; }
-  /// Can be read when the child has ended.
+  /// Readable when the child has ended.
   [[nodiscard]] int endDescriptor() const { return ended; }
 
 private:
@@ -60,14 +60,14 @@ private:
   Child(pid_t child, int end, int whenOver, bool leads)
       : pid(child), socket(end), ended(whenOver), isGroup(leads) {}
 
-  pid_t pid = -1; ///< nothing is left to wait for: -1
+  pid_t pid = -1; ///< -1: nothing to wait for
   int socket = -1;
   int ended = -1;
   bool isGroup = false;
 };
 
-/// For the child, at its start: it is killed when the thread that started it ends. False where the
-/// parent has ended already.
+/// For the child, at its start: it is killed when the thread that started it ends. Returns false if
+/// the parent has ended already.
 [[nodiscard]] bool dieWithParent(pid_t parent);
 
 } // namespace proskill::process

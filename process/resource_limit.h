@@ -4,7 +4,7 @@
 
 namespace proskill::process {
 
-/// Sets the soft and the hard limit of this process and of those that it starts.
+/// Sets the soft and the hard limit of this process and its children.
 inline void limitResource(__rlimit_resource resource, rlim_t most) {
   const rlimit both{most, most};
   setrlimit(resource, &both);

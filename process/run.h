@@ -11,14 +11,14 @@
 
 namespace proskill::process {
 
-/// A program to be run to its end, without input; its output is kept.
+/// A program that runs to its end without input; its output is collected.
 struct Job {
-  std::vector<std::string> command; ///< the first word is a path; no shell reads any of it
-  std::filesystem::path directory;  ///< where it runs
+  std::vector<std::string> command; ///< the first word is a path; no shell is involved
+  std::filesystem::path directory;  ///< working directory
   std::optional<double> seconds;
-  std::optional<std::uint64_t> memory; ///< bytes of address space, for each of its processes
+  std::optional<std::uint64_t> memory; ///< bytes of address space for each of its processes
   std::uint64_t mostOutput = std::uint64_t{16}
-                             << 20; ///< bytes; a program that writes more is killed
+                             << 20; ///< bytes; a program with more output is killed
   const std::atomic<bool>* cancelled = nullptr;
   /// Called a few times a second with the seconds so far and its last line of output.
   std::function<void(double, std::string_view)> progress;
@@ -28,7 +28,7 @@ enum class Ending : std::uint8_t { Exited, Signalled, TimedOut, Cancelled, TooMu
 
 struct Finished {
   Ending ending = Ending::Exited;
-  int code = 0; ///< of its exit, or of the signal
+  int code = 0; ///< the exit code, or the number of the signal
   std::string out;
   std::string err;
   double seconds = 0;
@@ -38,8 +38,9 @@ struct Finished {
   [[nodiscard]] std::string words() const;
 };
 
-/// Runs a program. When this returns, neither it nor any process that it started is left, wherever
-/// they went; nor when this process itself is killed. The error is why it could not be started.
+/// Runs a program. On return, neither it nor any process that it started, directly or indirectly,
+/// is running. The same holds if this process is killed. The error says why the program could not
+/// be started.
 [[nodiscard]] std::expected<Finished, std::string> run(const Job& job);
 
 } // namespace proskill::process

@@ -7,26 +7,26 @@
 
 namespace proskill::process {
 
-/// What the supervisor starts, and the ends of pipes that it gives it.
+/// The program that the supervisor starts, and its ends of the pipes.
 struct Supervised {
   char* const* arguments = nullptr;
   const char* directory = nullptr;
   std::optional<std::uint64_t> memory; ///< bytes
   int out = -1;
   int err = -1;
-  int report = -1; ///< where `Report`s are written
+  int report = -1; ///< receives `Report`s
 };
 
-/// Either a program that did not start, with errno, or its status as waitpid gives it.
+/// The errno of a program that did not start, or the status that waitpid returned.
 struct Report {
   int error = 0;
   int status = 0;
 };
 
-/// Main function of a process between us and a program: starts it, waits for its end or for
-/// SIGTERM, which also comes when `parent` ends, and kills all that is left of what the program
-/// started. To be called after a fork, with SIGTERM and SIGCHLD blocked; calls only what is allowed
-/// then, and does not return.
+/// Main function of a process between this one and a program: starts the program, waits for its end
+/// or for SIGTERM, which also comes when `parent` ends, and kills all remaining processes that the
+/// program started. Call it after a fork with SIGTERM and SIGCHLD blocked. It calls only
+/// async-signal-safe functions and does not return.
 [[noreturn]] void supervise(const Supervised& program, pid_t parent);
 
 } // namespace proskill::process

@@ -23,7 +23,7 @@ struct FindingCounts {
 };
 [[nodiscard]] FindingCounts countFindings(std::span<const CheckedProgram> programs);
 
-/// `file:line:column: severity[CODE]: message`, a line each.
+/// One line each: `file:line:column: severity[CODE]: message`.
 void writeCheckShort(std::ostream& out, std::span<const CheckedProgram> programs);
 /// As docs/json.md says.
 void writeCheckJson(std::ostream& out, std::span<const CheckedProgram> programs);

@@ -14,10 +14,10 @@
 /// Pictures for the language server and the panel's hosts: `Automaton` in docs/lsp.md.
 namespace proskill::report {
 
-/// Keys of clusters to draw as one node each; nothing: as is best for the size of the picture.
+/// Keys of clusters to draw as one node each; nothing: chosen by the size of the picture.
 using FoldKeys = std::optional<std::vector<std::string>>;
 
-/// A picture, and what of it is folded.
+/// A picture and its folded clusters.
 struct DrawnPicture {
   viz::Request request;
   viz::Graph whole;
@@ -28,10 +28,10 @@ struct DrawnPicture {
 [[nodiscard]] std::expected<DrawnPicture, std::string>
 drawPicture(const analysis::Program& program, const viz::Request& request, const FoldKeys& fold);
 
-/// A place in the form that the reader wants; null where it is in no text.
+/// Returns a location in the client's format; null if it is in no text.
 using PlaceJson = std::function<Json(const viz::Source&)>;
 
-/// The members that say what the picture shows: from `kind` to `foldable`, without its content.
+/// The members that describe the picture, from `kind` to `foldable`, without its content.
 [[nodiscard]] Json pictureJson(const DrawnPicture& picture, const PlaceJson& place);
 
 /// All pictures of the program, to choose from.

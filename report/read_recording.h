@@ -9,8 +9,9 @@
 
 namespace proskill::report {
 
-/// Reads what `runRecording` wrote. A truncated recording is read up to its last complete step.
-/// The error is a sentence. \param main gets the mission's name
+/// Reads a recording written by `runRecording`. A truncated recording is read up to its last
+/// complete step. The error is a message.
+/// \param main receives the mission's name
 [[nodiscard]] std::expected<runtime::RecordedRun, std::string>
 readRecording(std::string_view text, const analysis::Program& program, std::string& main);
 

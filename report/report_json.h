@@ -3,8 +3,8 @@
 #include "ide/verdicts/verification.h"
 #include "report/ordered_json.h"
 
-/// The JSON report of a verification, as `proskill verify --format json` prints it and as the
-/// process that verifies for the language server sends it. The schema is docs/verify.schema.json.
+/// The JSON report of a verification, printed by `proskill verify --format json` and sent by the
+/// process that verifies for the language server. The schema is docs/verify.schema.json.
 namespace proskill::report {
 
 struct VerifyReport {
@@ -12,7 +12,7 @@ struct VerifyReport {
   const codegen::Model& model;
   const ide::VerificationReport& result;
   std::string mainSkill; ///< empty: a library of skills
-  std::string backend{}; ///< who verified: `tina`, `both`; empty: the engine alone
+  std::string backend{}; ///< the backend: `tina`, `both`; empty: the engine alone
 };
 
 [[nodiscard]] OrderedJson reportJson(const VerifyReport& report);

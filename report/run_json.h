@@ -4,11 +4,11 @@
 
 namespace proskill::report {
 
-/// The machine's last step in the program's words, at its date.
+/// The machine's last step in the program's terms, with its date.
 [[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Machine& machine,
                                      verify::TransitionId step, runtime::Nanoseconds date,
                                      runtime::Nanoseconds before);
-/// A remark, as if it were a step.
+/// A remark in the form of a step.
 [[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Remark& remark,
                                      runtime::Nanoseconds before);
 /// `undershoot`

@@ -13,23 +13,24 @@
 /// The output of `proskill run` during a run.
 namespace proskill::report {
 
-/// A program, as it is executed. \pre both outlive whoever reports on a run
+/// An executed program. \pre both outlive the observers of the run
 struct RunSubject {
   const analysis::Program& program;
   const runtime::Executable& executable;
 };
 
-/// A line a step, as traces have them, and one for each remark.
+/// One line per step, as in traces, and one per remark.
 [[nodiscard]] std::unique_ptr<runtime::Observer> runText(std::ostream& out, RunSubject subject,
                                                          bool colour);
-/// A JSON object a line.
+/// One JSON object per line.
 [[nodiscard]] std::unique_ptr<runtime::Observer> runJson(std::ostream& out, RunSubject subject);
 
-/// Gets what is added to a recording, and the end that closes it until more is added.
+/// Receives bytes to append to a recording, and the end that closes it until more is appended.
 using AddToRecording = std::function<void(std::string_view bytes, std::string_view end)>;
 
-/// A recording is a trace, as `proskill verify --save-traces` writes them, with remarks among its
-/// steps. \param batch how many steps are added at once
+/// Records a run as a trace, as `proskill verify --save-traces` writes it, with remarks among its
+/// steps.
+/// \param batch number of steps to append at once
 [[nodiscard]] std::unique_ptr<runtime::Observer>
 runRecording(AddToRecording add, RunSubject subject, std::size_t batch);
 

@@ -6,14 +6,14 @@
 
 #include <iosfwd>
 
-/// What every SARIF 2.1.0 log of ours shares, whatever its results are about.
+/// Shared parts of SARIF 2.1.0 logs.
 namespace proskill::report {
 
-/// An `artifactLocation`: the file as a URI, relative where its path is.
+/// An `artifactLocation`: the file as a URI, relative if its path is.
 [[nodiscard]] nlohmann::ordered_json sarifFile(const SourcePlaces& places, syntax::FileId file);
-/// A `region`, whose columns are characters, from 1.
+/// A `region` with columns in characters, counted from 1.
 [[nodiscard]] nlohmann::ordered_json sarifRegion(SourcePlaces& places, analysis::Location location);
-/// A `location` that holds a place.
+/// A `location` for a place in the program.
 [[nodiscard]] nlohmann::ordered_json sarifLocation(SourcePlaces& places,
                                                    analysis::Location location);
 

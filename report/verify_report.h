@@ -20,12 +20,13 @@ struct TextOptions {
 void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options);
 /// The schema is docs/verify.schema.json.
 void writeJson(std::ostream& out, const VerifyReport& report);
-/// A test case a property, a test suite a subject, as CI servers read them.
+/// One test case per property and one test suite per subject, for CI servers.
 void writeJUnit(std::ostream& out, const VerifyReport& report);
-/// SARIF 2.1.0: a result for each property that is bad or inconclusive, its trace as a code flow.
+/// SARIF 2.1.0: one result for each property that is bad or inconclusive, with its trace as a code
+/// flow.
 void writeSarif(std::ostream& out, const VerifyReport& report);
 
-/// One property's trace, as the text report shows it.
+/// The trace of one property, as in the text report.
 void writeTrace(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row,
                 bool colour);
 

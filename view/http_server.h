@@ -10,21 +10,21 @@
 
 namespace proskill::view {
 
-/// Answers requests on the loopback interface alone.
+/// An HTTP server on the loopback interface.
 class HttpServer {
 public:
   using Reply = std::function<void(HttpResponse)>;
-  /// Replies once, at once or later, from any thread.
+  /// Must reply exactly once, immediately or later, from any thread.
   using Handler = std::function<void(const HttpRequest&, Reply)>;
 
-  /// Listens on a port (0: any free one).
+  /// Listens on a port (0: any free port).
   [[nodiscard]] static std::expected<std::unique_ptr<HttpServer>, std::string>
   listen(std::uint16_t port);
   virtual ~HttpServer() = default;
 
   [[nodiscard]] virtual std::uint16_t port() const = 0;
-  /// Until Ctrl-C or SIGTERM; then `stopping` is called, so that no handler waits any longer. The
-  /// handler is called by several threads.
+  /// Runs until Ctrl-C or SIGTERM, then calls `stopping`, so that no handler keeps waiting. Several
+  /// threads call the handler.
   virtual void run(const Handler& handler, const std::function<void()>& stopping) = 0;
 };
 

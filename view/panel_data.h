@@ -15,28 +15,28 @@
 
 namespace proskill::view {
 
-/// The data of `proskill view`. Any thread may call it.
+/// The data of `proskill view`. Thread-safe.
 class PanelData {
 public:
   using Answer = std::expected<OrderedJson, std::string>;
 
   virtual ~PanelData() = default;
 
-  /// As `proskill verify --format json` has it, with the number of steps in place of each trace,
-  /// and with what else the panel wants of a program.
+  /// The report of `proskill verify --format json`, with the number of steps instead of each trace,
+  /// and with further data for the panel.
   [[nodiscard]] virtual OrderedJson program() = 0;
   [[nodiscard]] virtual Answer trace(const std::string& name) = 0;
   [[nodiscard]] virtual Answer picture(const PictureParams& params) = 0;
   [[nodiscard]] virtual Answer source(const std::string& uri) = 0;
-  /// A run with these steps, as report/simulation_json.h has it.
+  /// A run with these steps, in the format of report/simulation_json.h.
   [[nodiscard]] virtual Answer simulate(const OrderedJson& params) = 0;
   [[nodiscard]] virtual bool canSimulate() const = 0;
-  /// Restarts.
+  /// Starts verification again.
   virtual void verify() = 0;
   [[nodiscard]] virtual bool canVerify() const = 0;
 };
 
-/// Notifications to the open pages. Waiting pages do not need a thread each.
+/// Notifications to open pages. Waiting pages do not occupy a thread each.
 class EventFeed {
 public:
   using Tell = std::function<void(OrderedJson)>;
@@ -47,8 +47,8 @@ public:
   EventFeed& operator=(const EventFeed&) = delete;
 
   void announce(std::string method, OrderedJson params);
-  /// Tells `{next, news}`: what came after the first `after` news, once there is some; nothing
-  /// where there is none for long, or where too many wait.
+  /// Calls `tell` with `{next, news}`: the news after the first `after`, once there are some; with
+  /// nothing if none come for a long time, or if too many pages wait.
   void after(std::size_t after, Tell tell);
   /// Ends all waits.
   void close();
@@ -68,10 +68,10 @@ private:
   std::mutex mutex;
   std::condition_variable changed;
   std::deque<OrderedJson> kept;
-  std::size_t count = 0;       ///< of all, those that are no longer kept too
-  std::deque<Waiting> waiting; ///< in the order of their times
+  std::size_t count = 0;       ///< of all news, including those no longer kept
+  std::deque<Waiting> waiting; ///< ordered by time
   bool closed = false;
-  std::jthread teller; ///< the last member: it uses the others
+  std::jthread teller; ///< the last member, since it uses the others
 };
 
 struct ViewOptions {
@@ -80,10 +80,10 @@ struct ViewOptions {
   verify::Limits limits;
 };
 
-/// A program, verified in the background, and again whenever one of its files changes.
+/// A program that is verified in the background, and again whenever one of its files changes.
 [[nodiscard]] std::unique_ptr<PanelData> liveProgram(ViewOptions options, EventFeed& news);
 
-/// A report or a trace that was saved in a file.
+/// A report or a trace saved in a file.
 [[nodiscard]] std::expected<std::unique_ptr<PanelData>, std::string>
 savedReport(const std::string& file, const std::string& text);
 

@@ -11,25 +11,25 @@
 #include <string>
 #include <vector>
 
-/// Parts of what the panel asks for (panel/src/api.ts), with places as docs/verify.schema.json has
-/// them.
+/// Parts of the panel's requests and answers (panel/src/api.ts); locations are as in
+/// docs/verify.schema.json.
 namespace proskill::view {
 
 struct PictureParams {
   viz::Request request;
   viz::Format format = viz::Format::Svg;
   bool dark = false;
-  /// Keys of clusters; nothing: as is best for the size of the picture.
+  /// Keys of clusters; nothing: chosen by the size of the picture.
   std::optional<std::vector<std::string>> fold;
 };
 
-/// Of the panel's form. What is wrong with it is the error.
+/// Parses parameters in the panel's format. The error is a message.
 [[nodiscard]] std::expected<PictureParams, std::string>
 readPictureParams(const nlohmann::ordered_json& params);
 
 [[nodiscard]] nlohmann::ordered_json paramsJson(const PictureParams& params);
 
-/// The picture with what its parts mean. `errors`: the program has some.
+/// The picture with descriptions of its parts. \param errors whether the program has errors
 [[nodiscard]] std::expected<nlohmann::ordered_json, std::string>
 pictureJson(const analysis::Program& program, const PictureParams& params, bool errors);
 

@@ -18,9 +18,8 @@ struct PanelAddress {
 /// 128 random bits in hexadecimal.
 [[nodiscard]] std::string randomToken();
 
-/// The panel's page and the answers to its requests. A request without the token, or from
-/// a page of another origin, gets 403 and nothing else.
-/// Replies once, when there is something to report.
+/// Serves the panel's page and its requests. A request without the token, or from a page of another
+/// origin, gets only 403. Replies once, when there is something to report.
 void answer(const HttpRequest& request, const PanelAddress& address, PanelData& data,
             EventFeed& news, const std::function<void(HttpResponse)>& reply);
 

@@ -30,8 +30,8 @@ struct WorkerFailure {
   std::string message;
 };
 
-/// Gets the partial report, and the properties decided since the last
-/// call; undecided ones are inconclusive in it.
+/// Receives the partial report and the properties decided since the last call; undecided ones are
+/// inconclusive in it.
 using OnSoFar =
     std::function<void(const OrderedJson& report, const std::vector<std::size_t>& rows)>;
 

@@ -4,17 +4,16 @@
 
 namespace proskill::worker {
 
-/// Main function of the process that verifies for the language server: reads a `WorkerJob` from
-/// standard input, and writes a line of JSON for each of these to standard output:
-/// - `{"begin": {…}}`: the report, as docs/verify.schema.json has it, with nothing decided;
+/// Main function of the process that verifies for the language server. Reads a `WorkerJob` from
+/// standard input, and writes these lines of JSON to standard output:
+/// - `{"begin": {…}}`: the report in the format of docs/verify.schema.json, with nothing decided;
 /// - `{"progress": {…}}` a few times a second;
-/// - `{"decided": {"index": …, "property": {…}}}` with each verdict, in place of that of the
-/// report;
-/// - at last `{"report": {…}}`, with null for properties that were sent before,
+/// - `{"decided": {"index": …, "property": {…}}}` for each verdict; it replaces the report's entry;
+/// - finally `{"report": {…}}`, with null for properties that were sent before,
 ///   `{"stopped": "…"}` if it cannot continue, or `{"error": "…"}`.
-/// \param cache the directory where verdicts are kept; empty: none are
-/// Ends when its standard input does, when the process that started it does, and
-/// when a limit is passed. Returns the exit code.
+/// Ends when its standard input ends, when the process that started it ends, or when a limit is
+/// met. Returns the exit code.
+/// \param cache the directory of stored verdicts; empty: none are stored
 int runVerifyWorker(const std::string& cache);
 
 } // namespace proskill::worker

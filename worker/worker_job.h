@@ -24,19 +24,19 @@ struct WorkerText {
 };
 
 struct WorkerJob {
-  std::vector<WorkerText> texts;  ///< the root first; nothing else is read
+  std::vector<WorkerText> texts;  ///< the root first; no other files are read
   std::vector<std::string> names; ///< of properties; empty: all
-  std::string mainSkill;          ///< empty: the one that no other calls
+  std::string mainSkill;          ///< empty: the skill that no other skill calls
   Budget budget;
 };
 
 /// All texts of a program, with the editor's unsaved changes.
 [[nodiscard]] WorkerJob jobFor(const analysis::Program& program);
 
-/// A line of JSON, then the bytes of the texts, which may be invalid in JSON.
+/// A line of JSON, followed by the bytes of the texts, which may be invalid in JSON.
 [[nodiscard]] std::string encode(const WorkerJob& job, int parentId);
 
-/// The first line of what `encode` made.
+/// The first line of an encoded job.
 struct JobHeader {
   WorkerJob job; ///< its texts are empty
   int parentId = 0;

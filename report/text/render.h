@@ -12,8 +12,8 @@ namespace proskill::report {
 /// "error", "warning", "hint".
 [[nodiscard]] std::string_view words(syntax::Severity severity);
 
-/// Prints diagnostics for people: code and message, the place, the source with carets below it, the
-/// related places, and its fixes.
+/// Prints a diagnostic for a terminal: code and message, the place, the source with carets below
+/// it, related places, and fixes.
 void render(std::ostream& out, const analysis::Program& program,
             std::span<const syntax::Diagnostic> diagnostics, const Paint& paint);
 

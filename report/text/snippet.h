@@ -29,13 +29,13 @@ class Snippet {
 public:
   Snippet(const syntax::Document& document, const std::vector<Mark>& marks);
 
-  /// How many columns the greatest line number takes.
+  /// The number of columns for the greatest line number.
   [[nodiscard]] std::size_t gutterWidth() const;
-  /// `primary` is the colour of the primary marks, the others are blue.
+  /// \param primary the colour of primary marks; the others are blue
   void print(std::ostream& out, std::size_t gutter, const Paint& paint, Colour primary) const;
 
 private:
-  /// A mark within one line; bytes of the text.
+  /// A mark within one line, in bytes of the text.
   struct Piece {
     syntax::Range range;
     std::string label;
@@ -43,7 +43,7 @@ private:
   };
   struct Line {
     std::uint32_t number; ///< from 0
-    syntax::Range shown;  ///< bytes of the text: the line, or a part of it
+    syntax::Range shown;  ///< bytes of the text: the line or a part of it
     std::vector<Piece> pieces;
   };
 

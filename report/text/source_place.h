@@ -13,7 +13,8 @@ struct SourcePlace {
   std::uint32_t column = 1;
 };
 
-/// Finds places. Remembers the last one, so that many on one long line take one pass over it.
+/// Computes places. It starts from the previous place, so that many places on one long line take
+/// one pass.
 class SourcePlaces {
 public:
   explicit SourcePlaces(const analysis::Program& program) : program(program) {}

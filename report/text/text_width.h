@@ -7,22 +7,22 @@
 
 namespace proskill::report {
 
-/// A line of a program as a terminal shows it: tabs become spaces, and what would move the cursor
-/// or is not UTF-8 becomes `�`.
+/// A line of a program as a terminal displays it: tabs become spaces; control characters and
+/// invalid UTF-8 become `�`.
 class DisplayedLine {
 public:
   explicit DisplayedLine(std::string_view line);
 
   [[nodiscard]] const std::string& text() const { return shown; }
-  /// The column, from 0, at which the byte is shown; after the end: that of the end.
+  /// The column, from 0, at which a byte is displayed; after the end: the column of the end.
   [[nodiscard]] std::size_t column(std::size_t byte) const;
 
 private:
   std::string shown;
-  std::vector<std::size_t> columns; ///< of each byte, and of the end
+  std::vector<std::size_t> columns; ///< by byte, and of the end
 };
 
-/// The columns of the terminal at a file descriptor; `otherwise` where it is none.
+/// The width of the terminal at a file descriptor in columns; `otherwise` if it is not a terminal.
 [[nodiscard]] std::size_t terminalWidth(int fileDescriptor, std::size_t otherwise);
 
 } // namespace proskill::report
