@@ -7,18 +7,18 @@
 
 namespace proskill::fiacre {
 
-/// Something that a Fiacre compiler would refuse, or that would fail whenever it ran.
+/// An error: something that a Fiacre compiler would reject, or that would fail in every run.
 struct Problem {
-  std::string place;   ///< in words: "process skill_takeoff, state run"
+  std::string place;   ///< description: "process skill_takeoff, state run"
   std::string message; ///< "`battery` is not declared"
   OriginId origin = 0;
 };
 
-/// What is wrong with a model, in the order of its text; nothing where frac would take it.
-/// Names (declared once, used as what they are, none reserved), types of all expressions, states,
-/// paths (each ends in one `to` or `loop`, waits once at most and only where it is silent,
-/// communicates once at most), instances, intervals, and the paths that properties name. The trees'
-/// own shape (an `if` has a condition) is taken for granted.
+/// Checks a model and returns its problems in the order of the text; none if frac would accept it.
+/// Checks names (declared once, used according to their kind, not reserved), types of all
+/// expressions, states, paths (each ends with one `to` or `loop`, waits at most once and only if it
+/// is silent, communicates at most once), instances, intervals, and paths in properties. It assumes
+/// that the trees are well-formed (for example that an `if` has a condition).
 [[nodiscard]] std::vector<Problem> check(const Program& program);
 
 } // namespace proskill::fiacre

@@ -10,12 +10,12 @@
 
 namespace proskill::fiacre {
 
-/// Where problems go, with the place that is being looked at.
+/// Collects problems, each with the place being checked.
 class Report {
 public:
   explicit Report(std::vector<Problem>& list) : problems(&list) {}
 
-  /// The same, at another place.
+  /// The same report for another place.
   [[nodiscard]] Report at(std::string where, OriginId from = 0) const;
   [[nodiscard]] Report from(OriginId id) const;
   void operator()(std::string message) const;
@@ -26,13 +26,13 @@ private:
   OriginId origin = 0;
 };
 
-/// A constructor and the union that it makes.
+/// A constructor and its union.
 struct Constructor {
   const TypeDeclaration* type = nullptr;
   const Member* member = nullptr;
 };
 
-/// What a program declares, by name; of two of one name the first. Valid as long as the program.
+/// The declarations of a program by name; for duplicates the first. Valid as long as the program.
 struct Declarations {
   std::map<std::string_view, const TypeDeclaration*> types;
   std::map<std::string_view, const Constant*> constants;
@@ -52,11 +52,11 @@ template <class Table> const auto* lookUp(const Table& table, std::string_view n
   return found == table.end() ? nullptr : &found->second;
 }
 
-/// Names of one kind: each an identifier, none reserved, each once.
+/// Checks names of one kind: each is an identifier, not reserved, and unique.
 class Names {
 public:
   explicit Names(Report to) : report(std::move(to)) {}
-  /// \param what "the state", "the constant"
+  /// \param what the kind, for messages: "the state", "the constant"
   void add(std::string_view name, std::string_view what);
 
 private:

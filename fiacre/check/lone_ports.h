@@ -7,18 +7,19 @@
 
 namespace proskill::fiacre {
 
-/// A port that no two instances pass together: whoever can pass it does so alone, so that it never
-/// holds anybody up, and may hide that the others have stopped.
+/// A port on which no two instances ever synchronise. Each instance passes it alone, so it never
+/// makes one wait, and may hide that other instances have stopped.
 struct LonePort {
-  std::string component; ///< that declares it
+  std::string component; ///< the component that declares it
   std::string port;
-  std::string only; ///< the process of the only instance that has it; empty: several have it
+  /// The process of the only instance that has it; empty: several instances have it.
+  std::string only;
   friend bool operator==(const LonePort&, const LonePort&) = default;
 };
 
-/// In the order of the text. A port with an interval or a priority of its own, or a probe, is what
-/// one instance may well have for itself, and is none of them.
-/// \pre check() finds nothing wrong with the program
+/// In the order of the text. Ports with an interval, a priority or a probe are omitted, because a
+/// single instance may need them.
+/// \pre check() finds no problem in the program
 [[nodiscard]] std::vector<LonePort> lonePorts(const Program& program);
 
 } // namespace proskill::fiacre

@@ -13,29 +13,29 @@ struct Symbol {
   bool writable = true;
 };
 
-/// The variables and parameters that an expression may name.
+/// The variables and parameters visible to an expression.
 using Scope = std::map<std::string_view, Symbol>;
 
-/// The type that a type stands for: names of records and unions stay, all others are replaced.
+/// The type with type names replaced, except names of records and unions.
 [[nodiscard]] Type canonical(const Type& type, const Declarations& declarations);
-/// Records and unions are the same when their names are; a variable passed by reference needs this.
+/// Whether types are equal: records and unions by name. Variables passed by reference require this.
 [[nodiscard]] bool sameType(const Type& a, const Type& b, const Declarations& declarations);
 
-/// The types of expressions. Numbers of every type go together, as they do in Fiacre with
-/// coercions; a constant that is outside of the type that it goes to is a problem.
+/// Infers the types of expressions. Numbers of all types are compatible, as in Fiacre with
+/// coercions. A constant outside of the type that it is assigned to is a problem.
 class Typing {
 public:
   Typing(const Declarations& known, const Scope& visible, Report to)
       : declarations(&known), scope(&visible), report(std::move(to)) {}
 
-  /// Reports where the expression has not the type.
+  /// Reports an expression that does not have the type.
   void expect(const Expr& expr, const Type& type) const;
   void expectBool(const Expr& expr) const { expect(expr, Type{}); }
   void expectAll(const std::vector<Expr>& exprs, const std::vector<Type>& types,
                  std::string_view what) const;
-  /// The type of what is assigned to; reports what cannot be.
+  /// The type of an lvalue; reports expressions that cannot be assigned to.
   [[nodiscard]] std::optional<Type> target(const Expr& lvalue) const;
-  /// Nothing where it has no type, which was reported.
+  /// Nothing if it has no type; this has been reported.
   [[nodiscard]] std::optional<Type> infer(const Expr& expr) const;
 
 private:
@@ -55,7 +55,7 @@ private:
   void expectInRange(const Expr& expr, const Type& type) const;
   [[nodiscard]] std::optional<std::int64_t> constant(const Expr& expr) const;
   [[nodiscard]] std::optional<Type> queueOf(const Expr& expr) const;
-  /// The record or union behind a canonical type's name.
+  /// The record or union with a canonical type's name.
   [[nodiscard]] const Type& structure(const Type& type) const;
 
   const Declarations* declarations;
@@ -63,7 +63,7 @@ private:
   Report report;
 };
 
-/// Every part of a type is declared, no range or array is empty.
+/// Checks that every part of a type is declared and no range or array is empty.
 void checkType(const Type& type, const Declarations& declarations, const Report& report);
 
 } // namespace proskill::fiacre

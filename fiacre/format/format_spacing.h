@@ -6,29 +6,29 @@
 
 namespace proskill::fiacre {
 
-/// What a line of a model is, as far as its spaces depend on that.
+/// The kind of a line, as far as spacing depends on it.
 enum class LineKind : std::uint8_t {
   Plain,    ///< statements, variables, types
-  Head,     ///< names stand apart from the `[` and `(` behind them: heads and instances
-  Ports,    ///< likewise, in probes
+  Head,     ///< heads and instances: space between a name and the `[` or `(` after it
+  Ports,    ///< the same, in probes
   Property, ///< `/` joins the parts of a path
 };
 
-/// Where a space belongs between the tokens of one line, which are given one after the other.
+/// Decides where spaces belong between the tokens of a line, in order.
 class Spacing {
 public:
   explicit Spacing(LineKind lineKind) : kind(lineKind) {}
 
-  /// Whether a space is before `token`; `next` is behind it.
+  /// Whether there is a space before `token`. \param next the token after it
   bool before(const Token& token, const Token& next);
 
 private:
   enum class Role : std::uint8_t {
     Other,
     Operand, ///< ends an expression
-    Prefix,  ///< touches what follows
-    Open,    ///< a parenthesis, whose contents touch it
-    Joint,   ///< touches what is on both sides: a `/` of a path, the `=` of a field
+    Prefix,  ///< no space after it
+    Open,    ///< a parenthesis; no space inside
+    Joint,   ///< no space around it: a `/` of a path, the `=` of a field
   };
 
   [[nodiscard]] Role roleOf(const Token& token, const Token& next);
@@ -42,14 +42,14 @@ private:
   bool first = true;
   Token previous;
   Role previousRole = Role::Other;
-  std::size_t conditionals = 0; ///< `?` whose `:` is to come
-  /// Brackets of an interval of time: before its comma, behind it, or outside.
+  std::size_t conditionals = 0; ///< number of `?` whose `:` is still to come
+  /// The position within the brackets of an interval: before its comma, after it, or outside.
   enum class Interval : std::uint8_t { Outside, Lower, Upper } interval = Interval::Outside;
-  std::size_t inner = 0; ///< parentheses and brackets open within the interval
-  bool inProbe = false;  ///< behind the `is` of a port
-  bool inPath = false;   ///< a name that begins a path was seen
-  bool inValue = false;  ///< behind `value`, where `/` divides
-  /// Of each parenthesis that is open: whether the name of a record's field is next, or its value.
+  std::size_t inner = 0; ///< number of open parentheses and brackets within the interval
+  bool inProbe = false;  ///< after the `is` of a port
+  bool inPath = false;   ///< after a name that begins a path
+  bool inValue = false;  ///< after `value`, where `/` divides
+  /// For each open parenthesis: whether the name or the value of a record's field is next.
   enum class Group : std::uint8_t { Other, Field, FieldValue };
   std::vector<Group> groups;
 };

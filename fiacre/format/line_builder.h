@@ -13,14 +13,14 @@ bool isAmong(std::string_view text, const std::array<std::string_view, N>& texts
   return std::ranges::find(texts, text) != texts.end();
 }
 
-/// Reads the tokens of a model one after the other and puts them into lines, comments where they
-/// belong. What begins a line is for the class that derives from it to say.
+/// Distributes the tokens of a model to lines, with comments in their places. The derived class
+/// decides what begins a line.
 class LineBuilder {
 protected:
   LineBuilder(std::string_view read, const std::vector<Token>& tokens);
   ~LineBuilder() = default;
 
-  // Tokens, the comments apart.
+  // A following token; comments are skipped.
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
     return all[words[std::min(at + ahead, words.size() - 1)]];
   }
@@ -32,37 +32,37 @@ protected:
   [[nodiscard]] bool commentsBefore() const {
     return words[at] > 0 && isComment(all[words[at] - 1]);
   }
-  /// The user has written the next token on the line of the one before.
+  /// Whether the next token is on the same line as the previous one in the user's text.
   [[nodiscard]] bool besidePrevious() const {
     return previous() && !commentsBefore() && !isLineBreak(text, *previous(), peek());
   }
 
-  /// A line begins here, behind the comments that come before it.
+  /// Begins a line, after the comments before it.
   void start(std::size_t indent, std::string_view lead = {}, std::size_t leadWidth = 0);
-  /// Takes a token, an interval of time as a whole.
+  /// Takes a token, or a whole time interval.
   void take();
-  /// Comments before the next token: those behind the last line's end stay there, the others get
-  /// lines. Where the line goes on, they are part of it.
+  /// Takes the comments before the next token. Comments at the end of the last line stay there;
+  /// others get their own lines. If the line continues, they become part of it.
   void takeComments();
-  /// An empty line before the line at hand, or before the comments that touch it.
+  /// Puts an empty line before the current line, or before the comments directly above it.
   void separate();
 
-  /// How far in a comment stands that has a line of its own.
+  /// The indentation of a comment on its own line.
   [[nodiscard]] virtual std::size_t commentIndent(std::size_t comment) = 0;
   [[nodiscard]] bool blankBefore(std::size_t index) const { return newlinesBefore(index) > 1; }
-  /// Of lines longer than any that people write, where from is all the same.
+  /// The column of a token; imprecise in lines that are longer than any handwritten one.
   [[nodiscard]] std::size_t column(const Token& token) const;
-  /// The last of the comments that touch one another from this one on. They are looked at in their
-  /// order, so each once.
+  /// The last of the adjacent comments that start with this one. Call it in order, so that each
+  /// comment is visited once.
   [[nodiscard]] std::size_t lastTouching(std::size_t comment);
 
   std::string_view text;
   const std::vector<Token>& all;
-  std::vector<std::size_t> words; ///< places in `all`
-  std::size_t at = 0;             ///< in `words`
+  std::vector<std::size_t> words; ///< indices into `all`
+  std::size_t at = 0;             ///< index into `words`
   std::vector<FormatLine> lines;
   bool ended = true;     ///< the next token begins a line
-  std::size_t depth = 0; ///< of brackets
+  std::size_t depth = 0; ///< nesting of brackets
 
 private:
   void takeOne();
@@ -70,8 +70,8 @@ private:
   [[nodiscard]] bool isBeforeInterval() const;
   [[nodiscard]] std::size_t newlinesBefore(std::size_t index) const;
 
-  std::size_t taken = 0;               ///< comments before it are in lines
-  std::optional<std::size_t> touching; ///< the end of the comments at hand that touch one another
+  std::size_t taken = 0;               ///< comments before this one have been placed
+  std::optional<std::size_t> touching; ///< the end of the current group of adjacent comments
 };
 
 } // namespace proskill::fiacre

@@ -9,35 +9,34 @@
 namespace proskill::fiacre {
 
 struct PrintOptions {
-  bool prove = false; ///< `prove NAME` under each property, where `assert NAME` is older
+  bool prove = false; ///< print `prove NAME` below each property instead of the older `assert NAME`
 };
 
-/// Lines of a printed model that come from one place of the program. Counted from 0, both ends
-/// within.
+/// Lines of a printed model that come from one place of the program, counted from 0, both included.
 struct PrintedRange {
   OriginId origin = 0;
   std::uint32_t firstLine = 0;
   std::uint32_t lastLine = 0;
 };
 
-/// The text of a model, and where its lines come from: outer ranges before those within them.
+/// The text of a model and the origins of its lines; outer ranges come before inner ones.
 struct PrintResult {
   std::string text;
   std::vector<PrintedRange> ranges;
 };
 
-/// A model as people read it and as frac takes it. Everything compound is in parentheses, times are
-/// naturals, nothing of the tree is left out: what Fiacre has no words for is a comment.
+/// A model as readable text that frac accepts. Compound expressions are in parentheses, and times
+/// are naturals. Nothing of the tree is omitted: parts that Fiacre cannot express become comments.
 [[nodiscard]] PrintResult printWithRanges(const Program& program, const PrintOptions& options = {});
 [[nodiscard]] std::string print(const Program& program, const PrintOptions& options = {});
 
-/// One line, however long.
+/// On one line, of any length.
 [[nodiscard]] std::string printExpr(const Expr& expr);
-/// What can be assigned to: `skill[takeoff].status`.
+/// An expression that can be assigned to: `skill[takeoff].status`.
 [[nodiscard]] std::string printLvalue(const Expr& lvalue);
 [[nodiscard]] std::string printType(const Type& type);
 [[nodiscard]] std::string printInterval(const Interval& interval);
-/// `main` is the component from which the observables' paths start.
+/// \param main the component at which the paths of observables start
 [[nodiscard]] std::string printPattern(const Pattern& pattern, const std::string& main);
 
 } // namespace proskill::fiacre

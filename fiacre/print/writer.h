@@ -6,20 +6,20 @@
 
 namespace proskill::fiacre {
 
-/// Lays text out in lines under 100 columns: breaks what is longer behind commas and connectives,
-/// and goes on below the innermost open parenthesis.
+/// Prints text in lines under 100 columns. Longer text is broken after commas and connectives, and
+/// continues below the innermost open parenthesis.
 class Writer {
 public:
   static constexpr std::size_t kWidth = 100;
-  static constexpr std::size_t kStep = 4; ///< columns of one level
+  static constexpr std::size_t kStep = 4; ///< columns per level
 
-  /// A line at `indent` columns, the comment at its end, or above where there is no room for it.
-  /// What does not fit goes on `hang` columns further in.
+  /// Prints a line at `indent` columns, with the comment at its end, or above it if there is no
+  /// room. Continuation lines are indented by `hang` more columns.
   void line(std::size_t indent, std::string_view text, std::string_view comment = {},
             std::size_t hang = kStep);
-  /// Lines of comment; the text's own line ends are kept.
+  /// Prints lines of comment; line ends in the text are kept.
   void comment(std::size_t indent, std::string_view text);
-  /// An empty line, unless one is there already.
+  /// Prints an empty line unless the previous line is empty.
   void blank();
 
   [[nodiscard]] std::uint32_t lines() const { return count; }

@@ -4,8 +4,8 @@
 
 namespace proskill::fiacre {
 
-/// Of two numbers, as Fiacre's C computes; nothing by zero, beyond 64 bits, or for what is no
-/// arithmetic.
+/// Arithmetic on two numbers, as Fiacre's C code computes it; nothing for division by zero, results
+/// beyond 64 bits, and other operators.
 [[nodiscard]] std::optional<std::int64_t> compute(Op op, std::int64_t a, std::int64_t b);
 
 } // namespace proskill::fiacre

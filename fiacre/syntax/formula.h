@@ -8,7 +8,7 @@
 
 namespace proskill::fiacre {
 
-/// Operands moved to where they stay: a list in braces would copy each with all that is below it.
+/// Moves operands into a list; an initializer list would copy each with its whole tree.
 template <class Node, class... More>
 [[nodiscard]] std::vector<Node> operandsOf(Node first, More... more) {
   std::vector<Node> all;
@@ -18,13 +18,13 @@ template <class Node, class... More>
   return all;
 }
 
-/// Whether a formula is of one moment.
+/// Whether a formula is about one moment, without temporal operators.
 [[nodiscard]] inline bool isAtom(const Ltl& formula) { return formula.kind == LtlKind::Atom; }
 
-/// The negation; of a formula of one moment it is of one moment, too.
+/// The negation. The negation of an atom is an atom.
 [[nodiscard]] Ltl negated(Ltl inner);
 
-/// What a pattern without scope and times says of a run; nothing for others.
+/// A pattern without scope and times as a formula; nothing for other patterns.
 [[nodiscard]] std::optional<Ltl> asFormula(const Pattern& pattern);
 
 } // namespace proskill::fiacre

@@ -7,7 +7,7 @@
 
 namespace proskill::fiacre {
 
-/// What is wrong with a text, and where: bytes.
+/// A syntax error and its place in bytes.
 struct SyntaxProblem {
   std::string message; ///< "`then` is missing"
   std::uint32_t begin = 0;
@@ -16,7 +16,7 @@ struct SyntaxProblem {
 
 enum class TokenKind : std::uint8_t { Name, Number, String, Symbol, Comment, End };
 
-/// A word or sign of a text, which outlives it.
+/// A token of a text; the text must outlive it.
 struct Token {
   TokenKind kind = TokenKind::End;
   std::string_view text;
@@ -31,17 +31,16 @@ struct Token {
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Whether a declaration begins here. `event`, `task` and `extern` are names in older texts: as
-/// declarations they have a name and its type or parameters behind them.
+/// Whether a declaration begins here. `event`, `task` and `extern` may be names in older texts; in
+/// declarations a name and its type or parameters follow.
 [[nodiscard]] bool beginsDeclaration(const Token& token, const Token& next, const Token& second);
 
-/// The words and signs of a text, without its comments; an End token is last. Bytes that are none
-/// of Fiacre are problems, one for each run of them, and left out.
+/// The tokens of a text without comments; the last is an End token. Bytes that do not belong to
+/// Fiacre are skipped, with one problem for each sequence of them.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text,
                                           std::vector<SyntaxProblem>& problems);
 
-/// The same with its comments, those of a line without the white space at its end; an End token is
-/// last.
+/// The same with comments, without the white space at the end of line comments.
 [[nodiscard]] std::vector<Token> tokenizeWithComments(std::string_view text);
 
 } // namespace proskill::fiacre

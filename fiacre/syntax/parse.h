@@ -10,7 +10,7 @@
 
 namespace proskill::fiacre {
 
-/// What a name is, where the grammar says so.
+/// The kind of a name, as far as the grammar determines it.
 enum class NameKind : std::uint8_t {
   Constant,
   Type,
@@ -19,7 +19,7 @@ enum class NameKind : std::uint8_t {
   Task,
   Extern,
   Function,
-  Process, ///< in a composition a component, too
+  Process, ///< in a composition also a component
   Component,
   Property,
   State,
@@ -29,8 +29,8 @@ enum class NameKind : std::uint8_t {
   Field,
   Constructor,
   Tag,
-  Value,   ///< in an expression or at the begin of a statement: whatever has that name
-  Foreign, ///< a function of C
+  Value,   ///< in an expression or at the beginning of a statement: anything with this name
+  Foreign, ///< a function in C
 };
 
 /// A name in a text.
@@ -38,47 +38,47 @@ struct Mention {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
   NameKind kind = NameKind::Value;
-  bool declares = false; ///< here it gets its meaning
-  /// Where a path leads, in which the name is looked for: an index into `Parsed::paths`. 0: no
-  /// path.
+  bool declares = false; ///< this is its declaration
+  /// The path in which the name is looked up, as an index into `Parsed::paths`; 0: none.
   std::uint32_t path = 0;
 };
 
-/// A declaration with all that belongs to it.
+/// A declaration with everything that belongs to it.
 struct Block {
   NameKind kind = NameKind::Process;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
 
-/// Of a property or a probe: the name that it begins with, and places in `par`.
+/// The path of a property or a probe: the name with which it begins, then positions in `par`.
 struct PathTaken {
   std::string begins;
   std::vector<std::uint32_t> places;
 };
 
-/// A text of Fiacre or H-Fiacre as a tree. Origins are the text's own ranges: `actor` is the
-/// process, `words` the statement on one line.
+/// A Fiacre or H-Fiacre text as a tree. Origins are the text's own ranges: the actor is the
+/// process, the description is the statement on one line.
 struct Parsed {
   Program program;
   Provenance provenance;
-  std::vector<Mention> mentions; ///< in the order of the text, of what could be read
-  std::vector<Block> blocks; ///< in the order of the text; one that cannot be read goes to the next
+  std::vector<Mention> mentions; ///< in the order of the text, as far as parsed
+  /// In the order of the text; a block with a syntax error extends to the next one.
+  std::vector<Block> blocks;
   std::vector<PathTaken> paths{1};
-  std::vector<SyntaxProblem> problems; ///< in the order of the text; none: nothing was left out
+  std::vector<SyntaxProblem> problems; ///< in the order of the text; if empty, nothing was skipped
 };
 
-/// Places in the `par` of the model, by names.
+/// Positions in the `par` of the model, by name.
 using PathSteps = std::map<std::string, std::uint32_t, std::less<>>;
 
-/// Never fails: what cannot be read is a problem, and reading goes on at the next `from`,
-/// declaration or property. Constants in types and in bounds of time are put in as numbers;
-/// comments and names of channels are not kept.
-/// Berthomieu et al., "The syntax and semantics of Fiacre" (V2, V3).
-/// \param steps names that paths may have in the place of numbers
+/// Parses a text. Never fails: syntax errors are returned as problems, and parsing continues at the
+/// next `from`, declaration or property. Constants in types and in bounds of time are replaced by
+/// their values; comments and names of channels are dropped. Berthomieu et al., "The syntax and
+/// semantics of Fiacre" (V2, V3).
+/// \param steps names that paths may contain instead of numbers
 [[nodiscard]] Parsed parse(std::string_view text, const PathSteps& steps = {});
 
-/// One expression, all of the text; nothing where it is none.
+/// Parses the whole text as one expression; nothing if it is not an expression.
 [[nodiscard]] std::optional<Expr> parseExpr(std::string_view text);
 
 } // namespace proskill::fiacre

@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
-/// The parser's own pieces, shared by its files.
+/// Internals of the parser, shared by its files.
 namespace proskill::fiacre {
 
-/// Thrown where a construct cannot be read on; what it is part of is resumed further down the text.
+/// Thrown at a syntax error; the enclosing construct continues further down the text.
 struct CannotRead {};
 
-/// A recursive descent over the tokens of a text. A file for each group of constructs.
+/// A recursive-descent parser. Each group of constructs has its own file.
 class Parser {
 public:
   explicit Parser(std::string_view text, PathSteps known = {});
@@ -26,17 +26,17 @@ public:
   std::optional<Expr> wholeExpr();
 
 private:
-  // The tokens: parser.cpp
+  // tokens: parser.cpp
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
   [[nodiscard]] bool isAt(std::string_view text, std::size_t ahead = 0) const;
-  /// `[]`, `()`: two signs that touch.
+  /// `[]`, `()`: two adjacent symbols.
   [[nodiscard]] bool isAtPair(std::string_view open, std::string_view close) const;
   [[nodiscard]] bool isAtName() const;
   bool accept(std::string_view text);
   void expect(std::string_view text);
   std::string name(std::string_view what, NameKind kind, bool declares = false);
   std::vector<std::string> names(std::string_view what, NameKind kind, bool declares = false);
-  /// Notes the token at hand.
+  /// Records a mention at the current token.
   void mention(NameKind kind, bool declares = false);
   [[noreturn]] void fail(std::string message);
   void report(std::string message, const Token& at);
@@ -49,7 +49,7 @@ private:
   OriginId origin(std::uint32_t begin, std::string words = {});
   [[nodiscard]] std::uint32_t lastEnd() const;
 
-  // Declarations: parse.cpp
+  // declarations: parse.cpp
   [[nodiscard]] bool isAtDeclaration(std::size_t ahead = 0) const;
   [[nodiscard]] std::optional<NameKind> declared() const;
   [[nodiscard]] bool endsEntry(std::size_t ahead) const;
@@ -83,7 +83,7 @@ private:
   std::vector<Variable> variables();
   std::vector<Type> typesInParentheses();
 
-  // Expressions: parse_expressions.cpp
+  // expressions: parse_expressions.cpp
   Expr expr();
   Expr binary(std::size_t level);
   Expr prefix();
@@ -96,7 +96,7 @@ private:
   std::vector<Expr> exprs(std::string_view close);
   Expr lvalue();
 
-  // Statements: parse_statements.cpp
+  // statements: parse_statements.cpp
   Statement statements();
   Statement statement();
   Statement plain();
@@ -121,10 +121,10 @@ private:
   using PortSet = std::optional<std::vector<std::string>>; ///< nothing: `*`
   bool acceptPortSet(std::string_view closing, PortSet& ports);
 
-  // Properties: parse_properties.cpp
+  // properties: parse_properties.cpp
   void property();
   void assertion();
-  /// A word that begins a pattern.
+  /// Whether a word that begins a pattern is next.
   [[nodiscard]] bool isAtPattern(std::size_t ahead = 0) const;
   Pattern pattern();
   Pattern betweenTwo(Observable first);
@@ -145,9 +145,9 @@ private:
   Observable atom();
   std::optional<std::uint32_t> step();
 
-  /// Counts how deep constructs are within each other, which the stack bounds.
+  /// Counts the nesting depth of constructs, which the stack limits.
   class Deeper;
-  /// The height of a tree from those of its parts.
+  /// Computes the height of a tree from its parts.
   class Height;
   class Within;
 
@@ -155,21 +155,21 @@ private:
   std::vector<Token> tokens;
   std::size_t at = 0;
   std::size_t depth = 0;
-  std::size_t height = 0;     ///< of the expression or formula that was read last; 0: a leaf
-  bool constantsOnly = false; ///< a `[` ends an interval's bound, and indexes nothing
+  std::size_t height = 0;     ///< of the expression or formula parsed last; 0: a leaf
+  bool constantsOnly = false; ///< a `[` ends an interval's bound and is not an index
   Parsed parsed;
-  std::uint32_t path = 0; ///< of the atom that is read
+  std::uint32_t path = 0; ///< of the current atom
   PathSteps steps;
-  bool joinsPatterns = false; ///< patterns may stand among formulas
-  bool hasPatterns = false;   ///< and one did
-  std::string_view separator; ///< a word that does not join formulas here
-  std::string actor;          ///< of the origins that are made
+  bool joinsPatterns = false; ///< patterns may occur in formulas
+  bool hasPatterns = false;   ///< and one did occur
+  std::string_view separator; ///< a word that does not join formulas in this context
+  std::string actor;          ///< of new origins
   std::map<std::string, std::int64_t, std::less<>> constants;
   std::map<std::string, Port, std::less<>> channels;
-  /// Formulas that are properties by themselves; others name them.
+  /// Formulas of properties, which other formulas may name.
   std::map<std::string, Ltl, std::less<>> formulas;
-  std::size_t copied = 0;                           ///< nodes of those that others named
-  std::vector<std::pair<std::string, Token>> paths; ///< names that paths begin with
+  std::size_t copied = 0;                           ///< number of nodes copied from named formulas
+  std::vector<std::pair<std::string, Token>> paths; ///< names with which paths begin
 };
 
 class Parser::Deeper {
@@ -186,9 +186,9 @@ private:
 class Parser::Height {
 public:
   explicit Height(Parser& in) : parser(in) {}
-  /// The tree that was read last is a part.
+  /// Adds the tree parsed last as a part.
   void addPart() { tallest = std::max(tallest, parser.height); }
-  /// The parts so far are below one node, which may become a part in turn.
+  /// The parts so far become children of one node, which may become a part in turn.
   void addNode();
 
 private:
@@ -196,7 +196,7 @@ private:
   std::size_t tallest = 0;
 };
 
-/// While it lives, names are looked for where a path leads.
+/// During its lifetime, names are looked up in the scope of a path.
 class Parser::Within {
 public:
   Within(Parser& in, PathTaken taken) : parser(in) {

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-/// The tree of Fiacre V3 and of H-Fiacre, its executable extension: what the code generator builds
-/// and what the printer and the verifier read. Times are naturals of the model's unit. Berthomieu
-/// et al., "The syntax and semantics of Fiacre" (V2, V3).
+/// The tree of Fiacre V3 and its executable extension H-Fiacre. The code generator builds it; the
+/// printer and the verifier read it. Times are naturals in the model's unit. Berthomieu et al.,
+/// "The syntax and semantics of Fiacre" (V2, V3).
 namespace proskill::fiacre {
 
 struct Interval {
   std::int64_t lower = 0;
   std::optional<std::int64_t> upper; ///< nothing: unbounded
   bool lowerOpen = false;
-  bool upperOpen = false; ///< of a bounded interval
+  bool upperOpen = false; ///< if bounded
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
@@ -27,7 +27,7 @@ struct Type;
 /// A field of a record, or a constructor of a union (whose type may be absent).
 struct Member {
   std::string name;
-  std::vector<Type> type; ///< none or one
+  std::vector<Type> type; ///< zero or one
   std::string comment;
   friend bool operator==(const Member&, const Member&) = default;
 };
@@ -46,8 +46,8 @@ struct Type {
 enum class ExprKind : std::uint8_t {
   Bool,        // number 0 or 1
   Number,      // number
-  Name,        // name: variable, constant or constructor, as the type checker finds
-  Construct,   // name(operands): a constructor with a value, or a call of a function
+  Name,        // name: a variable, constant or constructor; the type checker decides
+  Construct,   // name(operands): a constructor with a value, or a function call
   Unary,       // op operands[0]
   Binary,      // operands[0] op operands[1]
   Conditional, // operands[0] ? operands[1] : operands[2]
@@ -95,20 +95,20 @@ struct Expr {
 
 enum class StatementKind : std::uint8_t {
   Null,
-  Comment,  // a line for the reader alone
-  Assign,   // targets := values (any number of each, the same)
+  Comment,  // a line of comment
+  Assign,   // targets := values (the same number of each)
   Any,      // targets[0] := any [where values[0]]
   On,       // on values[0]
   Wait,     // wait interval
   To,       // to name
-  Loop,     // stay in the state, clocks go on
+  Loop,     // stays in the state without resetting clocks
   If,       // if values[0] then children[0] [else children[1]]; elsif is a nested If
   Case,     // case values[0] of patterns: values[1 + i] -> children[i]
-  Select,   // children, by [] ; `unless` before child i where i is in priorityGroups
+  Select,   // children, separated by []; `unless` before child i if i is in priorityGroups
   Sequence, // children
-  Send,     // name ! values…; without values a plain synchronisation
+  Send,     // name ! values…; without values: only synchronisation
   Receive,  // name ? targets… [where values[0]]
-  Tag,      // #name: the transitions that pass here bear it
+  Tag,      // #name: a tag of the transitions through this statement
   Start,    // H-Fiacre: start name(values…)
   Sync,     // H-Fiacre: sync name [targets[0]]
   While,    // while values[0] do children[0] end
@@ -119,7 +119,7 @@ enum class StatementKind : std::uint8_t {
 struct Statement {
   StatementKind kind = StatementKind::Null;
   OriginId origin = 0;
-  std::string comment; ///< printed before it, at the end of its line where short
+  std::string comment; ///< printed before it, or at the end of its line if short
   std::string name;
   std::vector<Expr> targets;
   std::vector<Expr> values;
@@ -150,11 +150,11 @@ enum class ObservableKind : std::uint8_t {
   Implies,
 };
 
-/// What can be seen of a model at a moment. A path is 1-based places in `par`, from the main
-/// component down, or from an observer.
+/// Something observable in a model at a moment. Its path consists of 1-based positions in `par`,
+/// from the main component, or from an observer.
 struct Observable {
   ObservableKind kind = ObservableKind::State;
-  std::string observer; ///< that the path begins with; empty: the model
+  std::string observer; ///< the observer at which the path begins; empty: the model
   std::vector<std::uint32_t> path;
   std::string name;
   Expr value;
@@ -162,18 +162,18 @@ struct Observable {
   friend bool operator==(const Observable&, const Observable&) = default;
 };
 
-/// Whether it is of steps: whether a tag, an event, `enter` or `leave` is in it.
+/// Whether it observes steps: it contains a tag, an event, `enter` or `leave`.
 [[nodiscard]] bool watchesSteps(const Observable& observable);
 
-/// What crosses a port; `sync` is no value at all.
+/// The channel of a port; `sync`: no values.
 struct Port {
   std::string name;
   std::vector<Type> values;
   bool in = false;
   bool out = false;
   std::optional<Interval> interval; ///< in components; nothing: [0,...[
-  std::optional<Observable> probe;  ///< in components: what has to be seen for it to be passed
-  OriginId origin = 0;              ///< of the probe
+  std::optional<Observable> probe; ///< in components: the condition under which the port is enabled
+  OriginId origin = 0;             ///< of the probe
   std::string comment;
   friend bool operator==(const Port&, const Port&) = default;
 };
@@ -191,12 +191,12 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
-/// What can happen in a state: each path through the statement is one atomic transition.
+/// The transitions of a state: each path through the statement is one atomic transition.
 struct From {
   std::string state;
   Statement statement;
-  std::string comment; ///< the lines above, naming the program's line
-  OriginId origin = 0; ///< of a model by hand: all of it
+  std::string comment; ///< the lines above, which name the program's line
+  OriginId origin = 0; ///< if the user wrote the model: all of it
   friend bool operator==(const From&, const From&) = default;
 };
 
@@ -206,7 +206,7 @@ struct Process {
   std::string comment;
   std::vector<Port> ports;
   std::vector<Parameter> parameters;
-  std::vector<State> states; ///< the first is the initial one, unless `init` says another
+  std::vector<State> states; ///< the first is the initial one, unless `init` sets another
   std::vector<Variable> variables;
   std::optional<Statement> init;
   std::vector<From> transitions;
@@ -223,16 +223,16 @@ struct Function {
   friend bool operator==(const Function&, const Function&) = default;
 };
 
-/// `P[ports](arguments)` in a component, or a composition within its composition; an argument that
-/// is a reference is a plain variable's name.
+/// `P[ports](arguments)` in a component, or a nested composition. An argument passed by reference
+/// is the name of a variable.
 struct Instance {
   std::string process;
   std::vector<std::string> ports;
   std::vector<Expr> arguments;
   std::vector<bool> references; ///< which arguments are passed by reference
-  /// The component's ports on which it waits for the others; nothing: all that it is given.
+  /// The component's ports on which it synchronises; nothing: all of its ports.
   std::optional<std::vector<std::string>> synchronised;
-  std::vector<Instance> parts; ///< of a composition, which has no process
+  std::vector<Instance> parts; ///< of a nested composition, which has no process
   friend bool operator==(const Instance&, const Instance&) = default;
 };
 
@@ -256,7 +256,7 @@ struct Component {
   friend bool operator==(const Component&, const Component&) = default;
 };
 
-/// `OBSERVER > MODEL`: the component runs beside the model, and goes before it.
+/// `OBSERVER > MODEL`: the observer runs in parallel with the model and has priority over it.
 struct Attachment {
   std::string observer;
   std::string model;
@@ -274,8 +274,8 @@ enum class PatternKind : std::uint8_t {
   LeadsTo,
   Precedes,
   Ltl,
-  Progress, // not of Fiacre: time can always go on; printed as a comment
-  NoError,  // likewise: nothing fails at run time
+  Progress, // not in Fiacre: time can always pass; printed as a comment
+  NoError,  // not in Fiacre: no evaluation fails at run time; printed as a comment
 };
 
 enum class LtlKind : std::uint8_t { Atom, Globally, Finally, Next, Until, Not, And, Or, Implies };
@@ -289,14 +289,14 @@ struct Ltl {
 
 struct Pattern {
   PatternKind kind = PatternKind::Absent;
-  /// What is absent, always, …; LeadsTo, Precedes: two; DeadlockFree: where it may stop, if
-  /// anywhere.
+  /// The operands of `absent`, `always`, …; LeadsTo, Precedes: two; DeadlockFree: where deadlocks
+  /// are allowed, if anywhere.
   std::vector<Observable> operands;
   std::optional<Observable> after;
   std::optional<Observable> before;
-  std::optional<Observable> until; ///< ends what `after` begins, again and again
-  bool between = false;            ///< `between AFTER and UNTIL`: only where the end comes
-  bool first = false;              ///< LeadsTo: the first one after it
+  std::optional<Observable> until; ///< ends the scope of `after`, repeatedly
+  bool between = false;            ///< `between AFTER and UNTIL`: only if UNTIL follows
+  bool first = false;              ///< LeadsTo: only the first one after it counts
   std::optional<Interval> within;
   std::optional<Interval> forInterval;
   std::optional<std::int64_t> forDuration;
@@ -305,7 +305,7 @@ struct Pattern {
   friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 
-/// Whether a run without end may be what violates the pattern: what it wants never comes.
+/// Whether an infinite run may violate the pattern, because what it requires never happens.
 [[nodiscard]] inline bool isAboutEndlessRuns(const Pattern& pattern) {
   const auto bounded = [](const std::optional<Interval>& interval) {
     return interval && interval->upper;
@@ -321,7 +321,7 @@ struct Property {
   Pattern pattern;
   OriginId origin = 0;
   std::string comment;
-  bool asserted = true; ///< it is asked for, not only given a name
+  bool asserted = true; ///< it is to be checked, not only named
   friend bool operator==(const Property&, const Property&) = default;
 };
 
@@ -339,14 +339,14 @@ struct Constant {
   friend bool operator==(const Constant&, const Constant&) = default;
 };
 
-/// H-Fiacre: a port that a function of C offers.
+/// H-Fiacre: a port that a function in C offers.
 struct EventPort {
   Port port;
   std::string function;
   friend bool operator==(const EventPort&, const EventPort&) = default;
 };
 
-/// H-Fiacre: a function of C that runs in a thread of its own.
+/// H-Fiacre: a function in C with its own thread.
 struct Task {
   std::string name;
   std::vector<Type> parameters;
@@ -355,7 +355,7 @@ struct Task {
   friend bool operator==(const Task&, const Task&) = default;
 };
 
-/// H-Fiacre: a function of C that is called within a transition.
+/// H-Fiacre: a function in C that a transition calls.
 struct Extern {
   std::string name;
   std::vector<Type> parameters;
@@ -366,7 +366,7 @@ struct Extern {
 
 /// Printed in this order.
 struct Program {
-  std::string comment; ///< the head of the file
+  std::string comment; ///< the comment at the top of the file
   std::vector<Constant> constants;
   std::vector<TypeDeclaration> types;
   std::vector<EventPort> eventPorts;
@@ -375,7 +375,7 @@ struct Program {
   std::vector<Function> functions;
   std::vector<Process> processes;
   std::vector<Component> components;
-  std::string main; ///< the component that is the model
+  std::string main; ///< the main component
   std::vector<Attachment> observers;
   std::vector<Property> properties;
   friend bool operator==(const Program&, const Program&) = default;
