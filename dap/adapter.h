@@ -19,13 +19,13 @@ struct AdapterOptions {
   std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
 };
 
-/// A debug adapter over a trace or a simulation. Debug Adapter Protocol 1.65; docs/dap.md describes
-/// what is specific to ours. A thread reads, so that a verification can be cancelled.
+/// A debug adapter for a trace or a simulation. Debug Adapter Protocol 1.65; docs/dap.md describes
+/// our extensions. A separate thread reads, so that a verification can be cancelled.
 class Adapter {
 public:
   Adapter(rpc::Connection& connection, const analysis::FileSystem& disk, AdapterOptions options);
 
-  /// Serves until the client disconnects (0) or is gone (1).
+  /// Serves until the client disconnects (returns 0) or the connection breaks (returns 1).
   int run();
 
 private:
@@ -90,17 +90,17 @@ private:
   std::condition_variable wake;
   std::deque<Json> queue;
   bool streamEnded = false;
-  rpc::Cancellation cancellation; ///< of what `launch` does
+  rpc::Cancellation cancellation; ///< for the work of `launch`
 
   bool linesFromOne = true;
   bool columnsFromOne = true;
   bool showsProgress = false;
-  bool configured = false; ///< `configurationDone` has come
+  bool configured = false; ///< `configurationDone` has been received
   bool announced = false;  ///< the first stop was reported
   bool finished = false;
   LaunchArguments launched;
   std::unique_ptr<Player> player; ///< null until `launch` has succeeded
-  std::optional<Stop> stop;       ///< to be reported when the answer has been sent
+  std::optional<Stop> stop;       ///< to be reported after the answer
   std::string stopWords;
 };
 

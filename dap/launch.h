@@ -9,7 +9,7 @@ namespace proskill::dap {
 
 /// The arguments of `launch`, described in docs/dap.md.
 struct LaunchArguments {
-  std::filesystem::path program; ///< empty: a trace file alone
+  std::filesystem::path program; ///< empty: only a trace file
   std::string property;
   std::filesystem::path trace;
   bool simulate = false;
@@ -19,7 +19,7 @@ struct LaunchArguments {
   worker::Budget budget;
 };
 
-/// The error is a sentence.
+/// The error is a message.
 [[nodiscard]] std::expected<LaunchArguments, std::string> readLaunch(const Json& json);
 
 struct LaunchContext {
@@ -29,7 +29,7 @@ struct LaunchContext {
   std::function<void(const worker::WorkerProgress&)> progress;
 };
 
-/// Where the session's steps come from: a file with a trace, a simulation, or the verification of a
+/// Creates the source of a session's steps: a trace file, a simulation, or the verification of a
 /// property.
 [[nodiscard]] std::expected<std::unique_ptr<StepSource>, std::string>
 openSource(const LaunchArguments& arguments, const LaunchContext& surroundings);

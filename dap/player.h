@@ -12,8 +12,8 @@ namespace proskill::dap {
 /// Why a run stopped.
 enum class Stop : std::uint8_t { Step, Breakpoint, Variable, Start, End, TooLong };
 
-/// Moves forward and back through steps. The position is the number of steps taken; the step
-/// after it is the one that is about to happen.
+/// Moves forwards and backwards through steps. The position is the number of steps taken; the next
+/// step has not happened yet.
 class Player {
 public:
   explicit Player(std::unique_ptr<StepSource> source);
@@ -27,10 +27,10 @@ public:
   [[nodiscard]] const std::vector<Step>& choices() const { return next; }
   /// All actors, in the order of their first steps.
   [[nodiscard]] const std::vector<std::string>& actors() const { return known; }
-  /// Who is about to act; at the end, who acted last. Empty where nobody ever acts.
+  /// The actor of the next step; at the end, the actor of the last one. Empty if there is none.
   [[nodiscard]] std::string actor() const;
 
-  /// Each variable's value after so many steps. \pre at <= position()
+  /// The value of each variable after `at` steps. \pre `at` <= position()
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> valuesAt(std::size_t at) const;
 
   void setBreakpoints(const std::filesystem::path& path, std::set<unsigned> lines);
@@ -39,14 +39,14 @@ public:
     return source->hasLine(path, line);
   }
 
-  /// Takes a step; End where there is none. \pre choice < choices().size(), or there are none
+  /// Takes a step; returns End if there is none. \pre choice < choices().size(), or there are none
   Stop step(std::size_t choice = 0);
   Stop stepBack();
-  /// Continues until the next step is at a breakpoint, a watched variable has changed,
-  /// or nothing more happens. A simulation without end is interrupted.
+  /// Continues until the next step is at a breakpoint, a watched variable has changed, or no step
+  /// is left. Stops an endless simulation.
   Stop run();
   Stop runBack();
-  /// Until the actor is about to act again.
+  /// Continues until the actor is about to act again.
   Stop runUntil(const std::string& wanted);
   void goTo(std::size_t position);
 

@@ -11,24 +11,24 @@
 
 namespace proskill::dap {
 
-/// Where the steps of a session come from: a trace, or a simulation in which somebody chooses.
+/// The source of a session's steps: a trace, or a simulation with choices.
 class StepSource {
 public:
   virtual ~StepSource() = default;
-  /// Name, words, verdict and first values; its steps are those of a recorded trace.
+  /// The trace's name, description, verdict and initial values; its steps if it is recorded.
   [[nodiscard]] virtual const Trace& trace() const = 0;
   [[nodiscard]] virtual bool isSimulation() const = 0;
-  /// After the steps that were taken: what may come next, the likeliest first.
+  /// The possible next steps, the likeliest first.
   [[nodiscard]] virtual std::vector<Step> choices() const = 0;
   /// \pre choice < choices().size()
   virtual void take(std::size_t choice) = 0;
-  /// \pre a step was taken
+  /// \pre at least one step was taken
   virtual void undo() = 0;
-  /// Whether a step can be at a line.
+  /// Whether some step has this line.
   [[nodiscard]] virtual bool hasLine(const std::filesystem::path& path, unsigned line) const = 0;
 };
 
-/// One choice at a time: the trace's next step.
+/// A recorded trace: the only choice is its next step.
 [[nodiscard]] std::unique_ptr<StepSource> recorded(Trace trace);
 
 /// \param program checked, without errors

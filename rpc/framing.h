@@ -6,21 +6,21 @@
 #include <string_view>
 #include <variant>
 
-/// The form of messages in a stream of bytes: a header with `Content-Length`, an empty line, the
+/// Framing of messages in a stream of bytes: a header with `Content-Length`, an empty line, the
 /// body. LSP 3.17, "Base Protocol".
 namespace proskill::rpc {
 
-/// Bytes that are not a message. The reader continues after them, at the next header.
+/// Bytes that are not a message. Reading continues at the next header after them.
 struct FramingError {
   std::string message;
 };
 
 using Frame = std::variant<std::string, FramingError>;
 
-/// Cuts a stream into messages, whatever the sizes of the pieces in which it comes.
+/// Splits a stream into messages; pieces of the stream may have any size.
 class FrameReader {
 public:
-  /// A body longer than `limit` bytes is skipped as it comes, and never held.
+  /// \param limit bodies longer than this many bytes are skipped without buffering them
   explicit FrameReader(std::size_t limit = std::size_t{256} << 20) : limit(limit) {}
 
   void feed(std::string_view bytes);
@@ -35,13 +35,13 @@ private:
 
   std::size_t limit;
   std::string buffer;
-  std::size_t position = 0;              ///< end of the processed part of the buffer
-  bool lost = false;                     ///< the next bytes need not be a header
-  std::optional<std::size_t> bodyLength; ///< known: the header has been read
-  std::size_t toSkip = 0;                ///< of a body that is too long
+  std::size_t position = 0;              ///< end of the processed bytes of the buffer
+  bool lost = false;                     ///< searching for the next header
+  std::optional<std::size_t> bodyLength; ///< set once the header has been read
+  std::size_t toSkip = 0;                ///< remaining bytes of a body that is too long
 };
 
-/// The header of a body of so many bytes.
+/// The header for a body of this length.
 [[nodiscard]] std::string header(std::size_t length);
 /// A message as it is sent.
 [[nodiscard]] std::string frame(std::string_view body);

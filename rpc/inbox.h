@@ -13,15 +13,15 @@
 
 namespace proskill::rpc {
 
-/// The client has gone.
+/// The client has disconnected.
 struct EndOfStream {};
-/// A message; for a request with its cancellation token, valid from the moment it was read.
+/// A message. A request has a cancellation token, which is valid from the moment it was read.
 struct Received {
   Message message;
   Cancellation cancellation;
-  std::uint64_t order = 0; ///< how many requests came before it
+  std::uint64_t order = 0; ///< number of requests before it
 };
-/// A task that another thread has prepared and that the main thread finishes.
+/// A task prepared by another thread, to be finished on the main thread.
 using Task = std::function<void()>;
 using InboxEvent = std::variant<Received, MalformedMessage, Task, EndOfStream>;
 
@@ -36,7 +36,7 @@ public:
     wake.notify_one();
   }
 
-  /// The next one; nothing if the deadline comes first.
+  /// The next event; nothing at the deadline.
   std::optional<InboxEvent> take(std::optional<std::chrono::steady_clock::time_point> deadline) {
     std::unique_lock lock(mutex);
     auto ready = [&] { return !queue.empty(); };
@@ -49,7 +49,7 @@ public:
     return event;
   }
 
-  /// The next one, if it is there already and wanted.
+  /// The next event, if it has arrived and is wanted.
   template <class Wanted> std::optional<InboxEvent> takeIf(const Wanted& wanted) {
     const std::lock_guard lock(mutex);
     if (queue.empty() || !wanted(queue.front())) return std::nullopt;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// Writes JSON directly as text, for answers with thousands of parts: a tree of `Json` needs an
+/// Writes JSON directly as text, for answers with thousands of parts. A `Json` tree would need an
 /// allocation and a deallocation for each member of each part.
 namespace proskill::rpc {
 
@@ -56,8 +56,7 @@ public:
     text += json;
     return *this;
   }
-  /// The number of a line as the value of a key: its place is remembered, so that it can be written
-  /// anew.
+  /// Writes a line number and remembers its position, so that it can be changed later.
   JsonWriter& line(std::uint32_t number) {
     lines.push_back(static_cast<std::uint32_t>(text.size()));
     return value(number);
@@ -73,7 +72,8 @@ public:
 private:
   JsonWriter& digits(std::int64_t number);
 
-  /// Strings end with a quotation mark, so that the last character says what came before.
+  /// Inserts a comma if one is needed; the last character shows this, since strings end with a
+  /// quotation mark.
   void separate() {
     if (!text.empty() && text.back() != '{' && text.back() != '[' && text.back() != ':')
       text += ',';
@@ -82,19 +82,19 @@ private:
   friend class MovableJson;
 
   std::string text;
-  std::vector<std::uint32_t> lines; ///< where the numbers of lines begin in it
+  std::vector<std::uint32_t> lines; ///< positions of line numbers in the text
 };
 
-/// JSON of things that are near each other in a text, and can be moved to other lines of it.
+/// JSON about neighbouring places in a text, which can be moved to other lines.
 class MovableJson {
 public:
   MovableJson() = default;
-  /// Written where these things began in the line `first`.
+  /// \param first the first line of these places when it was written
   MovableJson(JsonWriter json, std::uint32_t first)
       : text(std::move(json.text)), lines(std::move(json.lines)), first(first) {}
 
   [[nodiscard]] std::size_t size() const { return text.size(); }
-  /// As it would be where they begin in the line `now`. Writes nothing where nothing was written.
+  /// Writes the JSON with `now` as the first line of these places. Writes nothing if it is empty.
   void write(JsonWriter& json, std::uint32_t now) const;
 
 private:
@@ -103,11 +103,11 @@ private:
   std::uint32_t first = 0;
 };
 
-/// A value that stands for text which is JSON already: one of the binary kind, which no message of
-/// the protocol has. `dump` writes it as it is.
+/// A value that contains JSON text: a binary value, which does not occur in messages of the
+/// protocol. `dump` writes its text unchanged.
 [[nodiscard]] Json written(std::string_view json);
 
-/// About how many bytes `dump` will write, for `reserve`.
+/// The approximate number of bytes that `dump` will write, for `reserve`.
 [[nodiscard]] std::size_t sizeOf(const Json& json);
 /// The text of a message or a part of one.
 [[nodiscard]] std::string dump(const Json& json);

@@ -13,8 +13,7 @@ namespace proskill::rpc {
 /// Sends notifications and requests to the client. Any thread may use it.
 class Peer {
 public:
-  /// Gets the result of the answer, on the main thread; not called if the client answered with an
-  /// error.
+  /// Receives the result of the answer on the main thread. Not called if the answer is an error.
   using OnResult = std::function<void(const Json& result)>;
 
   explicit Peer(Outbox& outbox) : outbox(outbox) {}
@@ -33,7 +32,7 @@ public:
     outbox.send(request(id, method, params));
   }
 
-  /// Handles a response. \return whether its request was ours
+  /// Handles a response. \return whether it answers a request of this peer
   bool answered(const Message& answer) {
     OnResult onResult;
     {

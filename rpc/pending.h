@@ -12,8 +12,8 @@
 
 namespace proskill::rpc {
 
-/// Requests without an answer so far. Each is answered once: by its task, or by its
-/// cancellation, whichever comes first.
+/// Requests that have not been answered. Each is answered once, by its task or by its cancellation,
+/// whichever comes first.
 class Pending {
 public:
   /// The request's token; nothing if a request with the same identifier is pending.
@@ -26,13 +26,13 @@ public:
     return isNew ? std::optional(entry->second.cancellation) : std::nullopt;
   }
 
-  /// Whether the request still waits for an answer; the caller gives it.
+  /// Whether the request is still unanswered; if so, the caller must answer it.
   bool finish(const Json& id) {
     const std::lock_guard lock(mutex);
     return requests.erase(id) > 0;
   }
 
-  /// As `finish`, and cancels the task.
+  /// Like `finish`, and cancels the task.
   bool cancel(const Json& id) {
     const std::lock_guard lock(mutex);
     auto found = requests.find(id);
@@ -46,7 +46,7 @@ public:
     Json id;
     std::string method;
   };
-  /// Those of these methods that ask about a text, by its URI, among the first `before` that came.
+  /// The pending requests with these methods about a text, among the first `before` requests.
   template <class Methods>
   [[nodiscard]] std::vector<Request> about(const std::string& uri, const Methods& methods,
                                            std::uint64_t before) const {
@@ -58,14 +58,14 @@ public:
     return result;
   }
 
-  /// At the end: cancels all.
+  /// Cancels all requests, at the end.
   void cancelAll() {
     const std::lock_guard lock(mutex);
     for (auto& [id, waiting] : requests) waiting.cancellation.cancel();
     requests.clear();
   }
 
-  /// How many requests have come so far.
+  /// The number of requests so far.
   [[nodiscard]] std::uint64_t count() const {
     const std::lock_guard lock(mutex);
     return begun;
@@ -80,7 +80,7 @@ private:
   struct Waiting {
     Cancellation cancellation;
     std::string method;
-    std::string uri; ///< of its text document; empty where it has none
+    std::string uri; ///< of its text document; empty if it has none
     std::uint64_t order = 0;
   };
 

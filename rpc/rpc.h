@@ -10,7 +10,7 @@
 
 namespace proskill {
 
-/// JSON of protocols. What people read is `OrderedJson`, see report/ordered_json.h.
+/// JSON for protocols. For output that people read, use `OrderedJson`, see report/ordered_json.h.
 using Json = nlohmann::json;
 
 } // namespace proskill
@@ -21,7 +21,7 @@ namespace proskill::rpc {
 struct RpcError {
   ErrorCode code = ErrorCode::InternalError;
   std::string message;
-  Json data = nullptr; ///< as the method's specification says; null where there is none
+  Json data = nullptr; ///< defined by the method's specification; null if there is none
 };
 
 enum class MessageKind : std::uint8_t { Request, Notification, Response };
@@ -30,11 +30,12 @@ struct Message {
   MessageKind kind = MessageKind::Notification;
   Json id;            ///< of requests and responses
   std::string method; ///< of requests and notifications
-  Json params;        ///< null where absent
+  Json params;        ///< null if absent
   Json result;        ///< of a successful response
-  Json error;         ///< of a response; null where there is none
-  /// It contained half a character or invalid UTF-8, each of which is now U+FFFD: one
-  /// unit of UTF-16 as half a character is, so that later places mean what the client means.
+  Json error;         ///< of a failed response; null otherwise
+  /// The message contained an unpaired surrogate or invalid UTF-8, each of which was replaced by
+  /// U+FFFD. That is one unit of UTF-16, like an unpaired surrogate, so positions keep their
+  /// meaning.
   bool isRepaired = false;
 };
 

@@ -18,15 +18,15 @@ class Cancellation {
 public:
   void cancel() { flag->store(true); }
   [[nodiscard]] bool isCancelled() const { return flag->load(); }
-  /// For functions that take a plain flag.
+  /// The flag itself, for functions that take a plain flag.
   [[nodiscard]] const std::atomic<bool>& raw() const { return *flag; }
 
 private:
   std::shared_ptr<std::atomic<bool>> flag = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// Tasks that a user waits for have priority over background tasks. Do not run tasks of minutes,
-/// such as a verification, on the scheduler that answers requests.
+/// Tasks that a user waits for have priority over background tasks. Tasks that take minutes, such
+/// as a verification, must not run on the scheduler that answers requests.
 enum class Priority : std::uint8_t { Interactive, Background, Long };
 
 /// A thread pool. One of its threads runs only interactive tasks, so that these never wait
@@ -34,7 +34,7 @@ enum class Priority : std::uint8_t { Interactive, Background, Long };
 class Scheduler {
 public:
   /// \pre threads >= 2
-  /// \param patience how long background tasks give way at most
+  /// \param patience the maximal time for which background tasks give way
   explicit Scheduler(unsigned threads,
                      std::chrono::milliseconds patience = std::chrono::milliseconds(20));
   /// Waits for running tasks, and drops pending ones.
@@ -44,7 +44,7 @@ public:
 
   void post(Priority priority, std::function<void()> task);
   /// For background tasks, at a point where they hold no locks: waits until there are no
-  /// interactive tasks, or the patience ends.
+  /// interactive tasks, at most for the patience.
   void giveWay();
 
 private:

@@ -5,26 +5,27 @@
 
 namespace proskill::tina {
 
-/// The tool that runs now, for progress.
+/// The running tool, for progress.
 struct Progress {
   std::string tool;
-  double seconds = 0;    ///< since this tool was started
+  double seconds = 0;    ///< since this tool started
   std::string_view line; ///< its last line of output
 };
 
 struct Options {
   Tools tools;
-  std::optional<std::filesystem::path> keep; ///< a directory for all files, else a temporary one
-  /// Time is that of all tools together, bytes are those of each; classes are given to the
+  /// A directory for all files; nothing: a temporary directory.
+  std::optional<std::filesystem::path> keep;
+  /// Time is for all tools together, memory for each tool; the limit of classes applies to the
   /// explorer.
   verify::Limits limits;
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(const Progress&)> progress;
 };
 
-/// A tool that was run.
+/// A tool that has run.
 struct Call {
-  std::string command; ///< for people, not for a shell
+  std::string command; ///< for users, not for a shell
   std::string ended;   ///< "ended with exit code 0"
   std::string out;
   std::string err;
@@ -32,7 +33,7 @@ struct Call {
 
 struct Outcome {
   verify::Result result;
-  std::string model; ///< the text that the tools were given
+  std::string model; ///< the tools' input
   std::vector<Call> calls;
 };
 
@@ -40,14 +41,13 @@ struct Outcome {
 struct Failure {
   std::string message;
   std::string model;
-  std::vector<Call> calls; ///< the last one is what went wrong
+  std::vector<Call> calls; ///< the last one failed
 };
 
-/// Answers the questions by Tina: frac, a compiler of C, sift or tina, selt; ktzio and the engine's
-/// own replay for traces. Answers come from selt alone, with one exception: a property that
-/// Fiacre cannot express, deadlocks of which some are allowed, is decided on the graph of Tina.
-/// A limit that is met makes the answers unknown. Output of a tool that is not understood is a
-/// failure.
+/// Answers the questions with Tina: frac, a C compiler, sift or tina, selt; ktzio and the engine's
+/// replay for traces. Answers come only from selt, with one exception: deadlock freedom with
+/// allowed deadlocks, which Fiacre cannot express, is decided on Tina's state graph. If a limit is
+/// met, answers are unknown. Unexpected output of a tool is a failure.
 [[nodiscard]] std::expected<Outcome, Failure> verify(const fiacre::Program& program,
                                                      const fiacre::Provenance& provenance,
                                                      const std::vector<verify::Question>& questions,

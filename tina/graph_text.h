@@ -13,11 +13,12 @@ namespace proskill::tina {
 /// then a line for each transition.
 void writeAut(std::ostream& out, const verify::StateGraph& graph);
 
-/// What frac calls the net of a model: `process_play_1`. That of a component is by analogy.
+/// The name that frac gives to the net of a model: `process_play_1`. For a component, by analogy.
 [[nodiscard]] std::string netName(const fiacre::Program& program);
 
-/// The text that ktzio makes of a `.ktz`: each state with its marking and the targets of its
-/// transitions. \param name of the net
+/// The text that ktzio prints for a `.ktz` file: each state with its marking and the targets of its
+/// transitions.
+/// \param name of the net
 void writeKtzText(std::ostream& out, const verify::StateGraph& graph, std::string_view name);
 
 } // namespace proskill::tina

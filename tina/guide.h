@@ -9,8 +9,8 @@
 
 namespace proskill::tina {
 
-/// Maps runs from Tina back to the model: follows them step by step in the model's own
-/// transition system, so that a trace has dates and was replayed, like one of the engine.
+/// Maps runs from Tina to the model by following them step by step in the model's own transition
+/// system. So a trace has dates and is replayed, like a trace of the engine.
 class Guide {
 public:
   /// \pre the arguments outlive this
@@ -25,8 +25,8 @@ public:
            kind == verify::GoalKind::Deadlock;
   }
 
-  /// The trace along these transitions, up to the violation of the property; to their end if
-  /// the engine cannot decide it. The error says why there is none.
+  /// The trace with these transitions, up to the violation of the property; up to their end if the
+  /// engine cannot decide the property. The error says why there is no trace.
   [[nodiscard]] std::expected<verify::Trace, std::string>
   follow(std::size_t question, const std::vector<std::string>& transitions) const;
 
@@ -45,7 +45,7 @@ private:
   };
   struct Taken {
     verify::TransitionId transition = verify::kNone;
-    bool exact = false; ///< its number, too, is the one in the name
+    bool exact = false; ///< the number in the name matches too
     std::vector<verify::Word> state;
     verify::Bits events;
   };
@@ -65,7 +65,7 @@ private:
   [[nodiscard]] static verify::Steps wayTo(const std::vector<Node>& nodes, std::uint32_t node);
 
   std::vector<verify::Goal> goals;
-  verify::Goal anything; ///< is seen everywhere
+  verify::Goal anything; ///< a goal that holds everywhere
   verify::System system;
   verify::Enabling enabling;
   Names names;

@@ -9,14 +9,14 @@
 
 namespace proskill::tina {
 
-/// Maps names in the output of Tina to a model. It knows both spellings of the names of
-/// processes, because it is not certain whether frac doubles their underscores.
+/// Maps names in Tina's output to a model. Accepts both spellings of process names, because it is
+/// not certain whether frac doubles their underscores.
 class Names {
 public:
   /// \pre `system` outlives this \param main the name of the main component
   Names(const verify::System& system, const std::string& main);
 
-  /// An instance's share in a transition: `J` of `PROCESS_K_tJ`.
+  /// The part of an instance in a transition: `J` of `PROCESS_K_tJ`.
   struct Part {
     verify::InstanceId instance = 0;
     std::uint32_t leaf = 0;
@@ -25,8 +25,8 @@ public:
   /// The parts of a transition, by instance; nothing if it is not a transition of the model.
   [[nodiscard]] std::optional<std::vector<Part>> transition(std::string_view name) const;
 
-  /// The parts that are the model's where others are not, by instance: frac adds processes that
-  /// observe timed properties. None where nothing is the model's.
+  /// The parts that belong to the model, by instance: frac adds processes that observe timed
+  /// properties. Empty if none belong to the model.
   [[nodiscard]] std::vector<Part> partsWithin(std::string_view name) const;
 
   struct Place {
@@ -46,7 +46,7 @@ private:
   };
   [[nodiscard]] std::optional<Prefix> partAt(std::string_view name, std::size_t mark) const;
 
-  Table<verify::InstanceId> instances; ///< nothing: the spelling is of several
+  Table<verify::InstanceId> instances; ///< nothing: the spelling is ambiguous
   Table<Place> places;
   Table<verify::CellId> variables;
 };

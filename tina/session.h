@@ -8,18 +8,18 @@
 
 namespace proskill::tina {
 
-/// Runs the tools one after the other in a workspace, within the limits of all together.
+/// Runs the tools one after the other in a workspace, within common limits.
 class Session {
 public:
   /// \pre the arguments outlive this
   Session(const Workspace& in, const Options& with) : workspace(in), options(with) {}
 
-  /// Why a tool failed: a limit, which leaves answers unknown, or anything else.
+  /// Why a tool failed: a limit, which leaves answers unknown, or another reason.
   struct Stop {
     bool isLimit = false;
     std::string message;
   };
-  /// Runs a tool; its output. \param name of the tool, for messages
+  /// Runs a tool and returns its output. \param name of the tool, for messages
   [[nodiscard]] std::expected<process::Finished, Stop> run(const std::string& name,
                                                            std::vector<std::string> command);
   [[nodiscard]] double seconds() const {

@@ -20,22 +20,22 @@ struct ToolChoice {
   std::string fraclib;
 };
 
-/// Paths of all that is needed.
+/// Paths of all required programs.
 struct Tools {
-  std::filesystem::path frac;    ///< from Fiacre to a net with C
+  std::filesystem::path frac;    ///< from Fiacre to a net and C code
   std::filesystem::path builder; ///< sift or tina: from these to a state graph
-  std::filesystem::path selt;    ///< checks formulas on it
-  std::filesystem::path ktzio;   ///< writes it as text
-  std::filesystem::path cc;      ///< a compiler of C
-  std::filesystem::path fraclib; ///< the headers that frac's C includes
+  std::filesystem::path selt;    ///< checks formulas on the graph
+  std::filesystem::path ktzio;   ///< prints the graph as text
+  std::filesystem::path cc;      ///< a C compiler
+  std::filesystem::path fraclib; ///< the headers for frac's C code
 };
 
-/// A variable of the environment; nothing where it is not set.
+/// An environment variable; nothing if it is not set.
 using Environment = std::function<std::optional<std::string>(const std::string&)>;
 
-/// Looks for the tools: as chosen, else by `PROSKILL_FRAC` and so on (`FRACLIB`, `CC` without
-/// `PROSKILL_`), else on the `PATH`; and for FRACLIB beside frac. sift is preferred to tina. The
-/// error lists missing tools, each with how to get it.
+/// Finds the tools: the chosen ones, otherwise by `PROSKILL_FRAC` and so on (`FRACLIB` and `CC`
+/// without `PROSKILL_`), otherwise on the `PATH`; FRACLIB also next to frac. Prefers sift to tina.
+/// The error lists the missing tools, each with how to get it.
 [[nodiscard]] std::expected<Tools, std::vector<std::string>> findTools(const ToolChoice& choice,
                                                                        const Environment& of);
 

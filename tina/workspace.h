@@ -8,11 +8,11 @@
 
 namespace proskill::tina {
 
-/// A fresh directory to run the tools in. The destructor removes it, unless it is to be kept.
+/// A new directory in which the tools run. The destructor removes it, unless it must be kept.
 class Workspace {
 public:
-  /// \param keep a directory of the user's that is not there yet, or empty; nothing: a temporary
-  /// one. The error is a sentence.
+  /// \param keep a directory that does not exist yet or is empty; nothing: a temporary one. The
+  /// error is a message.
   [[nodiscard]] static std::expected<Workspace, std::string>
   make(const std::optional<std::filesystem::path>& keep);
 
@@ -21,7 +21,7 @@ public:
   ~Workspace();
 
   [[nodiscard]] const std::filesystem::path& path() const { return root; }
-  /// The error as a sentence, or nothing.
+  /// Returns an error message, or nothing.
   [[nodiscard]] std::optional<std::string> write(const std::string& name,
                                                  std::string_view text) const;
   /// Nothing if it cannot be read.

@@ -4,11 +4,12 @@
 
 namespace proskill::lsp {
 
-/// What there is of Fiacre takes the place of what the methods of `textDocument` do for programs,
-/// where the document is in Fiacre. \pre all others are added
+/// Replaces methods of `textDocument` by their Fiacre versions for documents in Fiacre. \pre all
+/// other methods have been added
 void addFiacre(Registry& registry);
 
-/// Whether it is said what a method of documents does for those in Fiacre: a test asks for each.
+/// Whether the behaviour of a document method is defined for Fiacre; a test checks this for each
+/// method.
 [[nodiscard]] bool isDecidedForFiacre(std::string_view method);
 
 } // namespace proskill::lsp

@@ -13,27 +13,28 @@ namespace proskill::lsp {
 /// The capabilities of the client that the server uses.
 struct ClientFeatures {
   syntax::Encoding encoding = syntax::Encoding::Utf16;
-  bool pullDiagnostics = false; ///< pulls diagnostics; else they are pushed
+  bool pullDiagnostics = false; ///< pulls diagnostics; otherwise they are pushed
   bool relatedInformation = false;
   bool watchedFiles = false; ///< may be registered dynamically
   bool workDoneProgress = false;
   bool snippets = false;
-  bool insertReplace = false; ///< completions may say both what to insert and to replace
+  bool insertReplace = false; ///< completions may have separate ranges for insert and replace
   bool completionTags = false;
-  bool completionDeprecated = false; ///< the older way to say the same
+  bool completionDeprecated = false; ///< the older way to mark completions as deprecated
   bool markdownCompletion = false;   ///< in the documentation of completions
   bool markdownSignature = false;
   bool labelOffsets = false; ///< of a signature's parameters
   bool hierarchicalSymbols = false;
   bool markdownHover = false;
-  bool resolvesActions = false; ///< asks for the edit of a code action when it was chosen
+  /// Requests the edit of a code action only when the user chooses it.
+  bool resolvesActions = false;
   bool documentChanges = false; ///< workspace edits with versions
   bool diagnosticTags = false;
   bool codeDescription = false; ///< shows links from the codes of diagnostics
-  /// Where these lead; null where it shows none.
+  /// The target of these links; null if the client shows none.
   std::shared_ptr<const Manual> manual;
-  bool configuration = false;        ///< may be asked for its settings
-  bool dynamicConfiguration = false; ///< registers for changes of them
+  bool configuration = false;        ///< can be asked for its settings
+  bool dynamicConfiguration = false; ///< notifies about changes of its settings
   /// It accepts a `proskill/verdicts` with only the changed ones: `experimental.verdictChanges`.
   bool verdictChanges = false;
   /// Methods that it repeats if a request was rejected because the text has changed.
@@ -44,8 +45,9 @@ struct ClientFeatures {
   std::set<std::string> refreshes;
 };
 
-/// Reads the `capabilities` of `initialize`, the older `offsetEncoding` of clangd's extension
-/// included. \param name the client's, as `clientInfo` has it
+/// Reads the `capabilities` of `initialize`, including the older `offsetEncoding` of clangd's
+/// extension.
+/// \param name of the client, from `clientInfo`
 [[nodiscard]] ClientFeatures readClientFeatures(const Json& capabilities,
                                                 const Json& name = nullptr);
 

@@ -9,7 +9,7 @@
 /// Converts between bytes in files and the protocol's positions in URIs.
 namespace proskill::lsp {
 
-/// The protocol's shapes for places in one program. For one thread.
+/// Converts places of one program to the protocol's formats. For one thread.
 class Converter {
 public:
   Converter(const ide::View& view, const Request& request)
@@ -28,37 +28,36 @@ public:
   [[nodiscard]] Json location(analysis::Location location) const;
   void write(rpc::JsonWriter& json, analysis::FileId file, syntax::Range range) const;
   void write(rpc::JsonWriter& json, analysis::Location location) const;
-  /// Whether the client knows it as a text: the server's own of a notebook is none.
+  /// Whether the client knows this text; it does not know the server's own text of a notebook.
   [[nodiscard]] bool isShown(analysis::FileId file) const;
-  /// As the client spells it, where it holds the text.
+  /// The client's spelling for texts that it has open.
   [[nodiscard]] std::string uri(analysis::FileId file) const;
 
 private:
   const analysis::Program& program;
   const ide::OpenTexts& texts;
   syntax::Encoding encoding;
-  mutable std::uint32_t line = 0; ///< of the last place: the next one is mostly near
+  mutable std::uint32_t line = 0; ///< of the last place, since the next one is usually close
 };
 
 [[nodiscard]] rpc::RpcError invalidParams(std::string message);
 
-/// A request's text, by its `textDocument`. A URI of another scheme gets a path that no file has.
+/// The path of the text in `textDocument`. A URI with another scheme gets a path that no file has.
 [[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
 
-/// The file that a request is about, by its name in the snapshot; open or not.
+/// The file of a request by its name in the snapshot; open or not.
 [[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError>
 documentFile(const Request& request);
 
-/// An answer that is a list and was written as text. Where the client wants parts of it, it is
-/// taken apart.
+/// Parses a list that was written as text if the client wants it in parts.
 [[nodiscard]] Json listAnswer(const Request& request, std::string_view list);
 
-/// A member that must be a text.
+/// A member that must be a string.
 [[nodiscard]] std::expected<std::string, rpc::RpcError> textIn(const Json& params,
                                                                const char* name);
 
-/// A place that a request asks about.
+/// The place in a request.
 struct Cursor {
   ide::View view;
   syntax::Offset at = 0;

@@ -9,8 +9,8 @@ namespace proskill::lsp {
 [[nodiscard]] Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
                                   const ClientFeatures& client);
 
-/// The diagnostics of an open text in the protocol's form, from all programs that it belongs to,
-/// each once; those of bad verdicts last.
+/// The diagnostics of an open text in the protocol's format, from all its programs, each once;
+/// those of bad verdicts come last.
 [[nodiscard]] Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
                                  const ClientFeatures& client, const ide::Verdicts& verdicts);
 

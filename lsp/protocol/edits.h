@@ -17,10 +17,10 @@ namespace proskill::lsp {
 
 using FileEdits = std::map<std::filesystem::path, std::vector<syntax::TextEdit>>;
 
-/// A `WorkspaceEdit` of files, in either of the protocol's two ways.
+/// A `WorkspaceEdit` for several files, in one of the protocol's two formats.
 [[nodiscard]] Json workspaceEdit(const FileEdits& edits, const Request& request);
 
-/// The same where one text is written at places of files.
+/// The same for writing one text at several places.
 [[nodiscard]] Json
 workspaceEdit(const std::map<std::filesystem::path, std::vector<syntax::Range>>& places,
               const std::string& text, const Request& request);

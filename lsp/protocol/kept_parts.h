@@ -14,10 +14,10 @@
 /// that an edit did not change are reused from the last answer.
 namespace proskill::lsp {
 
-/// LRU cache of answers, the last one per text, for a few texts. Any thread may use it.
+/// LRU cache of the last answer for each of a few texts. Thread-safe.
 template <class Value> class LastOfTexts {
 public:
-  /// Null if it is not known.
+  /// Null if there is none.
   [[nodiscard]] std::shared_ptr<const Value> find(const std::string& uri) const {
     const std::lock_guard lock(mutex);
     const auto found = std::ranges::find(entries, uri, &Entry::uri);
@@ -39,13 +39,13 @@ private:
   static constexpr std::size_t kMost = 32;
 
   mutable std::mutex mutex;
-  std::list<Entry> entries; ///< the newest first
+  std::list<Entry> entries; ///< the most recent first
 };
 
 template <class Part> using Parts = std::vector<std::shared_ptr<const Part>>;
 
-/// Finds the parts of an earlier answer by the trees of their regions, asked for in the order of
-/// the text.
+/// Finds the parts of an earlier answer by the trees of their regions. Call it in the order of the
+/// text.
 template <class Part> class EarlierParts {
 public:
   explicit EarlierParts(Parts<Part> parts) : parts(std::move(parts)) {
@@ -63,7 +63,7 @@ public:
 private:
   const Parts<Part> parts;
   std::unordered_map<const syntax::Tree*, std::size_t> places;
-  std::size_t next = 0; ///< those before it have been passed
+  std::size_t next = 0; ///< earlier parts have been passed
 };
 
 } // namespace proskill::lsp

@@ -11,11 +11,11 @@ namespace proskill::lsp {
 /// writes it.
 class Manual {
 public:
-  /// A page that cannot be read explains nothing.
+  /// If the page cannot be read, there are no links.
   explicit Manual(const std::filesystem::path& page);
 
-  /// A URI of the page and the line of the code, `file:///…/diagnostics.md#L12`; empty where it
-  /// explains no such code.
+  /// The URI of the page with the line of the code, `file:///…/diagnostics.md#L12`; empty if the
+  /// page does not explain this code.
   [[nodiscard]] std::string linkTo(std::string_view code) const;
 
 private:

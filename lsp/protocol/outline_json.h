@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Outlines of any language: entries have a name, a detail, a range, a selection, and children.
+/// Outlines for any language: entries have a name, a detail, a range, a selection, and children.
 namespace proskill::lsp {
 
 /// The protocol's `DocumentSymbol`s. \param kindOf an entry's `SymbolKind`
@@ -26,7 +26,7 @@ void writeTrees(rpc::JsonWriter& json, const std::vector<Entry>& entries, const 
   }
 }
 
-/// The protocol's `SymbolInformation`s, for clients that know no trees.
+/// The protocol's `SymbolInformation`s, for clients without support for trees.
 template <class Entry, class KindOf>
 void writeFlat(rpc::JsonWriter& json, const std::vector<Entry>& entries, const Converter& convert,
                analysis::FileId file, const KindOf& kindOf, std::string_view container = {}) {

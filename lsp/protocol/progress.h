@@ -21,19 +21,19 @@ public:
       : notify(std::move(notify)),
         workDone(std::move(workDoneToken)),
         partialResult(std::move(partialResultToken)) {}
-  /// Ends what was begun.
+  /// Ends a progress that has begun.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   [[nodiscard]] bool isWatched() const { return !workDone.is_null(); }
   void begin(std::string_view title, bool cancellable = true);
-  /// \pre begun; `percentage` up to 100, never less than before
+  /// \pre begun; `percentage` is at most 100 and never decreases
   void report(std::string_view message, std::optional<unsigned> percentage = std::nullopt);
   void end(std::string_view message = "");
 
   [[nodiscard]] bool wantsParts() const { return !partialResult.is_null(); }
-  /// A part of the result; the answer holds only what was in no part. \pre `wantsParts()`
+  /// Sends a part of the result; the final answer contains only the rest. \pre `wantsParts()`
   void part(const Json& items) const { send(partialResult, items); }
 
 private:

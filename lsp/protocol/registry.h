@@ -15,8 +15,7 @@
 
 namespace proskill::lsp {
 
-/// A request on its way through a handler. The handler runs on any thread, on a snapshot that
-/// nobody changes.
+/// A request with the input of its handler. Handlers run on any thread, on an immutable snapshot.
 struct Request {
   const Json& params;
   const ide::Snapshot& snapshot;
@@ -24,9 +23,9 @@ struct Request {
   rpc::Cancellation cancellation;
   /// The last verdicts of every program; never null.
   std::shared_ptr<const ide::Verdicts> verdicts = std::make_shared<const ide::Verdicts>();
-  /// The settings of the editor; never null.
+  /// The editor's settings; never null.
   std::shared_ptr<const ClientSettings> settings = std::make_shared<const ClientSettings>();
-  /// For work that takes long, and for results in parts; never null.
+  /// For long tasks and partial results; never null.
   std::shared_ptr<Progress> progress = std::make_shared<Progress>();
 };
 
@@ -39,8 +38,8 @@ struct Method {
 };
 
 /// The requests that the server answers, and its capabilities. Each group of
-/// features has a file `lsp/feature_GROUP.cpp` with one function that adds its methods and its
-/// capabilities.
+/// features has a file `lsp/features/feature_GROUP.cpp` with one function that adds its methods and
+/// its capabilities.
 struct Registry {
   std::map<std::string, Method, std::less<>> methods;
   Json capabilities = Json::object();

@@ -10,7 +10,7 @@
 namespace proskill::lsp {
 
 /// Shows messages to the user in the editor, rate-limited: the same message at most once a minute,
-/// and no more than a few of any kind in that time. All of them go to the editor's log. Of the main
+/// and only a few of any kind in that time. All messages go to the editor's log. For the main
 /// thread.
 class Announcer {
 public:

@@ -4,11 +4,11 @@
 
 namespace proskill::lsp {
 
-/// The `ServerCapabilities` that this client is offered. \param features what the registry offers
+/// The `ServerCapabilities` for this client. \param features offered by the registry
 [[nodiscard]] Json capabilitiesFor(const ClientFeatures& client, Json features);
 
-/// The registrations to ask the client for, as `client/registerCapability` takes them; an empty
-/// list where the client registers nothing dynamically.
+/// The registrations for `client/registerCapability`; empty if the client has no dynamic
+/// registration.
 [[nodiscard]] Json registrationsFor(const ClientFeatures& client);
 
 } // namespace proskill::lsp

@@ -12,13 +12,13 @@
 
 namespace proskill::lsp {
 
-/// The folders that the client has open. They are read in the background: edits and requests do not
-/// wait for a large folder. Of the main thread.
+/// The folders that the client has open. They are read in the background, so that edits and
+/// requests do not wait for a large folder. For the main thread.
 class ClientFolders {
 public:
   using Path = std::filesystem::path;
 
-  /// The services of the server that folders need; they outlive them.
+  /// The parts of the server that folders need; they must outlive them.
   struct Server {
     Workspace& workspace;
     rpc::Peer& peer;
@@ -30,11 +30,11 @@ public:
 
   explicit ClientFolders(Server server) : server(std::move(server)) {}
 
-  /// The folders of `initialize`, which `readAll` then reads.
+  /// Sets the folders of `initialize`; `readAll` reads them.
   void set(std::vector<Path> all) { folders = std::move(all); }
   void readAll() { read(folders); }
   void change(const std::vector<Path>& removed, std::vector<Path> added);
-  /// Files that changed on disk. What is read at the moment may be older than they are.
+  /// Files have changed on disk. A read in progress may have older contents.
   void filesChanged(const std::vector<Path>& paths);
 
 private:
@@ -43,7 +43,7 @@ private:
 
   Server server;
   std::vector<Path> folders;
-  unsigned readings = 0; ///< under way
+  unsigned readings = 0; ///< in progress
   std::vector<Path> changedMeanwhile;
   std::vector<Path> removedMeanwhile;
 };

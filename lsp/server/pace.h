@@ -6,8 +6,8 @@
 
 namespace proskill::lsp {
 
-/// How long the last round of diagnostics took: where that is next to nothing, the next one need
-/// not wait until the user pauses. A round that an edit has cancelled does not count as quick.
+/// The duration of the last round of diagnostics. If it was very short, the next round need not
+/// wait for a pause in typing. A round that an edit cancelled does not count as short.
 class Pace {
 public:
   using Duration = std::chrono::steady_clock::duration;
@@ -15,7 +15,7 @@ public:
   /// A delay that a user does not notice.
   static constexpr std::chrono::milliseconds kUnnoticed{5};
 
-  /// A round begins: `count` texts, of this revision.
+  /// A round begins: `count` texts of this revision.
   void begin(std::uint64_t revision, std::size_t count) {
     current = revision;
     unfinished = count;
@@ -23,7 +23,7 @@ public:
     known = true;
   }
 
-  /// A text of the round of a revision is done; one of an earlier round counts no more.
+  /// A text of a revision's round is done; texts of earlier rounds are ignored.
   void finish(std::uint64_t revision, Duration took) {
     if (!known || revision != current || unfinished == 0) return;
     --unfinished;

@@ -30,7 +30,7 @@ public:
   using OnFailure =
       std::function<void(std::string_view method, const Json& params, std::string_view error)>;
 
-  /// All of them outlive the publisher's tasks.
+  /// All arguments must outlive the publisher's tasks.
   Publisher(rpc::Peer& peer, rpc::Scheduler& scheduler, Statistics& statistics,
             const ClientFeatures& client, GetVerdicts verdicts, OnPublished onPublished,
             OnFailure onFailure)
@@ -42,13 +42,13 @@ public:
         onPublished(std::move(onPublished)),
         onFailure(std::move(onFailure)) {}
 
-  /// The main thread's: texts or settings have changed; `debounce` from now on is soon enough.
+  /// Main thread only: texts or settings have changed; publish after `debounce`.
   void changed(std::chrono::milliseconds debounce);
-  /// Whether the last diagnostics of all texts took next to no time: the next need not wait.
+  /// Whether the last diagnostics of all texts took so little time that the next need not wait.
   [[nodiscard]] bool isQuick();
-  /// When `publish` is to be called next.
+  /// When `publish` must be called next.
   [[nodiscard]] std::optional<Time> due() const { return dueAt; }
-  /// The main thread's. \param enabled false: removes published diagnostics
+  /// Main thread only. \param enabled false: removes published diagnostics
   void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
 
 private:
@@ -59,8 +59,8 @@ private:
   struct Told {
     std::string uri;
     std::int64_t version = 0;
-    Owners owners;                                 ///< the programs that it came from
-    std::shared_ptr<const ide::Verdicts> verdicts; ///< that are published with it
+    Owners owners;                                 ///< the programs that contain it
+    std::shared_ptr<const ide::Verdicts> verdicts; ///< published together with it
     bool sent = false;
   };
 
@@ -75,15 +75,15 @@ private:
   Statistics& statistics;
   const ClientFeatures& client;
   GetVerdicts verdicts;
-  OnPublished onPublished; ///< by any thread: the findings of a text have been published
+  OnPublished onPublished; ///< called by any thread when the findings of a text have been published
   OnFailure onFailure;
   std::optional<Time> dueAt;
   std::atomic<std::uint64_t> revision{0}; ///< of the texts
-  rpc::Cancellation running;              ///< of what was posted for the last revision
-  std::mutex mutex; ///< of what follows, and of looking at the revision and sending
+  rpc::Cancellation running;              ///< tasks of the last revision
+  std::mutex mutex; ///< for the members below, and held between reading the revision and sending
   std::map<Path, Told> told;
   Pace pace;
-  std::shared_ptr<const ide::Snapshot> latest; ///< to be published; null once it is stale
+  std::shared_ptr<const ide::Snapshot> latest; ///< to be published; null if it is outdated
 };
 
 } // namespace proskill::lsp

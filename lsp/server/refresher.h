@@ -22,20 +22,20 @@ public:
   /// Both outlive the refresher.
   Refresher(rpc::Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
 
-  // The main thread's:
-  /// A file was edited, opened, closed or written to disk; `delay` from now on is soon enough.
+  // Main thread only:
+  /// A file was edited, opened, closed or written to disk; refresh after `delay`.
   void changed(const Path& file, const ide::Snapshot& before, std::chrono::milliseconds delay);
-  /// All open texts may mean something else now.
+  /// The meaning of all open texts may have changed.
   void allChanged(std::chrono::milliseconds delay);
-  /// Findings are weighed otherwise, or those of closed files are others.
+  /// Severities have changed, or the findings of closed files have.
   void findingsChanged(std::chrono::milliseconds delay);
-  /// When `refresh` is to be called next.
+  /// When `refresh` must be called next.
   [[nodiscard]] std::optional<Time> due() const { return stopped ? std::nullopt : dueAt; }
   void refresh(const ide::Snapshot& now);
-  /// Stops for good: a client that leaves gets no more requests.
+  /// Stops for good: a client that is leaving gets no more requests.
   void stop() { stopped = true; }
 
-  // Any thread's, at once:
+  // Any thread, immediate:
   void verdictsChanged() { ask({"workspace/diagnostic/refresh", "workspace/codeLens/refresh"}); }
   void hintsChanged() { ask({"workspace/inlayHint/refresh"}); }
 
@@ -50,8 +50,8 @@ private:
   std::optional<Time> dueAt;
   bool all = false;
   bool findings = false;
-  std::set<Path> files;                            ///< that have changed since the last time
-  std::shared_ptr<const ide::IncludeGraph> before; ///< as it was before the first of them
+  std::set<Path> files;                            ///< changed since the last refresh
+  std::shared_ptr<const ide::IncludeGraph> before; ///< the graph before the first of these changes
 };
 
 } // namespace proskill::lsp

@@ -23,28 +23,30 @@
 
 namespace proskill::lsp {
 
-/// From the last edit to the diagnostics that are pushed, where the last ones took a while.
+/// Delay between the last edit and pushed diagnostics, if the last ones took noticeable time.
 inline constexpr std::chrono::milliseconds kUsualDebounce{50};
 
 struct ServerOptions {
   std::string version;  ///< sent to the client
-  unsigned threads = 3; ///< beside those that read and dispatch; at least 2
-  std::chrono::milliseconds debounce = kUsualDebounce; ///< a longer one is kept, whatever they take
-  std::function<void(std::string_view)> log{};         ///< a line each; from any thread
-  std::filesystem::path manual{}; ///< its page of diagnostics, for links; need not be there
-  /// What runs `runVerifyWorker`: by default this program.
+  unsigned threads = 3; ///< in addition to those that read and dispatch; at least 2
+  /// A longer one is used even if diagnostics are fast.
+  std::chrono::milliseconds debounce = kUsualDebounce;
+  std::function<void(std::string_view)> log{}; ///< one line each; from any thread
+  std::filesystem::path manual{};              ///< page of diagnostics, for links; may be missing
+  /// The command that runs `runVerifyWorker`; by default this program.
   std::vector<std::string> worker{"/proc/self/exe", "verify-worker"};
 };
 
-/// The language server. Three kinds of threads: one reads the stream and cancels at once; the main
-/// one applies edits in order and hands requests out; the pool answers them on snapshots.
+/// The language server. There are three kinds of threads: one reads the stream and cancels
+/// immediately; the main thread applies edits in order and dispatches requests; the pool answers
+/// them on snapshots.
 class Server {
 public:
   Server(rpc::Connection& connection, std::shared_ptr<const analysis::FileSystem> disk,
          ServerOptions options);
 
-  /// Serves until `exit` or the end of the stream. 0 if the client has sent `shutdown` before,
-  /// else 1.
+  /// Serves until `exit` or the end of the stream. Returns 0 if the client sent `shutdown` before,
+  /// otherwise 1.
   int run();
 
 private:
@@ -109,19 +111,19 @@ private:
   SettingsMistakes mistakes{peer, client};
   ParentWatch parent;
   Time started = std::chrono::steady_clock::now();
-  std::atomic<std::uint64_t> errors{0}; ///< requests that failed with a bug
-  std::atomic<int> forgotten{0};        ///< old texts and programs that wait for their end
+  std::atomic<std::uint64_t> errors{0}; ///< requests that failed because of a bug
+  std::atomic<int> forgotten{0}; ///< number of old texts and programs that wait for destruction
   Verification verification;
   Publisher publisher;
   Refresher refresher{peer, client};
   ClientFolders folders{{workspace, peer, client, inbox, scheduler, [this] { foldersRead(); }}};
-  // Last, as their threads use all of the above.
+  // The last members, because their threads use all of the above.
   rpc::Scheduler longWork{3}; ///< verifications
   rpc::Scheduler scheduler;
 };
 
-/// Whole programs may go with old texts: not here, where an answer or the next edit would wait for
-/// it, unless edits come faster than they can be forgotten.
+/// Destroys old texts, which may include whole programs. Not on this thread, where an answer or the
+/// next edit would wait for it, unless edits come faster than the texts can be destroyed.
 template <class Old> void Server::forget(Old old) {
   constexpr int kMostForgotten = 3;
   if (forgotten.load() >= kMostForgotten) return;

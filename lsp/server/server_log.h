@@ -9,7 +9,7 @@
 
 namespace proskill::lsp {
 
-/// The server's log, and `$/logTrace` as far as the client wants it. Any thread may write.
+/// The server's log, and `$/logTrace` as far as the client wants it. Thread-safe.
 class ServerLog {
 public:
   using Sink = std::function<void(std::string_view line)>;
@@ -17,7 +17,7 @@ public:
   /// \param sink may be empty: nothing is logged then
   ServerLog(Sink sink, rpc::Peer& peer) : sink(std::move(sink)), peer(peer) {}
 
-  /// `off`, `messages` or `verbose`; anything else changes nothing. LSP 3.17, `TraceValue`.
+  /// `off`, `messages` or `verbose`; other values are ignored. LSP 3.17, `TraceValue`.
   void setTrace(const Json& value);
 
   void write(std::string_view line) const;

@@ -9,12 +9,12 @@
 
 namespace proskill::lsp {
 
-/// Reports errors in files of settings as diagnostics of these files. Of the main thread.
+/// Reports errors in settings files as diagnostics of these files. For the main thread.
 class SettingsMistakes {
 public:
   using Mistakes = std::map<std::filesystem::path, SettingsMistake>;
 
-  /// Both outlive this.
+  /// Both must outlive this.
   SettingsMistakes(rpc::Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}
 
   /// Publishes changes since the last call.

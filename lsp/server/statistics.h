@@ -21,7 +21,7 @@ public:
 private:
   struct Series {
     std::size_t count = 0;
-    std::vector<double> recent; ///< milliseconds; a ring once it is full
+    std::vector<double> recent; ///< milliseconds; a ring buffer once it is full
   };
 
   static constexpr std::size_t kKept = 1000;

@@ -5,37 +5,38 @@
 #include "report/ordered_json.h"
 #include "worker/run_worker.h"
 
-/// The shapes of docs/lsp.md for verdicts and traces.
+/// Verdicts and traces in the formats of docs/lsp.md.
 namespace proskill::lsp {
 
-/// The texts of a program with their versions, as an answer bears them.
+/// The texts of a program with their versions, for answers.
 [[nodiscard]] Json textsJson(const analysis::Program& program, const ide::OpenTexts& open);
-/// Those that verdicts are for.
+/// The texts for which the verdicts were reached.
 [[nodiscard]] Json textsJson(const ide::ProgramVerdicts& verdicts, const Converter& convert);
 
 [[nodiscard]] Json verdictJson(const ide::PropertyVerdict& property, const Converter& convert);
 [[nodiscard]] Json verdictsJson(const ide::ProgramVerdicts& verdicts, const Converter& convert);
-/// Those that differ. \pre both have the same names in the same order
+/// The verdicts that differ. \pre both have the same names in the same order
 [[nodiscard]] Json changedVerdictsJson(const ide::ProgramVerdicts& before,
                                        const ide::ProgramVerdicts& now, const Converter& convert);
 [[nodiscard]] Json countsJson(const std::vector<ide::PropertyVerdict>& properties);
 [[nodiscard]] Json explorationSummary(const verify::Exploration& exploration);
 [[nodiscard]] Json progressJson(const worker::WorkerProgress& progress);
 
-/// Steps of a trace, in the form of reports, as `proskill/trace` has them.
+/// The steps of a trace for `proskill/trace`, from those of a report.
 [[nodiscard]] Json stepsJson(const analysis::Program& program, const OrderedJson& steps,
                              const Converter& convert);
-/// Who acts in such steps, in the order in which they come.
+/// The actors of such steps, in order of appearance.
 [[nodiscard]] Json actorsJson(const analysis::Program& program, const OrderedJson& steps);
-/// `takeoff.status` is the skill's, all that bears a variable's name is the program's own.
+/// The variables of a trace: `takeoff.status` belongs to the skill, a state variable to the
+/// program.
 [[nodiscard]] Json variablesJson(const analysis::Program& program, const OrderedJson& initial);
 
 /// `proskill/trace`. \pre there is a trace of that name
 [[nodiscard]] Json traceOf(const Verified& verified, const std::string& name, bool stale,
                            const Converter& convert);
 
-/// What is bad of a file in the programs that it belongs to, as diagnostics; of verdicts that are
-/// for just these texts.
+/// Bad verdicts about a file in its programs, as diagnostics; only verdicts for exactly these
+/// texts.
 [[nodiscard]] Json verdictDiagnostics(const ide::Verdicts& verdicts, const ide::Snapshot& snapshot,
                                       const std::filesystem::path& file,
                                       const ClientFeatures& client);

@@ -15,42 +15,42 @@ enum class VerificationState : std::uint8_t { Waiting, Checking, Done, Errors, F
 /// The verdicts of a program, and the state of its verification.
 struct ProgramState {
   std::shared_ptr<const ide::AnalysedProgram> program; ///< the last one requested
-  std::shared_ptr<const Verified> verified;            ///< null: never yet
+  std::shared_ptr<const Verified> verified;            ///< null: not verified yet
   VerificationState state = VerificationState::Waiting;
   bool stale = false; ///< `verified` is for older texts
   std::string message;
-  std::optional<worker::WorkerProgress> progress; ///< while it is checked
+  std::optional<worker::WorkerProgress> progress; ///< during verification
 };
 
-/// The last verdicts of each program, by the path of its root. Any thread may use it; every change
-/// is reported, in order.
+/// The latest verdicts of each program, by path of its root. Thread-safe. Every change is reported,
+/// in order.
 class VerdictStore {
 public:
   using Told = std::function<void(const ProgramState& state)>;
 
-  /// \param tell of every change; never called by two threads at once
+  /// \param tell called for every change, never by two threads at once
   explicit VerdictStore(Told tell) : tell(std::move(tell)) {}
 
-  /// What features may show.
+  /// The verdicts that features may show.
   [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const;
   [[nodiscard]] std::optional<ProgramState> of(const std::filesystem::path& root) const;
 
-  /// These change the state of a program; what was verified stays, and is stale where it is not for
-  /// just these texts.
+  /// These functions change the state of a program. Its verdicts are kept; they become stale if
+  /// they are not for exactly these texts.
   void set(const std::shared_ptr<const ide::AnalysedProgram>& program, VerificationState state,
            std::string message = {});
   void setProgress(const std::shared_ptr<const ide::AnalysedProgram>& program,
                    const worker::WorkerProgress& progress);
-  /// What is decided so far, while the rest is still being verified.
+  /// Stores partial results while verification continues.
   void setDecided(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified soFar,
                   const ide::OpenTexts& open);
-  /// \param open the texts as they are now: they may have changed while it was verified
+  /// \param open the current texts, which may have changed during verification
   void setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified verified,
                    const ide::OpenTexts& open);
 
-  /// After an edit: verdicts become stale where a text of theirs has another content, and current
-  /// again where it is undone. Says whether any did. Programs of which no text is open are
-  /// forgotten, and files that are parts of other programs now.
+  /// Call this after an edit: verdicts become stale if one of their texts has changed, and current
+  /// again if the change is undone. Returns whether any verdicts did. Forgets programs without open
+  /// texts, and files that belong to other programs now.
   bool noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes);
 
 private:

@@ -11,14 +11,15 @@
 
 namespace proskill::lsp {
 
-/// Verifies programs for the server: live after an idle moment, and on request. The work is done by
-/// processes of their own (`runWorker`); all of them have ended when this is gone.
+/// Verifies programs for the server: live after a pause, and on request. Separate processes do the
+/// work (`runWorker`); the destructor ends all of them.
 class Verification {
 public:
   struct Outside {
     std::vector<std::string> worker;            ///< the command that runs `runVerifyWorker`
-    std::function<void(std::string_view)> send; ///< a message's body to the client
-    std::function<void()> changed; ///< verdicts came or went: diagnostics, lenses, hints are new
+    std::function<void(std::string_view)> send; ///< sends the body of a message to the client
+    /// Verdicts have changed: diagnostics, lenses and hints must be updated.
+    std::function<void()> changed;
     std::function<void(std::string_view)> log;
   };
 
@@ -27,20 +28,20 @@ public:
   Verification(const Verification&) = delete;
   Verification& operator=(const Verification&) = delete;
 
-  /// Once the client is known. Nothing is verified before.
+  /// Call this once the client is known. Nothing is verified before.
   void start(const ClientFeatures& client, VerificationSettings settings);
-  /// Settings of a workspace, the `verify` section alone.
+  /// Applies the `verify` section of a workspace's settings.
   void configure(const Json& section);
-  /// After every edit. \param inView the text that was edited or opened, if one was
+  /// Call this after every edit. \param inView the text that was edited or opened, if any
   void textsChanged(std::shared_ptr<const ide::Snapshot> snapshot,
                     const std::optional<std::filesystem::path>& inView);
-  /// The client says which text a user looks at.
-  /// Lines from 0, the last one within.
+  /// The text that the user looks at, reported by the client. Lines from 0; the last one is
+  /// included.
   struct Lines {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
   };
-  /// \param lines of it that can be seen, where that is known
+  /// \param lines the visible ones, if known
   void setView(const std::filesystem::path& path, std::optional<Lines> lines);
 
   [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const { return board.verdicts(); }
@@ -82,19 +83,20 @@ private:
   std::condition_variable wake;
   VerificationSettings settings;
   syntax::Encoding encoding = syntax::Encoding::Utf16;
-  bool verdictChanges = false; ///< the client puts them together
+  bool verdictChanges = false; ///< the client merges changes itself
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
-  std::map<std::filesystem::path, Lines> visible; ///< of texts in view, what can be seen
-  std::list<std::filesystem::path> viewed; ///< open texts that a user looked at, the last one first
-  bool edited = false;                     ///< since `noticeEdit`
-  std::optional<Time> due;                 ///< of live verification
-  rpc::Cancellation running;               ///< of live verification
+  std::map<std::filesystem::path, Lines> visible; ///< visible lines of the texts in view
+  /// Open texts that the user has viewed, the last one first.
+  std::list<std::filesystem::path> viewed;
+  bool edited = false;       ///< since the last call of `noticeEdit`
+  std::optional<Time> due;   ///< of live verification
+  rpc::Cancellation running; ///< of live verification
   Programs runningOn;
-  /// By the root: the verdicts that the client was told. Of the board's calls alone.
+  /// By root: the verdicts that were sent to the client. Only calls of the store use it.
   std::map<std::filesystem::path, std::shared_ptr<const ide::ProgramVerdicts>> announced;
   std::map<std::filesystem::path, std::int64_t> runningVersions;
-  std::jthread thread; ///< last: it uses all of the above
+  std::jthread thread; ///< the last member, since it uses all of the above
 };
 
 } // namespace proskill::lsp

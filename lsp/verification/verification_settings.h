@@ -6,7 +6,7 @@
 
 namespace proskill::lsp {
 
-/// The settings that raise the limits of a verification, as users write them; empty: none does.
+/// The names of the settings that raise the limits of a verification; empty: none does.
 struct LimitSettings {
   std::string_view seconds;
   std::string_view megabytes;
@@ -16,21 +16,21 @@ inline constexpr LimitSettings kRequestLimits{"verify.requestSeconds", "verify.r
 
 /// Whether and how programs are verified. docs/lsp.md has the names and the defaults.
 struct VerificationSettings {
-  bool trusted = true; ///< else nothing is verified, whatever else is said
+  bool trusted = true; ///< otherwise nothing is verified, whatever the other settings are
   bool live = true;
-  std::chrono::milliseconds delay{500}; ///< without an edit, before live verification begins
+  std::chrono::milliseconds delay{500}; ///< pause in editing before live verification starts
   worker::Budget liveBudget{2, 512, {}};
   worker::Budget requestBudget{60, 2048, {}};
 };
 
-/// The settings with those that a `verify` section gives; what is absent or has the wrong form
-/// stays as it is. `trusted` is the client's word alone, and not a setting of the workspace.
+/// The settings changed by a `verify` section; absent and invalid values do not change anything.
+/// Only the client can set `trusted`; it is not a setting of the workspace.
 [[nodiscard]] VerificationSettings withSettings(VerificationSettings settings, const Json& section);
 
-/// Those of `initializationOptions`.
+/// The settings in `initializationOptions`.
 [[nodiscard]] VerificationSettings initialSettings(const Json& options);
 
-/// The budget with the limits that a request gives.
+/// The budget with the limits of a request.
 [[nodiscard]] worker::Budget withLimits(worker::Budget budget, const Json& limits);
 
 } // namespace proskill::lsp

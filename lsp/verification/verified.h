@@ -16,12 +16,13 @@ namespace proskill::lsp {
 /// JSON.
 struct Verified {
   std::shared_ptr<const ide::ProgramVerdicts> verdicts;
-  std::string mainSkill;                     ///< empty: none
-  std::map<std::string, std::string> traces; ///< by the property's name, as `traceJson` writes it
+  std::string mainSkill; ///< empty: none
+  /// By name of the property, as `traceJson` writes them.
+  std::map<std::string, std::string> traces;
 };
 
-/// Reads a report (docs/verify.schema.json) on this program. Nothing if it has another form.
-/// A reason that is a limit says which setting raises it.
+/// Reads a report (docs/verify.schema.json) on this program; nothing if it has another form. If a
+/// limit is the reason of a verdict, the reason names the setting that raises it.
 [[nodiscard]] std::optional<Verified>
 readReport(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> program,
            const ide::OpenTexts& open, const LimitSettings& limits);
@@ -33,8 +34,8 @@ public:
                 LimitSettings raisedBy)
       : program(std::move(of)), open(now), limits(raisedBy) {}
 
-  /// What is known with these rows of the report decided; the others are pending. Nothing where the
-  /// report has not the form that it should have.
+  /// The verdicts when these rows of the report are decided; the others are pending. Nothing if the
+  /// report is invalid.
   [[nodiscard]] std::optional<Verified> with(const OrderedJson& report,
                                              const std::vector<std::size_t>& rows);
 
@@ -45,11 +46,11 @@ private:
   std::optional<Verified> known;
 };
 
-/// What is known after some properties have been verified again: the newer verdict of each, where
-/// both are for the same texts; else the newer ones alone.
+/// The verdicts after some properties have been verified again: the newer verdict of each property
+/// if both are for the same texts; otherwise only the newer ones.
 [[nodiscard]] Verified merged(const Verified& older, Verified newer);
 
-/// The place that a report gives in `json`, in the program that it is about.
+/// The location in `json`, a part of a report on this program.
 [[nodiscard]] std::optional<analysis::Location> locationIn(const analysis::Program& program,
                                                            const OrderedJson& json);
 

@@ -9,9 +9,9 @@
 
 namespace proskill::lsp {
 
-/// The notebooks that the client has open. The cells of one that are written in ProSkill are one
-/// program, in the order of the notebook: the workspace holds them as texts, and for each notebook
-/// a text of the server's own that includes them. Of the main thread.
+/// The notebooks that the client has open. The ProSkill cells of a notebook form one program, in
+/// the order of the notebook. The workspace holds the cells as texts, and for each notebook a text
+/// of the server's own that includes them. For the main thread.
 class Notebooks {
 public:
   using Path = std::filesystem::path;
@@ -19,7 +19,7 @@ public:
   explicit Notebooks(Workspace& workspace) : workspace(workspace) {}
 
   struct Outcome {
-    std::vector<Path> changed;         ///< texts, that of the notebook among them
+    std::vector<Path> changed;         ///< texts, including the notebook's own
     std::vector<std::string> problems; ///< of the message, as sentences for the user
   };
   /// Invalid parts of a message are reported; valid parts are applied.
@@ -30,9 +30,9 @@ public:
 private:
   struct Notebook {
     std::string uri;
-    std::vector<Path> cells;   ///< all of them, in order
-    std::set<Path> open;       ///< the texts of those in ProSkill
-    std::set<Path> unserved{}; ///< those in other languages
+    std::vector<Path> cells;   ///< all cells, in order
+    std::set<Path> open;       ///< texts of the cells in ProSkill
+    std::set<Path> unserved{}; ///< texts of cells in other languages
   };
 
   void restructure(Notebook& notebook, const Json& structure, Outcome& outcome);

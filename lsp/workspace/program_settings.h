@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-/// Settings in a file `.proskill.json` for the findings of the programs beside it and below it; see
-/// docs/proskill.schema.json. The command line and the server read it here.
+/// The settings file `.proskill.json`, which controls findings in the programs of its directory and
+/// all directories below; see docs/proskill.schema.json. The command line and the server use it.
 namespace proskill::lsp {
 
 inline constexpr const char* kSettingsFile = ".proskill.json";
@@ -24,11 +24,11 @@ struct SettingsMistake {
 
 struct ProgramSettings {
   analysis::flow::Settings settings; ///< the defaults if there is no valid file
-  std::filesystem::path file;        ///< where they were read; empty: nowhere
+  std::filesystem::path file;        ///< where they were read; empty: there is no file
   std::optional<SettingsMistake> mistake;
 };
 
-/// From the file beside a program's root file, or in the nearest directory above.
+/// Reads the file in the directory of a program's root file, or in the nearest directory above.
 [[nodiscard]] ProgramSettings settingsFor(const analysis::FileSystem& files,
                                           const std::filesystem::path& root);
 
