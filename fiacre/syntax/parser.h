@@ -26,7 +26,7 @@ public:
   std::optional<Expr> wholeExpr();
 
 private:
-  // tokens: parser.cpp
+  // Tokens: parser.cpp
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
   [[nodiscard]] bool isAt(std::string_view text, std::size_t ahead = 0) const;
   /// `[]`, `()`: two adjacent symbols.
@@ -49,7 +49,7 @@ private:
   OriginId origin(std::uint32_t begin, std::string words = {});
   [[nodiscard]] std::uint32_t lastEnd() const;
 
-  // declarations: parse.cpp
+  // Declarations: parse.cpp
   [[nodiscard]] bool isAtDeclaration(std::size_t ahead = 0) const;
   [[nodiscard]] std::optional<NameKind> declared() const;
   [[nodiscard]] bool endsEntry(std::size_t ahead) const;
@@ -83,7 +83,7 @@ private:
   std::vector<Variable> variables();
   std::vector<Type> typesInParentheses();
 
-  // expressions: parse_expressions.cpp
+  // Expressions: parse_expressions.cpp
   Expr expr();
   Expr binary(std::size_t level);
   Expr prefix();
@@ -96,7 +96,7 @@ private:
   std::vector<Expr> exprs(std::string_view close);
   Expr lvalue();
 
-  // statements: parse_statements.cpp
+  // Statements: parse_statements.cpp
   Statement statements();
   Statement statement();
   Statement plain();
@@ -121,7 +121,7 @@ private:
   using PortSet = std::optional<std::vector<std::string>>; ///< nothing: `*`
   bool acceptPortSet(std::string_view closing, PortSet& ports);
 
-  // properties: parse_properties.cpp
+  // Properties: parse_properties.cpp
   void property();
   void assertion();
   /// Whether a word that begins a pattern is next.
