@@ -1,6 +1,7 @@
 #include "codegen/model.h"
 #include "codegen/process/component.h"
 #include "codegen/process/executed_action.h"
+#include "codegen/process/state_variables.h"
 #include "codegen/property/checks.h"
 #include "codegen/term/annotate.h"
 #include "codegen/term/tina_edition.h"
@@ -31,6 +32,7 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
   Model model;
   model.fiacre = buildProgram(context);
   annotate(model.fiacre, context.origins.provenance);
+  if (context.hasInitialChoice()) model.beginPort = beginPort(context);
   model.obliged = obligedProcesses(context);
   model.unit = times->unit();
   if (context.isPerformed()) model.actionCalls = context.arguments.actions();

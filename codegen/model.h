@@ -125,6 +125,7 @@ struct Model {
   /// verify::Question::fair.
   std::map<std::string, std::string> obliged; ///< with their description for users: "`drive`"
   syntax::Rational unit{1, 1};
+  std::string beginPort; ///< comes before all else; empty: no initial value is to be chosen
   std::string mainSkill; ///< empty: a library of skills without a mission
 };
 

@@ -247,7 +247,7 @@ module.exports = grammar({
         $.states_field,
         $.transitions_field,
       ),
-    init_field: $ => keyed($, ':init', $.list),
+    init_field: $ => keyed($, ':init', $.name_list),
     min_field: $ => keyed($, ':min', $.list),
     max_field: $ => keyed($, ':max', $.list),
     states_field: $ => keyed($, ':states', $.name_list),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace proskill::viz {
 namespace {
@@ -37,20 +38,21 @@ private:
     const auto within =
         builder.node(NodeRole::State, bound(variable->min) + " … " + bound(variable->max), range,
                      {"every move is allowed"});
-    begin(within);
+    begin({within});
     if (!forbidden) return;
     const auto outside = builder.node(NodeRole::Error, "outside", range, {"stays at the bound"});
     builder.edge({within, outside, EdgeRole::Forbidden, {}, {}});
   }
 
-  void begin(std::size_t first) {
+  void begin(const std::vector<std::size_t>& firsts) {
     const auto start = builder.node(NodeRole::Start, {}, initRange());
-    const auto label = variable->isNatural() ? builder.text(variable->init.range) : std::string();
-    builder.edge({start, first, EdgeRole::Next, label, builder.source(initRange())});
+    const auto label = variable->isNatural() ? builder.text(initRange()) : std::string();
+    for (const auto first : firsts)
+      builder.edge({start, first, EdgeRole::Next, label, builder.source(initRange())});
   }
 
   [[nodiscard]] syntax::Range initRange() const {
-    const auto init = variable->init.range;
+    const auto init = variable->initRange();
     return init.empty() ? variable->name.range : init;
   }
 
@@ -58,8 +60,15 @@ private:
     const auto& states = variable->states;
     for (const auto& state : states)
       builder.node(NodeRole::State, std::string(state.text), state.range);
-    const auto initial = std::ranges::find(states, variable->init.name.text, &syntax::Name::text);
-    if (initial != states.end()) begin(static_cast<std::size_t>(initial - states.begin()));
+    std::vector<std::size_t> firsts;
+    const auto add = [&](const syntax::Expr& init) {
+      const auto initial = std::ranges::find(states, init.name.text, &syntax::Name::text);
+      if (initial != states.end())
+        firsts.push_back(static_cast<std::size_t>(initial - states.begin()));
+    };
+    add(variable->init);
+    for (const auto& other : variable->otherInits) add(other);
+    if (!firsts.empty()) begin(firsts);
     if (variable->transitionsKind != syntax::Transitions::Listed)
       builder.graph.note = "every move is allowed";
     for (std::size_t from = 0; from < states.size(); ++from)

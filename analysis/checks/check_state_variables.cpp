@@ -35,7 +35,27 @@ public:
 
 private:
   void init() {
-    const Expr& init = variable->init;
+    init(variable->init);
+    for (const Expr& other : variable->otherInits) init(other);
+    for (const Expr& other : variable->otherInits) refuseRepeated(other);
+  }
+
+  /// The same value once more is no other choice.
+  void refuseRepeated(const Expr& init) {
+    for (const Expr* before = &variable->init; before != &init;
+         before = before == &variable->init ? variable->otherInits.data() : before + 1) {
+      const bool same = init.kind == before->kind &&
+                        (init.kind == ExprKind::Symbol   ? init.name.text == before->name.text
+                         : init.kind == ExprKind::Number ? init.number == before->number
+                                                         : false);
+      if (!same) continue;
+      context.findings.report(Code::RepeatedInitial, at(init), textOf(init))
+          .related(at(*before), "first listed here");
+      return;
+    }
+  }
+
+  void init(const Expr& init) {
     const Type wanted = context.typeOfVariable(symbol);
     if (init.kind == ExprKind::Missing) return;
     if (wanted.kind == TypeKind::Value && init.kind == ExprKind::Symbol)
@@ -48,9 +68,8 @@ private:
 
   /// A truth value that is among the values, where it is refused.
   [[nodiscard]] bool isListed(const Expr& init) const {
-    const auto range = init.range;
-    const auto word = context.text(variable.file).substr(range.begin, range.length());
-    return std::ranges::find(variable->states, word, &syntax::Name::text) != variable->states.end();
+    return std::ranges::find(variable->states, textOf(init), &syntax::Name::text) !=
+           variable->states.end();
   }
 
   void range() {
@@ -77,8 +96,11 @@ private:
 
   std::string describeLiteral(const Expr& expr) const {
     if (expr.kind == ExprKind::Number) return describe(typeOfNumber(expr), context.symbols);
-    const auto range = expr.range;
-    return "`" + context.text(variable.file).substr(range.begin, range.length()) + "`";
+    return "`" + textOf(expr) + "`";
+  }
+
+  [[nodiscard]] std::string textOf(const Expr& expr) const {
+    return context.text(variable.file).substr(expr.range.begin, expr.range.length());
   }
 
   Location at(const Expr& expr) const { return variable.at(expr.range); }

@@ -63,8 +63,10 @@ private:
   /// The automata of state variables come first, but know only last which moves may be forbidden.
   void addProcesses() {
     std::vector<Process> others;
-    for (const auto& event : context.program.events.all)
+    for (const auto& event : context.program.events.all) {
       others.push_back(eventProcess(context, event));
+      if (!hasEnvironmentProcess() || comesByItself(context, event.node())) wait(others.back());
+    }
     for (const auto& skill : context.plan.skills) {
       if (!skill.body)
         others.push_back(basicSkill(context, skill));
@@ -72,11 +74,17 @@ private:
         std::ranges::move(compositeSkill(context, skill), std::back_inserter(others));
     }
     if (context.plan.hasGeneralCaller() && context.hasEnvironment())
-      others.push_back(generalCaller(context));
-    if (hasEnvironmentProcess()) others.push_back(environmentProcess(context));
+      wait(others.emplace_back(generalCaller(context)));
+    if (hasEnvironmentProcess()) wait(others.emplace_back(environmentProcess(context)));
     for (const auto& variable : context.program.stateVariables.all)
       program.processes.push_back(stateVariableAutomaton(context, variable));
+    if (context.hasInitialChoice()) program.processes.push_back(initialChoice(context));
     std::ranges::move(others, std::back_inserter(program.processes));
+  }
+
+  /// Nothing happens before the values at the start have been chosen.
+  void wait(Process& process) {
+    if (context.hasInitialChoice()) holdBack(context, process);
   }
 
   void declareRuntime() {
@@ -96,6 +104,11 @@ private:
         context.names.process({"main", sanitised(context.program.files[0].path.stem().string())});
     component.variables = variables(skills);
     if (!context.isRuntime()) component.ports = ports();
+    if (context.hasInitialChoice()) {
+      auto& begins = component.ports.emplace_back();
+      begins.name = beginPort(context);
+      begins.interval = fiacre::Interval{.lower = 0, .upper = 0};
+    }
     if (hasEnvironmentProcess()) {
       program.processes.back().ports = component.ports;
       for (auto& port : program.processes.back().ports) port.interval.reset();

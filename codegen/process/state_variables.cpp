@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace proskill::codegen {
 namespace {
 
@@ -38,6 +40,7 @@ public:
   void add() {
     states.of("error", "error");
     // The first state is the initial one.
+    if (!variable->otherInits.empty()) addBeginning();
     addValue(variable->init.name);
     for (const auto& value : variable->states)
       if (value.text != variable->init.name.text) addValue(value);
@@ -46,6 +49,17 @@ public:
 
 private:
   const std::string& stateOf(std::string_view value) { return states.of("value", value); }
+
+  /// It goes to the value that was chosen, as the program begins.
+  void addBeginning() {
+    std::vector<Statement> values;
+    for (const auto& value : variable->states)
+      values.push_back(sequence({on(equal(name(context.names.variable(variable.name())),
+                                          name(context.names.value(variable.name(), value.text)))),
+                                 to(stateOf(value.text))}));
+    addState(process, states.of("before", "before_"), process.origin,
+             sequence({synchronise(beginPort(context)), select(std::move(values))}));
+  }
 
   void addValue(const syntax::Name& from) {
     std::vector<Statement> moves;
@@ -76,6 +90,78 @@ private:
   const Actor& actor;
   fiacre::Process& process;
   UniqueNames states;
+};
+
+fiacre::Expr valueOf(Context& context, const syntax::StateVariable& variable,
+                     const syntax::Expr& init) {
+  if (variable.isNatural()) return number(init.number.numerator);
+  return name(context.names.value(variable.name.text, init.name.text));
+}
+
+/// One variable after the other gets its value; the last step lets the program begin.
+class InitialChoice {
+public:
+  explicit InitialChoice(Context& context) : context(context) {
+    for (const auto& each : context.program.stateVariables.all)
+      if (!each->otherInits.empty()) open.push_back(&each);
+  }
+
+  fiacre::Process make() {
+    process.name = context.names.process({"initial", "values"});
+    process.comment =
+        "What may be one or the other at the start is chosen before anything happens.";
+    process.origin = context.origins.of({"start", 0}, {});
+    // The polling automata look at what was chosen.
+    const bool apart = context.options.automata == StateVariableAutomata::Paper;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const bool isLast = i + 1 == open.size() && !apart;
+      std::vector<Statement> all{isLast ? synchronise(beginPort(context)) : atOnce(),
+                                 choice(*open[i])};
+      if (isLast) addCalls(all);
+      all.push_back(to(isLast ? kChosen : i + 1 == open.size() ? "begins" : stateOf(i + 1)));
+      addState(process, stateOf(i), process.origin, sequence(std::move(all)));
+    }
+    if (apart) {
+      const auto words = context.origins.of({"start", 0}, {}, "the program begins");
+      std::vector<Statement> all{at(words, synchronise(beginPort(context)))};
+      addCalls(all);
+      all.push_back(to(kChosen));
+      addState(process, "begins", process.origin, sequence(std::move(all)));
+    }
+    process.states.push_back({std::string(kChosen), process.origin});
+    return std::move(process);
+  }
+
+private:
+  static std::string stateOf(std::size_t i) { return fmt::format("choose_{}", i + 1); }
+
+  Statement choice(const Variable& variable) {
+    const Actor actor{std::string(variable.name()), variable.file};
+    std::vector<Statement> values;
+    const auto add = [&](const syntax::Expr& init) {
+      auto value = valueOf(context, variable.node(), init);
+      const auto words = context.origins.of(
+          actor, init.range,
+          fmt::format("starts as {}", variable->isNatural() ? std::to_string(init.number.numerator)
+                                                            : fmt::format("`{}`", init.name.text)));
+      values.push_back(
+          at(words, assign(name(context.names.variable(variable.name())), std::move(value))));
+    };
+    add(variable->init);
+    for (const auto& other : variable->otherInits) add(other);
+    return select(std::move(values));
+  }
+
+  /// Of the mission and the monitors, which wait until then.
+  void addCalls(std::vector<Statement>& all) {
+    for (const auto& skill : context.plan.skills)
+      if (skill.root)
+        all.push_back(assign(context.cellField(skill.name(), "caller"), name("root")));
+  }
+
+  Context& context;
+  std::vector<const Variable*> open;
+  fiacre::Process process;
 };
 
 } // namespace
@@ -110,8 +196,20 @@ fiacre::TypeDeclaration stateVariableType(Context& context, const Variable& vari
 }
 
 fiacre::Expr initialValue(Context& context, const syntax::StateVariable& variable) {
-  if (variable.isNatural()) return number(variable.init.number.numerator);
-  return name(context.names.value(variable.name.text, variable.init.name.text));
+  return valueOf(context, variable, variable.init);
+}
+
+const std::string& beginPort(Context& context) {
+  return context.names.foreign({"program", "begins"});
+}
+
+fiacre::Process initialChoice(Context& context) { return InitialChoice(context).make(); }
+
+void holdBack(Context& context, fiacre::Process& process) {
+  const auto first = process.states.front().name;
+  addState(process, "before_", process.origin,
+           sequence({synchronise(beginPort(context)), to(first)}));
+  std::ranges::rotate(process.states, process.states.end() - 1);
 }
 
 } // namespace proskill::codegen

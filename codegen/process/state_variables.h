@@ -18,4 +18,13 @@ stateVariableType(Context& context, const analysis::Definition<syntax::StateVari
 /// Its initial value.
 [[nodiscard]] fiacre::Expr initialValue(Context& context, const syntax::StateVariable& variable);
 
+/// The port that is passed when all values have been chosen; nothing else happens before.
+[[nodiscard]] const std::string& beginPort(Context& context);
+/// The state of `initialChoice` from then on.
+inline constexpr const char* kChosen = "chosen";
+/// Who chooses, and then calls the mission and the monitors.
+[[nodiscard]] fiacre::Process initialChoice(Context& context);
+/// Has a process begin when all values have been chosen.
+void holdBack(Context& context, fiacre::Process& process);
+
 } // namespace proskill::codegen

@@ -1,6 +1,7 @@
 #include "codegen/property/observe.h"
 
 #include "codegen/process/body_process.h"
+#include "codegen/process/state_variables.h"
 #include "codegen/term/conditions.h"
 
 #include <algorithm>
@@ -54,6 +55,11 @@ Observable Observer::state(std::string_view process, std::string_view state) con
   observable.path = {places.find(process)->second};
   observable.name = state;
   return observable;
+}
+
+std::optional<Observable> Observer::begun() const {
+  if (!context.hasInitialChoice()) return std::nullopt;
+  return state(context.names.process({"initial", "values"}), kChosen);
 }
 
 Observable Observer::tag(const std::string& tag) const {

@@ -98,6 +98,40 @@ fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
   return ltl;
 }
 
+fiacre::Observable compound(fiacre::ObservableKind kind, fiacre::Observable a,
+                            fiacre::Observable b) {
+  fiacre::Observable both;
+  both.kind = kind;
+  both.operands = {std::move(a), std::move(b)};
+  return both;
+}
+
+fiacre::Ltl atomOf(fiacre::Observable atom) {
+  fiacre::Ltl ltl;
+  ltl.atom = std::move(atom);
+  return ltl;
+}
+
+/// As if runs began where the values at the start have been chosen.
+void beginWhere(const fiacre::Observable& begun, fiacre::Pattern& pattern) {
+  using fiacre::ObservableKind;
+  const bool always = pattern.kind == PatternKind::Always;
+  const auto kind = always ? ObservableKind::Implies : ObservableKind::And;
+  for (auto& operand : pattern.operands) operand = compound(kind, begun, std::move(operand));
+  for (auto* scope : {&pattern.after, &pattern.before})
+    if (*scope) **scope = compound(ObservableKind::And, begun, std::move(**scope));
+  if (pattern.kind != PatternKind::Ltl) return;
+  fiacre::Ltl open;
+  open.kind = LtlKind::Not;
+  open.operands = {atomOf(begun)};
+  fiacre::Ltl first;
+  first.kind = LtlKind::And;
+  first.operands = {atomOf(begun), std::move(pattern.ltl)};
+  pattern.ltl = {};
+  pattern.ltl.kind = LtlKind::Until;
+  pattern.ltl.operands = {std::move(open), std::move(first)};
+}
+
 } // namespace
 
 fiacre::Pattern patternOf(Context& context, Observer& observer, const syntax::Property& property) {
@@ -113,6 +147,7 @@ fiacre::Pattern patternOf(Context& context, Observer& observer, const syntax::Pr
   if (property.within) pattern.within = context.times.interval(*property.within);
   if (property.forDuration) pattern.forInterval = context.times.interval(*property.forDuration);
   if (property.lasting) pattern.lasting = context.times.units(*property.lasting);
+  if (const auto begun = observer.begun()) beginWhere(*begun, pattern);
   return pattern;
 }
 

@@ -8,6 +8,7 @@
 #include "codegen/term/build.h"
 #include "codegen/term/times.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -45,6 +46,12 @@ struct Context {
   /// Whether every state is named, not only those in which time passes.
   [[nodiscard]] bool isExpanded() const {
     return options.edition != Edition::Compact && !isExecuted();
+  }
+
+  /// Some variable may be one or the other at the start.
+  [[nodiscard]] bool hasInitialChoice() const {
+    const auto& all = program.stateVariables.all;
+    return std::ranges::any_of(all, [](const auto& each) { return !each->otherInits.empty(); });
   }
 
   [[nodiscard]] const syntax::StateVariable& stateVariable(std::string_view name) const {

@@ -107,6 +107,7 @@ std::vector<fiacre::TypeDeclaration> SkillTypes::types() const {
 }
 
 Expr SkillTypes::initial() const {
+  const bool begins = !context.hasInitialChoice();
   Expr array;
   array.kind = fiacre::ExprKind::Array;
   for (const auto& cell : cells) {
@@ -114,7 +115,7 @@ Expr SkillTypes::initial() const {
     record.kind = fiacre::ExprKind::Record;
     for (const auto& field : fields) {
       record.fields.push_back(field.name);
-      const bool called = cell.root && field.name == "caller";
+      const bool called = begins && cell.root && field.name == "caller";
       record.operands.push_back(called ? name("root") : field.initial);
     }
     array.operands.push_back(std::move(record));

@@ -32,6 +32,7 @@ std::string_view placeholderOf(std::string_view type) {
 /// Places where names of the program stand.
 void Completer::fillNames() {
   switch (place.slot) {
+  case Slot::InitialValue:
   case Slot::VariableValue:
   case Slot::EffectValue: return values(place.subject);
   case Slot::Transition: return values(place.subject);

@@ -16,6 +16,7 @@ constexpr std::size_t kMostItems = 200;
 /// Places where a space can only be the begin of one of a few names.
 bool isNarrow(const Place& place) {
   switch (place.slot) {
+  case Slot::InitialValue:
   case Slot::VariableValue:
   case Slot::EffectValue:
   case Slot::Transition:

@@ -39,7 +39,7 @@ struct FieldValue {
   Slot slot;
 };
 constexpr std::array kFieldValues{
-    FieldValue{":init", Slot::VariableValue},
+    FieldValue{":init", Slot::InitialValue},
     FieldValue{":states", Slot::Nothing},
     FieldValue{":min", Slot::Nothing},
     FieldValue{":max", Slot::Nothing},
@@ -262,6 +262,7 @@ Place inOutcomes(Items items) {
 /// Lists without a head of their own.
 std::optional<Place> withoutHead(Items items, Slot outer) {
   switch (outer) {
+  case Slot::InitialValue: return just(Slot::VariableValue);
   case Slot::Transitions: return just(Slot::TransitionList);
   case Slot::TransitionList: return just(items.size() < 2 ? Slot::Transition : Slot::Nothing);
   case Slot::ResourceList: return just(Slot::Resource);
@@ -314,7 +315,8 @@ Place placeOf(const Path& path, std::size_t depth) {
     if (!items.empty()) place.definition = items[0].text;
     if (items.size() > 1) place.owner = items[1].text;
   }
-  const bool isOwn = place.slot == Slot::VariableValue || place.slot == Slot::Transition;
+  const bool isOwn = place.slot == Slot::VariableValue || place.slot == Slot::InitialValue ||
+                     place.slot == Slot::Transition;
   if (isOwn && place.subject.empty()) place.subject = place.owner;
   return place;
 }

@@ -12,6 +12,7 @@ enum class Slot : std::uint8_t {
   IncludePath,
   Field,          ///< a keyword of `Place::fields`
   OutcomeClause,  ///< `(:effects …)` after a tag, or the next field
+  InitialValue,   ///< of the state variable `subject`, or a list of them
   VariableValue,  ///< of the state variable `subject`
   Transitions,    ///< `:all`, or a list
   TransitionList, ///< pairs

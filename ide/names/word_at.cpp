@@ -53,6 +53,7 @@ const Word* head(Slot slot, std::string_view text) {
   case Slot::Operand:
   case Slot::ArgumentValue:
   case Slot::PrintArgument:
+  case Slot::InitialValue:
   case Slot::VariableValue:
   case Slot::EffectValue: return findWord(WordKind::Arithmetic, text);
   default: return nullptr;

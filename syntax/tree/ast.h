@@ -111,13 +111,18 @@ struct StateVariable {
   Name name;
   List<FieldUse> fields;
   List<Name> states;
-  Expr init;
+  Expr init;             ///< the first where there are several
+  List<Expr> otherInits; ///< `:init (A B)`: it may be any of these, too
   std::optional<Expr> min;
   std::optional<Expr> max;
   Transitions transitionsKind = Transitions::Unstated;
   List<Transition> transitions;
 
   [[nodiscard]] bool isNatural() const { return min || max; }
+  /// From the first initial value to the last one.
+  [[nodiscard]] Range initRange() const {
+    return otherInits.empty() ? init.range : Range{init.range.begin, otherInits.back().range.end};
+  }
 };
 
 struct Event {

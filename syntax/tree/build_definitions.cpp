@@ -107,6 +107,22 @@ void readTransitions(Builder& builder, Field& field, StateVariable& variable) {
   }
 }
 
+/// One value, or a list of those that it may be.
+void readInit(Builder& builder, Field& field, StateVariable& variable) {
+  const Node* value = onlyValue(builder, field, "the initial value");
+  variable.init.range = {field.use.keyword.range.end, field.use.keyword.range.end};
+  if (!value) return;
+  if (value->kind != NodeKind::NameList) {
+    variable.init = expressionOf(builder, *value);
+    return;
+  }
+  Parts parts(*value);
+  if (!parts.peek()) builder.report(Code::EmptyForm, value->range);
+  if (const Node* first = parts.take()) variable.init = expressionOf(builder, *first);
+  while (const Node* next = parts.take())
+    variable.otherInits.push_back(expressionOf(builder, *next));
+}
+
 StateVariable stateVariableOf(Builder& builder, Definition& definition) {
   StateVariable variable;
   variable.name = definition.name;
@@ -114,9 +130,7 @@ StateVariable stateVariableOf(Builder& builder, Definition& definition) {
   variable.init.range = {definition.name.range.end, definition.name.range.end};
   for (Field& field : definition.fields) {
     switch (field.kind) {
-    case NodeKind::InitField:
-      variable.init = valueField(builder, field, "the initial value");
-      break;
+    case NodeKind::InitField: readInit(builder, field, variable); break;
     case NodeKind::MinField: variable.min = valueField(builder, field, "a number"); break;
     case NodeKind::MaxField: variable.max = valueField(builder, field, "a number"); break;
     case NodeKind::StatesField: readStates(builder, field, variable); break;

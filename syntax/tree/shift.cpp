@@ -36,7 +36,7 @@ auto members(Statement& x) {
                   x.effects, x.arms, x.branches);
 }
 auto members(StateVariable& x) {
-  return std::tie(x.name, x.fields, x.states, x.init, x.min, x.max, x.transitions);
+  return std::tie(x.name, x.fields, x.states, x.init, x.otherInits, x.min, x.max, x.transitions);
 }
 auto members(Skill& x) {
   return std::tie(x.name, x.fields, x.inputs, x.preconditions, x.start, x.invariants,

@@ -214,3 +214,20 @@ TEST_CASE("an event that comes by itself leaves time between, and nobody emits i
   CHECK(findings(kWorld + "(defevent beat :every [1,5]" + set +
                  "(defenvironment e :body ((emit beat) (emit drained)))") == "PS0438 beat");
 }
+
+TEST_CASE("each of several initial values is checked") {
+  const auto enumeration = [](const std::string& init) {
+    return findings("(defsv door :states (Closed Open) :init " + init + ")");
+  };
+  CHECK(enumeration("(Closed Open)") == "");
+  CHECK(enumeration("(Closed)") == "");
+  CHECK(enumeration("()") == "PS0110 ()");
+  CHECK(enumeration("(Closed Ajar)") == "PS0203 Ajar");
+  CHECK(enumeration("(Closed Open Closed)") == "PS0417W Closed");
+  const auto natural = [](const std::string& init) {
+    return findings("(defsv n :min 1 :max 3 :init " + init + ")");
+  };
+  CHECK(natural("(1 3)") == "");
+  CHECK(natural("(1 4)") == natural("4"));
+  CHECK(natural("(2 2)") == "PS0417W 2");
+}

@@ -127,6 +127,10 @@ TEST_CASE("comments and layout cost nothing, a change of meaning is another mode
   other.replace(other.find("((Off On))"), 10, "((On Off))");
   CHECK(verified(Subject(other), directory.path()).known == 0);
   CHECK(filesIn(directory.path()).size() == 2);
+  other = kLamp;
+  other.replace(other.find(":init Off"), 9, ":init (On Off)");
+  CHECK(verified(Subject(other), directory.path()).known == 0);
+  CHECK(filesIn(directory.path()).size() == 3);
 }
 
 TEST_CASE("a damaged file counts as none") {

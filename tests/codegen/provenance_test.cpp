@@ -119,6 +119,7 @@ TEST_CASE("every process and state of a random program has a place, and every st
       if (process.name.starts_with("basic_environment")) continue; // its partner tells
       for (const auto& from : process.transitions) {
         INFO(from.state);
+        if (from.state == "before_") continue; // the choice of initial values tells
         if (from.state != "ended") CHECK(everyPathTells(from.statement, model.provenance, false));
       }
     }

@@ -161,3 +161,75 @@ TEST_CASE("verdicts tell forbidden moves, exact and as the paper polls for them"
     (defskill count :body ((while (< level 3) (set (level (+ level 2)))))))")
             .at("level.no_forbidden_transition") == "holds");
 }
+
+TEST_CASE("of several initial values every one is looked at, before anything else happens") {
+  const std::string text = "(defsv door :states (Closed Open Locked) :init (Closed Open))"
+                           "(defsv n :min 0 :max 3 :init (1 3))"
+                           "(defevent opens :effects (door Open))"
+                           "(defskill m :success (was_open was_closed)"
+                           " :body ((if (door Open) (success was_open)) (success was_closed)))"
+                           "(defproperty three (reachable (= n 3)))"
+                           "(defproperty both (reachable (and (= n 3) (door Open))))"
+                           "(defproperty two (reachable (= n 2)))"
+                           "(defproperty locked (reachable (door Locked)))"
+                           "(defproperty from_closed (precedes (door Closed) (door Open)))"
+                           "(defproperty known (always (or (= n 1) (= n 3))))"
+                           "(defproperty first (ltl (door Closed)))"
+                           "(defproperty some (ltl (or (door Closed) (door Open))))"
+                           "(defproperty stays (ltl (=> (= n 3) ([] (= n 3)))))";
+  for (const auto edition : {codegen::Edition::Compact, codegen::Edition::Expanded}) {
+    const auto found = test::verdictsOf(text, {.edition = edition});
+    CHECK(found.at("m.can_succeed.was_open") == "reachable");
+    CHECK(found.at("m.can_succeed.was_closed") == "reachable");
+    CHECK(found.at("three") == "reachable");
+    CHECK(found.at("both") == "reachable");
+    CHECK(found.at("two") == "unreachable");
+    CHECK(found.at("locked") == "unreachable");
+    CHECK(found.at("from_closed") == "violated");
+    CHECK(found.at("known") == "holds");
+    CHECK(found.at("first") == "violated");
+    CHECK(found.at("some") == "holds");
+    CHECK(found.at("stays") == "holds");
+  }
+}
+
+TEST_CASE("the initial values are chosen one after the other") {
+  const auto model = test::modelOf("(defsv door :states (Closed Open) :init (Closed Open))"
+                                   "(defsv n :min 0 :max 3 :init (1 3))"
+                                   "(defevent opens :effects (door Open))"
+                                   "(defskill m :body ((^ 1)))");
+  CHECK(test::printedState(model, "initial_values", "choose_1") == R"(from choose_1
+    wait [0,0];
+    select
+        door := Closed
+    []
+        door := Open
+    end;
+    to choose_2
+)");
+  CHECK(test::printedState(model, "initial_values", "choose_2") == R"(from choose_2
+    program_begins;
+    select
+        n := 1
+    []
+        n := 3
+    end;
+    skill[m].caller := root;
+    to chosen
+)");
+  CHECK(test::printedState(model, "basic_environment_test", "before_") ==
+        "from before_\n    program_begins;\n    to start_\n");
+}
+
+TEST_CASE("the polling automaton begins at the value that was chosen") {
+  const auto found = test::verdictsOf(
+      "(defsv door :states (Closed Open Locked) :init (Closed Open) :transitions ((Closed Locked)))"
+      "(defskill m :body ((^ 1) (set (door Locked))))",
+      {.automata = codegen::StateVariableAutomata::Paper});
+  CHECK(found.at("door.no_forbidden_transition") == "violated");
+  const auto allowed = test::verdictsOf("(defsv door :states (Closed Open Locked) :init (Closed "
+                                        "Open) :transitions ((Closed Locked) (Open Locked)))"
+                                        "(defskill m :body ((^ 1) (set (door Locked))))",
+                                        {.automata = codegen::StateVariableAutomata::Paper});
+  CHECK(allowed.at("door.no_forbidden_transition") == "holds");
+}

@@ -20,7 +20,9 @@ constexpr auto kLamp = R"(
 )";
 
 struct Case {
-  analysis::Program program = test::programOfText(kLamp);
+  explicit Case(const std::string& text = kLamp) : program(test::programOfText(text)) {}
+
+  analysis::Program program;
   codegen::Model model = codegen::generate(program).value();
 
   /// What is wrong with a text, each with the piece of it that it is about.
@@ -73,13 +75,41 @@ TEST_CASE("an environment of the user's own takes the place of the generated one
   CHECK(other.verdict("dark_again") == "violated");
 }
 
-TEST_CASE("what an environment has no port for never happens") {
+TEST_CASE("an environment begins when the initial values have been chosen") {
+  std::string text = kLamp;
+  text.replace(text.find(":init Off"), 9, ":init (Off On)");
+  Case lamp(text);
+  REQUIRE(lamp.environment("process never [switch_on: sync] is\nstates idle\n") == "");
+  REQUIRE(lamp.properties("property light is absent model/value lamp = On\nassert light\n") == "");
+  CHECK(lamp.verdict("light") == "violated");
+  Case eager(text);
+  REQUIRE(eager.environment("process off [switch_off: sync] is\nstates a, b\n"
+                            "from a switch_off; to b\n") == "");
+  REQUIRE(eager.properties("property p is absent (model/off/state b) and (model/value lamp = On)"
+                           "\nassert p\n") == "");
+  CHECK(eager.verdict("p") == "holds");
+}
+
+TEST_CASE("what an environment has no port for never happens, unless it comes by itself") {
   Case lamp;
   REQUIRE(lamp.environment("process on_off [switch_on: sync] is\nstates a, b\n"
                            "from a switch_on; to b\n") == "");
   REQUIRE(lamp.properties("property never_off is absent model/event switch_off\n"
                           "assert never_off\n") == "");
   CHECK(lamp.verdict("never_off") == "holds");
+  std::string text = kLamp;
+  text.replace(text.find("switch_off :effects"), 19, "switch_off :every [1,5] :effects");
+  Case blinking(text);
+  const std::string named = "process on_off [switch_off: sync] is\nstates a\n"
+                            "from a switch_off; to a\n";
+  CHECK(blinking.environment(named) ==
+        "`switch_off`: process on_off: `switch_off` has `:every` and comes by itself\n");
+  Case dark(text);
+  REQUIRE(dark.environment("process on_only [switch_on: sync] is\nstates a, b\n"
+                           "from a switch_on; to b\n") == "");
+  REQUIRE(dark.properties("property never_off is absent model/event switch_off\n"
+                          "assert never_off\n") == "");
+  CHECK(dark.verdict("never_off") == "violated");
 }
 
 TEST_CASE("an environment sees the model's variables, and takes its time") {

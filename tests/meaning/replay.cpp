@@ -45,8 +45,11 @@ std::vector<Age> after(std::vector<Age> ages, std::int64_t time, std::int64_t pa
 } // namespace
 
 std::optional<std::string> Replays::whyNoRun(const verify::Trace& trace) const {
-  Situations now{beginning(script)};
-  const auto beginsWith = valuesIn(script, *now.begin());
+  const auto choices = static_cast<std::size_t>(std::ranges::count_if(
+      script.variables, [](const auto* each) { return !each->otherInits.empty(); }));
+  Situations now;
+  for (auto& first : beginnings(script)) now.insert(std::move(first));
+  const auto beginsWith = valuesIn(script, beginning(script));
   Values values = beginsWith;
   apply(trace.initial, values);
   if (values != beginsWith) return "it begins with other values";
@@ -64,6 +67,12 @@ std::optional<std::string> Replays::whyNoRun(const verify::Trace& trace) const {
       return fmt::format("so much time cannot pass before its step {}", i + 1);
     const Values before = values;
     apply(step.changes, values);
+    if (i < choices) { // what it begins with is chosen by the first steps
+      if (i + 1 < choices) continue;
+      std::erase_if(now, [&](const auto& each) { return valuesIn(script, each) != values; });
+      if (now.empty() || step.date > 0) return "it does not begin so";
+      continue;
+    }
     if (values != before) now = changed(closed(now), values);
     if (now.empty()) return fmt::format("nothing does what its step {} does at its date", i + 1);
   }

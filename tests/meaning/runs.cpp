@@ -64,9 +64,10 @@ Runs::Runs(const Script& of, std::size_t limit, std::optional<std::int64_t> watc
   for (const auto& thread : script.threads)
     for (const auto& place : thread.places)
       if (place.statement && waitsForTime(*place.statement)) note(place.statement->duration);
-  auto first = beginning(script);
-  if (hasWatch) first.ages.push_back({.counts = true});
-  add(std::move(first));
+  for (auto& first : beginnings(script)) {
+    if (hasWatch) first.ages.push_back({.counts = true});
+    begins.insert(add(std::move(first)));
+  }
   std::size_t next = 0;
   for (; next < all.size() && all.size() < limit; ++next) expand(next);
   finished = next == all.size();

@@ -32,6 +32,8 @@ public:
   [[nodiscard]] const std::vector<Node>& nodes() const { return all; }
   /// How long it is since the watch was at 0. \pre there is one
   [[nodiscard]] static const Age& watch(const Node& node) { return node.situation.ages.back(); }
+  /// Where runs begin.
+  [[nodiscard]] const std::set<std::size_t>& starts() const { return begins; }
   /// What happens in some run.
   [[nodiscard]] const std::set<Fact>& facts() const { return found; }
   [[nodiscard]] bool canStop() const;
@@ -50,6 +52,7 @@ private:
   bool hasWatch = false;
   std::vector<Node> all;
   std::map<Situation, std::size_t> known;
+  std::set<std::size_t> begins;
   std::set<Fact> found;
   bool finished = false;
 };

@@ -10,11 +10,10 @@ bool isWait(StatementKind kind) {
   return kind == StatementKind::WaitCondition || kind == StatementKind::WaitTime;
 }
 
-std::int64_t initialValue(const Script& script, int index) {
-  const auto& variable = *script.variables[index];
-  if (variable.isNatural()) return variable.init.number.numerator;
+std::int64_t valueOf(const syntax::StateVariable& variable, const syntax::Expr& init) {
+  if (variable.isNatural()) return init.number.numerator;
   for (std::size_t i = 0; i < variable.states.size(); ++i)
-    if (variable.states[i].text == variable.init.name.text) return static_cast<std::int64_t>(i);
+    if (variable.states[i].text == init.name.text) return static_cast<std::int64_t>(i);
   return 0;
 }
 
@@ -281,10 +280,23 @@ void Steps::ofTheEnd() {
   }
 }
 
+std::vector<Situation> beginnings(const Script& script) {
+  std::vector<Situation> all{beginning(script)};
+  for (std::size_t i = 0; i < script.variables.size(); ++i) {
+    const auto& variable = *script.variables[i];
+    for (auto known = all.size(); known-- > 0;)
+      for (const auto& other : variable.otherInits) {
+        auto& made = all.emplace_back(Situation(all[known]));
+        made.values[i] = valueOf(variable, other);
+      }
+  }
+  return all;
+}
+
 Situation beginning(const Script& script) {
   Situation first;
-  for (int i = 0; i < static_cast<int>(script.variables.size()); ++i)
-    first.values.push_back(initialValue(script, i));
+  for (const auto* variable : script.variables)
+    first.values.push_back(valueOf(*variable, variable->init));
   first.used.assign(script.resources.size(), 0);
   first.skills.resize(script.skills.size());
   first.decided.resize(script.skills.size());

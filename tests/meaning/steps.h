@@ -49,7 +49,10 @@ struct Step {
   Situation after;
 };
 
+/// With the first value of each variable that is listed.
 [[nodiscard]] Situation beginning(const Script& script);
+/// With each of the values that variables may begin with; that one is the first.
+[[nodiscard]] std::vector<Situation> beginnings(const Script& script);
 
 /// All that can happen in a situation if time allows it, each by itself.
 [[nodiscard]] std::vector<Step> stepsFrom(const Script& script, const Situation& situation);

@@ -67,7 +67,10 @@ std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
   case PropertyKind::Never:
   case PropertyKind::Absent:
   case PropertyKind::Reachable: return !sometimes(property.operands[0], true);
-  case PropertyKind::Present: return !avoiding(property, property.operands[0])[0];
+  case PropertyKind::Present: {
+    const auto without = avoiding(property, property.operands[0]);
+    return std::ranges::none_of(runs.starts(), [&](auto node) { return without[node]; });
+  }
   case PropertyKind::InfinitelyOften:
     return std::ranges::none_of(avoiding(property, property.operands[0]), std::identity{});
   case PropertyKind::LeadsTo: return !canMiss(property);
@@ -177,7 +180,7 @@ bool Verdicts::canPrecede(const syntax::Expr& late, const syntax::Expr& early) c
     found = found || isTrueAt(late, now, {});
     todo.push_back(node);
   };
-  visit(0);
+  for (const auto node : runs.starts()) visit(node);
   while (!todo.empty() && !found) {
     const auto& node = nodes[todo.back()];
     todo.pop_back();

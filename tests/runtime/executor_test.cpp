@@ -249,3 +249,19 @@ TEST_CASE("an event comes as often as it says, or is told of") {
   REQUIRE(late.told(RemarkKind::Overshoot));
   CHECK(late.told(RemarkKind::Overshoot)->date == 8'000'000'001);
 }
+
+TEST_CASE("a run draws the initial values by its seed") {
+  const auto executable =
+      test::executableOf("(defsv door :states (Closed Open) :init (Closed Open))"
+                         "(defskill mission :success (was_open was_closed)"
+                         " :body ((if (door Open) (success was_open)) (success was_closed)))");
+  std::size_t open = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const auto ran = runOf(*executable, seed);
+    CHECK(ran.result.missionStatus == "success");
+    CHECK(ran.when("mission", "starts") == 0);
+    if (ran.text().contains("was_open")) ++open;
+  }
+  CHECK(open > 5);
+  CHECK(open < 35);
+}

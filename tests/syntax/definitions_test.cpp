@@ -107,6 +107,9 @@ TEST_CASE("what does not belong into a definition is one diagnostic") {
   CHECK(codes("(defsv level :states Good :init Good)") == "PS0115");
   CHECK(codes("(defsv level :states (Good 3) :init Good)") == "PS0106");
   CHECK(codes("(defsv level :states (A B) :init A :transitions (A B))") == "PS0115");
+  CHECK(codes("(defsv v :states (A B) :init (A B))") == "");
+  CHECK(codes("(defsv v :states (A B) :init ())") == "PS0110");
+  CHECK(codes("(defsv v :states (A B) :init A B)") == "PS0112");
   CHECK(codes("(defevent e :effects)") == "PS0114");
   CHECK(codes("(defevent e :every [1,5] :effects (a B))") == "");
   CHECK(codes("(defevent e :every 5 :effects (a B))") == "PS0115");

@@ -25,6 +25,7 @@
 (transition from: (symbol) @local.reference)
 (transition to: (symbol) @local.reference)
 (init_field value: (symbol) @local.reference)
+(init_field value: (name_list (symbol) @local.reference))
 (comparison (symbol) @local.reference)
 (success name: (symbol) @local.reference)
 (failure name: (symbol) @local.reference)

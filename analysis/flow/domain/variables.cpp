@@ -29,11 +29,17 @@ Domain domainOf(const syntax::StateVariable& node, const std::vector<std::int64_
   return Domain::ofNumbers(min, std::max(min, max), cuts);
 }
 
-ValueSet initialOf(const syntax::StateVariable& node, const Domain& domain) {
+ValueSet initialOf(const syntax::Expr& init, const Domain& domain) {
   std::optional<std::int64_t> number =
-      domain.isNumeric() ? wholeNumber(node.init) : domain.numberOf(node.init.name.text);
+      domain.isNumeric() ? wholeNumber(init) : domain.numberOf(init.name.text);
   ValueSet initial = number ? domain.touching({*number, *number}) : ValueSet();
   return initial.empty() ? domain.all() : initial;
+}
+
+ValueSet initialOf(const syntax::StateVariable& node, const Domain& domain) {
+  ValueSet all = initialOf(node.init, domain);
+  for (const syntax::Expr& other : node.otherInits) all |= initialOf(other, domain);
+  return all;
 }
 
 /// To stay is always allowed.

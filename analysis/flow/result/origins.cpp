@@ -37,7 +37,7 @@ std::vector<Origin> Origins::of(VariableId id, ValueSet values) const {
   if (variable.initial.within(values)) {
     const auto& definition = report.program.stateVariables.all[variable.definition];
     origins.push_back(
-        {definition.at(definition->init.range),
+        {definition.at(definition->initRange()),
          fmt::format("starts as {}", report.variables().words(id, variable.initial))});
   }
   for (const Write& write : writes[id]) {

@@ -136,7 +136,7 @@ public:
 
   /// Nothing where there are too many places.
   std::optional<bool> findsRun(const Wish& wish) {
-    visit(0, {wish}, false);
+    for (const auto node : runs.starts()) visit(node, {wish}, false);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (places.size() > kMostPlaces) return std::nullopt;
       expand(i);

@@ -141,9 +141,14 @@ private:
 
   // --- Patterns
 
+  [[nodiscard]] Points starts() const {
+    Points all;
+    for (const auto node : runs.starts()) all.insert({node, {}});
+    return all;
+  }
   /// Everywhere at the start, or where `after` is seen for the first time.
   [[nodiscard]] Points begin() const {
-    const Points start{{0, {}}};
+    const Points start = starts();
     if (!property.after) return start;
     const auto after = seeing(*property.after);
     return restarted(reached(start, no(after), after));
@@ -174,7 +179,7 @@ private:
 
   /// The part before the first time that `before` is seen, of runs that see it at all.
   [[nodiscard]] bool violatesBefore() const {
-    const Points start{{0, {}}};
+    const Points start = starts();
     const auto end = seeing(*property.before);
     const auto open = no(end);
     if (property.kind == PropertyKind::Absent) {

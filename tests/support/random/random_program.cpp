@@ -33,13 +33,14 @@ private:
   Form stateVariable(const VariableWords& variable) {
     Form form{"defsv", variable.name};
     if (variable.values.empty()) {
-      form.addAll({":init", std::to_string(random.between(variable.low, variable.high)), ":min",
-                   std::to_string(variable.low), ":max", std::to_string(variable.high)});
+      std::vector<std::string> numbers;
+      for (auto n = variable.low; n <= variable.high; ++n) numbers.push_back(std::to_string(n));
+      form.addAll({":init", initial(numbers), ":min", numbers.front(), ":max", numbers.back()});
       return form;
     }
     Form values;
     for (const auto& value : variable.values) values.add(value);
-    form.addAll({":states", values, ":init", random.pick(variable.values)});
+    form.addAll({":states", values, ":init", initial(variable.values)});
     if (random.chance(40)) return form;
     form.add(":transitions");
     if (random.chance(25))
@@ -47,6 +48,15 @@ private:
     else
       form.add(transitions(variable));
     return form;
+  }
+
+  /// One of the values, or some.
+  Form initial(const std::vector<std::string>& values) {
+    if (!random.chance(size.open)) return random.pick(values);
+    Form some;
+    for (const auto& value : values)
+      if (random.chance(60)) some.add(value);
+    return some.items.empty() ? Form(random.pick(values)) : some;
   }
 
   Form transitions(const VariableWords& variable) {

@@ -26,6 +26,7 @@ struct ProgramSize {
   unsigned environment = 20; ///< per cent of programs with a defenvironment
   unsigned library = 10;     ///< per cent of programs without a main skill
   unsigned scopes = 0;       ///< per cent of properties that have a scope or a time
+  unsigned open = 15;        ///< per cent of state variables that begin with one of several values
   unsigned every = 30;       ///< per cent of events that come by themselves
   unsigned forks = 25;       ///< per cent of compound statements
   unsigned races = 40;       ///< per cent of forks that are races

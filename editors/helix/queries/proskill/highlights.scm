@@ -71,6 +71,7 @@
 ; Values.
 (states_field value: (name_list (symbol) @constant))
 (init_field value: (symbol) @constant)
+(init_field value: (name_list (symbol) @constant))
 (transition from: (symbol) @constant)
 (transition to: (symbol) @constant)
 (effect variable: (symbol) @variable)
