@@ -122,3 +122,20 @@ TEST_CASE("A loop whose wait does not wait again is told at its beginning") {
   CHECK(told("(while true (^ (battery Critical)) (a.interrupt) (^ 1))").empty());
   CHECK(told("(while true (^ (battery Critical) :effects (battery Good)) (a.interrupt))").empty());
 }
+
+TEST_CASE("A wait that events with a period may not come to in time is not told") {
+  const auto told = [](const std::string& event, const std::string& body) {
+    return codes("(defsv v :states (Low Bad) :init Bad)\n"
+                 "(defevent recovered " +
+                 event + " :effects (v Low))\n(defskill m :body (" + body + "))");
+  };
+  const std::string timed = ":every ]1,3]";
+  // The loop is left at once, before the event.
+  CHECK(told(timed, "(do-until (v Bad) (^ true))").find("PS1008") == std::string::npos);
+  CHECK(told("", "(do-until (v Bad) (^ true))").find("PS1008") != std::string::npos);
+  // It is awaited, for as long as it takes.
+  CHECK(told(timed, "(while true (^ (v Low)) (printf \"low\"))").find("PS1008") !=
+        std::string::npos);
+  CHECK(told(timed, "(while true (^ (v Low) :timeout 1) (if (v Bad) break))").find("PS1008") ==
+        std::string::npos);
+}

@@ -165,19 +165,72 @@ private:
   }
 
   /// Of values that others set, only single events make each combination possible for sure: skills
-  /// beside may keep to an order that the solver does not see.
+  /// beside may keep to an order that the solver does not see, and so may events with an `:every`.
   [[nodiscard]] bool dependsOnOthers() const {
     const IdSet read = variablesRead();
     for (ProcessId other = 0; other < system.size(); ++other)
       if (system[other].kind != ProcessKind::Events && system.concurrent(id).contains(other) &&
           system.writes(other).intersects(read))
         return true;
-    return system.hasFreeEvents() &&
-           std::ranges::any_of(system[system.ofEvents()].actions, [&](const Action& event) {
-             return std::ranges::count_if(event.assignments, [&](const Assignment& each) {
-                      return read.contains(each.variable);
-                    }) > 1;
-           });
+    if (!system.hasFreeEvents()) return false;
+    const auto& events = system[system.ofEvents()].actions;
+    for (std::size_t event = 0; event < events.size(); ++event) {
+      const auto sets = std::ranges::count_if(events[event].assignments, [&](const auto& each) {
+        return read.contains(each.variable);
+      });
+      if (sets > 1 || (sets > 0 && isTimed(event) && !isAwaited())) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool isTimed(std::size_t event) const {
+    return system.program().events.all[event]->every.has_value();
+  }
+
+  /// Nothing but one wait looks at anything, at one variable, and this wait does not end before an
+  /// event has set that: whenever it is reached the round follows.
+  [[nodiscard]] bool isAwaited() const {
+    NodeId waiting = kNoNode;
+    for (const Pass& pass : path) {
+      if (slotsOf(pass.node).empty()) continue;
+      if (nodeOf(pass.node).kind != NodeKind::Wait || waiting != kNoNode) return false;
+      waiting = pass.node;
+    }
+    if (waiting == kNoNode || !guards.empty()) return false;
+    const bool hasTimeout = std::ranges::any_of(nodeOf(waiting).edges, [](const Edge& edge) {
+      return !edge.stops && edge.guard != Guard::Holds;
+    });
+    const auto slots = slotsOf(waiting);
+    return !hasTimeout && slots.size() == 1 && !sets(*slots.begin()) &&
+           isMadeByEvent(*slots.begin(), self.actions[waiting].conditions.at(0));
+  }
+
+  [[nodiscard]] std::set<Slot> slotsOf(NodeId node) const {
+    std::set<Slot> slots;
+    for (const Condition& each : self.actions[node].conditions) collectSlots(each, slots);
+    return slots;
+  }
+
+  /// The round itself does.
+  [[nodiscard]] bool sets(Slot slot) const {
+    return std::ranges::any_of(path, [&](const Pass& pass) {
+      const auto& assignments = self.actions[pass.node].assignments;
+      return nodeOf(pass.node).kind == NodeKind::Call ||
+             std::ranges::find(assignments, slot, &Assignment::slot) != assignments.end();
+    });
+  }
+
+  [[nodiscard]] bool isMadeByEvent(Slot slot, const Condition& condition) const {
+    const VariableId variable = self.slots[slot];
+    for (const Action& event : system[system.ofEvents()].actions)
+      for (const Assignment& each : event.assignments) {
+        if (each.variable != variable || each.value.kind != Term::Kind::Number) continue;
+        State state = solver.cases(id, path.front().node).front();
+        const std::int64_t number = each.value.number;
+        state.values[slot] = system.variables()[variable].domain.saturated({number, number});
+        if (!mayFail(state, condition)) return true;
+      }
+    return false;
   }
 
   [[nodiscard]] IdSet variablesRead() const {
