@@ -1,7 +1,7 @@
 // How fast programs are executed: in simulated time, in real time, with a recording and idle.
 
 #include "bench/measure.h"
-#include "report/run_report.h"
+#include "report/run/run_report.h"
 #include "runtime/executor/executor.h"
 #include "runtime/platform/simulated.h"
 #include "tests/support/texts.h"
@@ -101,7 +101,7 @@ void measureSimulation() {
         bytes = 0;
         const auto recording = report::runRecording(
             [&](std::string_view added, std::string_view) { bytes += added.size(); },
-            {endlessProgram, *endless}, 256);
+            {endlessProgram, *endless});
         keep(simulate(*endless, *recording, kHour).steps);
       },
       3);

@@ -56,4 +56,6 @@ std::optional<std::string> GrowingFile::add(std::string_view bytes, std::string_
   return std::nullopt;
 }
 
+void GrowingFile::sync() const { (void)fdatasync(descriptor); }
+
 } // namespace proskill::disk

@@ -20,6 +20,8 @@ public:
 
   /// Returns an error message, or nothing. If the disk is full, the previous content stays.
   [[nodiscard]] std::optional<std::string> add(std::string_view bytes, std::string_view end);
+  /// Waits until the disk has what was added.
+  void sync() const;
 
 private:
   GrowingFile(int opened, std::string named) : descriptor(opened), path(std::move(named)) {}

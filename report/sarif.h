@@ -1,8 +1,7 @@
 #pragma once
 
+#include "report/ordered_json.h"
 #include "report/text/source_place.h"
-
-#include <nlohmann/json.hpp>
 
 #include <iosfwd>
 

@@ -6,7 +6,7 @@
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
-#include "report/read_recording.h"
+#include "report/run/read_recording.h"
 #include "report/verify_report.h"
 #include "runtime/conform/conform.h"
 #include "syntax/text/utf8.h"

@@ -1,13 +1,13 @@
 #include "cli/execution/run.h"
 
+#include "cli/execution/recorder.h"
 #include "cli/execution/run_arguments.h"
 #include "cli/output/checked_program.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
-#include "disk/growing_file.h"
-#include "report/run_report.h"
+#include "report/run/run_report.h"
 #include "runtime/platform/settings.h"
 
 #include <CLI/CLI.hpp>
@@ -132,14 +132,15 @@ private:
 
   int runOn(runtime::Platform& platform, std::optional<double> factor) {
     const auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
-    std::optional<disk::GrowingFile> recording; // outlives who adds to it
+    std::optional<Recorder> recorder; // outlives who adds to it
     Observers observers(factor.has_value());
     const report::RunSubject subject{program, *executable};
     const bool colour = wantsColour(arguments.colour, STDOUT_FILENO);
     observers.add(arguments.format == RunFormat::Json
                       ? report::runJson(std::cout, subject)
                       : report::runText(std::cout, subject, colour));
-    if (!arguments.record.empty()) addRecording(recording, subject, !factor, observers);
+    if (!arguments.record.empty())
+      addRecording(recorder, subject, factor ? RunTime::Real : RunTime::Simulated, observers);
     runtime::RunOptions options{.seed = arguments.seed,
                                 .until = arguments.until,
                                 .stopRequests = &stopRequests,
@@ -148,6 +149,7 @@ private:
       options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
                                                            : 24 * 3600 * runtime::kSecond;
     const auto result = execute(*executable, *clock, platform, observers, options);
+    if (recorder) warnOfRecording(recorder->finish());
     if (arguments.format == RunFormat::Json)
       report::writeRunSummaryJson(std::cout, result);
     else
@@ -155,21 +157,19 @@ private:
     return exitCodeOf(result);
   }
 
-  void addRecording(std::optional<disk::GrowingFile>& file, report::RunSubject subject,
-                    bool isSimulated, Observers& observers) {
+  void addRecording(std::optional<Recorder>& recorder, report::RunSubject subject, RunTime time,
+                    Observers& observers) {
     auto created = disk::GrowingFile::create(arguments.record);
     if (!created) throw Failed{fail(created.error())};
-    file.emplace(std::move(*created));
-    // Simulated time goes by so fast that a write a step would take most of it.
-    constexpr std::size_t kBatch = 256;
-    const auto add = [&file](std::string_view bytes, std::string_view end) {
-      if (!file) return;
-      if (const auto wrong = file->add(bytes, end)) {
-        std::cerr << "warning: " << *wrong << "; the recording ends here\n";
-        file.reset();
-      }
+    recorder.emplace(std::move(*created), time);
+    const auto add = [&recorder](std::string_view bytes, std::string_view end) {
+      warnOfRecording(recorder->add(bytes, end));
     };
-    observers.add(report::runRecording(add, subject, isSimulated ? kBatch : 1));
+    observers.add(report::runRecording(add, subject));
+  }
+
+  static void warnOfRecording(const std::optional<std::string>& wrong) {
+    if (wrong) std::cerr << "warning: " << *wrong << "; the recording ends here\n";
   }
 
   static int exitCodeOf(const runtime::RunResult& result) {

@@ -1,4 +1,4 @@
-#include "report/run_json.h"
+#include "report/run/run_json.h"
 #include "report/text/paint.h"
 #include "report/text/source_place.h"
 #include "runtime/executor/description.h"

@@ -192,6 +192,7 @@ makeExecutable(const analysis::Program& program, const std::string& mainSkill, b
   } catch (Refused& refused) {
     return std::unexpected(std::move(refused.error));
   }
+  made->enabling.emplace(made->system);
   const auto isNumber = [&](const verify::WatchedCell& cell) {
     return std::ranges::any_of(made->model.performed, [&](const auto& performed) {
       return performed.numberCell == cell.display;

@@ -3,6 +3,7 @@
 #include "analysis/program/program.h"
 #include "codegen/model.h"
 #include "verify/model/system.h"
+#include "verify/state/enabled.h"
 
 #include <expected>
 #include <memory>
@@ -65,6 +66,7 @@ struct Handling {
 struct Executable {
   codegen::Model model;
   verify::System system;
+  std::optional<verify::Enabling> enabling;    ///< of the system; there once this is made
   Nanoseconds unit = 0;                        ///< of the model's time
   std::vector<Action> actions;                 ///< by Model::performed
   std::vector<Stretch> stretches;              ///< by Model::measured

@@ -22,7 +22,7 @@ verify::TransitionSet emptySet(const verify::System& system) {
 Machine::Machine(const Executable& of, std::uint64_t seed)
     : executable(of),
       system(of.system),
-      enabling(of.system),
+      enabling(*of.enabling),
       random(seed),
       urgentOnes(emptySet(of.system)),
       timedOnes(urgentOnes),

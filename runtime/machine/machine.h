@@ -2,7 +2,7 @@
 
 #include "runtime/machine/executable.h"
 #include "runtime/machine/random.h"
-#include "verify/state/enabled.h"
+#include "verify/state/run.h"
 
 namespace proskill::runtime {
 
@@ -45,7 +45,7 @@ private:
 
   const Executable& executable;
   const verify::System& system;
-  verify::Enabling enabling;
+  const verify::Enabling& enabling;
   Random random;
   verify::TransitionSet urgentOnes; ///< of the program's own steps
   verify::TransitionSet timedOnes;

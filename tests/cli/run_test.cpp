@@ -113,11 +113,34 @@ TEST_CASE("run records a trace that others open") {
 TEST_CASE("a run that is killed leaves a recording that can be read") {
   const test::TemporaryDirectory files;
   const auto path = files.path("run.json");
-  const auto killed = executed({"--clock", "real", "--record", path, kDockToRun},
-                               {.onOutput = [](int process) { kill(process, SIGKILL); }});
-  CHECK(killed.exitCode == 128 + SIGKILL);
-  const auto recorded = Json::parse(recordedIn(path));
-  CHECK(recorded["steps"].is_array());
+  const auto endless = files.write("endless.proskill", "(defskill m :body ((while true (^ 1))))");
+  for (const std::string clock : {"real", "1000x", "simulated"}) {
+    const auto killed =
+        executed({"--clock", clock, "--record", path, clock == "real" ? kDockToRun : endless},
+                 {.onOutput = [](int process) { kill(process, SIGKILL); }});
+    INFO(clock);
+    CHECK(killed.exitCode == 128 + SIGKILL);
+    const auto recorded = Json::parse(recordedIn(path));
+    CHECK(recorded["steps"].is_array());
+  }
+}
+
+TEST_CASE("a run of a day is recorded whole, in as much memory as a short one") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  const auto day = files.write("day.proskill", "(defskill m :body ((while true (^ 1))))");
+  const auto done = executed({"--until", "1d", "--format", "json", "--record", path, day});
+  const auto steps = Json::parse(done.out.substr(done.out.rfind("\n{") + 1))["steps"];
+  CHECK(steps > 100'000);
+  CHECK(Json::parse(recordedIn(path))["steps"].size() == steps);
+  constexpr std::size_t kMost = 128'000; // KiB of addresses; the recording has more
+  CHECK(std::filesystem::file_size(path) / 1024 > kMost / 4);
+  const auto small =
+      test::run({"/bin/sh", "-c",
+                 "ulimit -v 128000; exec " PROSKILL_PROGRAM " run --until 1d --record " + path +
+                     " " + day + " | tail -n 1"});
+  CHECK(small.out.find("the time is over after 86400 s") == 0);
+  CHECK(small.err.empty());
 }
 
 TEST_CASE("run ends in order when it is asked to") {

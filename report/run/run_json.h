@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/run_report.h"
+#include "report/run/run_report.h"
 
 namespace proskill::report {
 
@@ -11,6 +11,8 @@ namespace proskill::report {
 /// A remark in the form of a step.
 [[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Remark& remark,
                                      runtime::Nanoseconds before);
+/// In a line; what is not UTF-8 is replaced.
+[[nodiscard]] std::string dumped(const OrderedJson& json);
 /// `undershoot`
 [[nodiscard]] std::string_view toString(runtime::RemarkKind kind);
 

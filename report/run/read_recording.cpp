@@ -1,4 +1,4 @@
-#include "report/read_recording.h"
+#include "report/run/read_recording.h"
 
 #include "report/ordered_json.h"
 

@@ -29,10 +29,9 @@ struct RunSubject {
 using AddToRecording = std::function<void(std::string_view bytes, std::string_view end)>;
 
 /// Records a run as a trace, as `proskill verify --save-traces` writes it, with remarks among its
-/// steps.
-/// \param batch number of steps to append at once
-[[nodiscard]] std::unique_ptr<runtime::Observer>
-runRecording(AddToRecording add, RunSubject subject, std::size_t batch);
+/// steps. Each step is added as soon as it happens.
+[[nodiscard]] std::unique_ptr<runtime::Observer> runRecording(AddToRecording add,
+                                                              RunSubject subject);
 
 /// How a run ended: "the mission has ended".
 [[nodiscard]] std::string_view toWords(runtime::End end);

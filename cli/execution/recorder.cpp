@@ -1,0 +1,120 @@
+#include "cli/execution/recorder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace proskill::cli {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+/// What may wait for the disk.
+constexpr std::size_t kMostWaiting = std::size_t{32} << 20;
+/// In simulated time so much is written at once, or what there is after a moment: steps go by so
+/// fast that a write for each would take most of the time.
+constexpr std::size_t kBatch = std::size_t{64} << 10;
+constexpr auto kMoment = std::chrono::milliseconds(100);
+/// How often the disk is asked to have everything, so that it survives a power cut.
+constexpr auto kSyncEvery = std::chrono::seconds(1);
+
+} // namespace
+
+Recorder::Recorder(disk::GrowingFile to, RunTime time)
+    : file(std::move(to)), isReal(time == RunTime::Real) {}
+
+Recorder::~Recorder() { std::ignore = finish(); }
+
+std::optional<std::string> Recorder::add(std::string_view bytes, std::string_view last) {
+  if (!thread.joinable()) return begin(bytes, last);
+  Lock lock(mutex);
+  if (!isReal)
+    hasRoom.wait(lock, [&] { return isEnded || waiting.size() < kMostWaiting; });
+  else if (waiting.size() >= kMostWaiting)
+    stop("the disk does not keep up with the run");
+  if (isEnded) return complaint();
+  const auto size = waiting.size();
+  waiting += bytes;
+  end = last;
+  if (isReal ? size == 0 : size < kBatch && waiting.size() >= kBatch) hasBytes.notify_one();
+  return std::nullopt;
+}
+
+std::optional<std::string> Recorder::begin(std::string_view bytes, std::string_view last) {
+  auto wrong = file.add(bytes, last);
+  isEnded = wrong.has_value();
+  thread = std::thread([this] { run(); });
+  return wrong;
+}
+
+std::optional<std::string> Recorder::finish() {
+  {
+    const Lock lock(mutex);
+    isFinished = true;
+    hasBytes.notify_one();
+  }
+  if (thread.joinable()) thread.join();
+  return complaint();
+}
+
+std::optional<std::string> Recorder::complaint() { return std::exchange(failure, std::nullopt); }
+
+void Recorder::stop(std::string why) {
+  if (!isEnded) failure = std::move(why);
+  isEnded = true;
+  hasRoom.notify_one();
+}
+
+void Recorder::run() {
+  Lock lock(mutex);
+  while (!isEnded && !(isFinished && waiting.empty())) {
+    awaitBytes(lock);
+    if (!waiting.empty() && !isEnded) write(lock);
+    if (!isSynced && steady_clock::now() - lastSync >= kSyncEvery) sync(lock);
+  }
+}
+
+void Recorder::awaitBytes(Lock& lock) {
+  const auto isEnough = [&] {
+    return isFinished || isEnded || (isReal ? !waiting.empty() : waiting.size() >= kBatch);
+  };
+  if (!isReal)
+    hasBytes.wait_for(lock, kMoment, isEnough);
+  else if (isSynced)
+    hasBytes.wait(lock, isEnough);
+  else
+    hasBytes.wait_until(lock, lastSync + kSyncEvery, isEnough);
+}
+
+void Recorder::write(Lock& lock) {
+  std::swap(waiting, writing);
+  const auto last = end;
+  lock.unlock();
+  auto wrong = file.add(writing, last);
+  if (wrong) wrong = addOneByOne(last);
+  writing.clear();
+  lock.lock();
+  if (wrong) return stop(*wrong);
+  isSynced = !isReal;
+  hasRoom.notify_one();
+}
+
+std::optional<std::string> Recorder::addOneByOne(std::string_view last) {
+  for (std::size_t begin = 0; begin < writing.size();) {
+    const auto end = std::min(writing.find(",\n", begin + 1), writing.size());
+    if (auto wrong = file.add(std::string_view(writing).substr(begin, end - begin), last))
+      return wrong;
+    begin = end;
+  }
+  return std::nullopt;
+}
+
+void Recorder::sync(Lock& lock) {
+  lock.unlock();
+  file.sync();
+  lock.lock();
+  isSynced = true;
+  lastSync = steady_clock::now();
+}
+
+} // namespace proskill::cli

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "report/run/run_report.h"
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace proskill::report {
+
+/// The steps and remarks of a run as JSON objects, as report_json.h writes those of a trace. What a
+/// step says each time that it is taken is written once and kept; its dates and changes are added.
+class RunLines {
+public:
+  explicit RunLines(RunSubject of);
+
+  /// The machine's last step. What is returned is valid until the next call.
+  [[nodiscard]] std::string_view step(const runtime::Machine& machine, verify::TransitionId step,
+                                      runtime::Nanoseconds date, runtime::Nanoseconds lag);
+  [[nodiscard]] std::string_view remark(const runtime::Remark& remark);
+
+private:
+  /// What stands before the dates and behind the changes; the end has no closing brace.
+  struct Frame {
+    std::string begin;
+    std::string end;
+  };
+  /// A step, by the path that it takes.
+  struct Path {
+    std::vector<fiacre::OriginId> origins;
+    std::vector<std::uint32_t> leaves;
+    Frame frame;
+  };
+  /// A remark that comes again and again: its kind, its skill and its command.
+  using RemarkKey = std::tuple<runtime::RemarkKind, const char*, const codegen::ActionCall*>;
+
+  [[nodiscard]] const Frame& frameOf(const runtime::Machine& machine, verify::TransitionId step);
+  [[nodiscard]] const Frame& frameOf(const runtime::Remark& remark);
+  [[nodiscard]] Frame frameOf(const ide::TraceStep& step) const;
+  void addDates(runtime::Nanoseconds date);
+  void addChanges(const runtime::Machine& machine);
+  void addValue(std::size_t variable, std::int64_t value);
+
+  RunSubject subject;
+  std::vector<std::vector<Path>> paths; ///< by transition
+  std::map<RemarkKey, Frame> remarks;
+  Frame lastFrame; ///< of what is not kept
+  /// By watched variable: `{"variable":"place"`, and its values where they are words.
+  std::vector<std::string> variables;
+  std::vector<std::vector<std::string>> words;
+  runtime::Nanoseconds before = 0;
+  std::string line;
+};
+
+} // namespace proskill::report
