@@ -178,13 +178,19 @@ private:
       const auto sets = std::ranges::count_if(events[event].assignments, [&](const auto& each) {
         return read.contains(each.variable);
       });
-      if (sets > 1 || (sets > 0 && isTimed(event) && !isAwaited())) return true;
+      if (sets > 1 || (sets > 0 && isTimed(event) && !isRefused() && !isAwaited())) return true;
     }
     return false;
   }
 
   [[nodiscard]] bool isTimed(std::size_t event) const {
     return system.program().events.all[event]->every.has_value();
+  }
+
+  /// It is about what follows a refusal, whether that is possible or not.
+  [[nodiscard]] bool isRefused() const {
+    return std::ranges::any_of(
+        path, [&](const Pass& pass) { return nodeOf(pass.node).kind == NodeKind::Call; });
   }
 
   /// Nothing but one wait looks at anything, at one variable, and this wait does not end before an
