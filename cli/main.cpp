@@ -14,6 +14,7 @@
 #include "cli/commands/verify_worker.h"
 #include "cli/commands/view.h"
 #include "cli/execution/conform.h"
+#include "cli/execution/platform_host.h"
 #include "cli/execution/replay.h"
 #include "cli/execution/run.h"
 #include "cli/execution/stubs.h"
@@ -92,8 +93,9 @@ int main(int argc, char** argv) {
   app.failure_message(failureMessage);
   useHelpFormat(app);
   app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
-  for (auto add : {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData,
-                   addLsp, addReplay, addRun, addStubs, addVerify, addVerifyWorker, addView})
+  for (auto add :
+       {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addLsp,
+        addPlatformHost, addReplay, addRun, addStubs, addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknownCommand(app, word);

@@ -19,6 +19,7 @@ _proskill_values() {
     'run --clock') echo 'real simulated Nx' ;;
     'run --format') echo 'text json' ;;
     'run --color') echo 'auto always never' ;;
+    'stubs --language') echo 'python c cpp' ;;
     'stubs --color') echo 'auto always never' ;;
     'verify --format') echo 'text json junit sarif' ;;
     'verify --traces') echo 'failed all none' ;;

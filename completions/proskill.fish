@@ -92,7 +92,7 @@ complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a stubs -d 'Write a typed function for each action of a program, to be filled in'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -s h -l help -d 'Print this help message and exit'
-complete -c proskill -n '__fish_seen_subcommand_from stubs' -l language -d 'The language of the functions' -x
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -l language -d 'The language of the functions' -x -a 'python c cpp'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -l main -d 'The skill that is the mission, where several could be' -x
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -ka '(__fish_complete_suffix .proskill)'

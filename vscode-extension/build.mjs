@@ -33,6 +33,7 @@ writeFileSync(join(here, 'dist/licences.txt'), licencesOf(Object.keys(metafile.i
 
 for (const file of ['panel.js', 'panel.css']) put(join(tree, 'panel/dist', file), `panel/${file}`);
 put(join(tree, 'docs/proskill.schema.json'), 'schemas/proskill.schema.json');
+put(join(tree, 'docs/platform.schema.json'), 'schemas/platform.schema.json');
 put(join(tree, 'LICENSE'), 'LICENSE');
 // Links to the manual lead nowhere within the .vsix.
 writeFileSync(join(here, 'CHANGELOG.md'),

@@ -8,6 +8,7 @@
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "report/run/run_report.h"
+#include "runtime/platform/json.h"
 #include "runtime/platform/settings.h"
 
 #include <CLI/CLI.hpp>
@@ -76,9 +77,10 @@ public:
     const auto kind = runtime::platformKind(platformText.value_or("{}"));
     if (!kind) return fail(arguments.platform + ": " + kind.error());
     if (*kind == "process") return runOnProcess(*platformText);
+    if (*kind == "library") return runOnLibrary(*platformText);
     if (*kind == "simulated") return runSimulated(platformText, scriptText);
-    return fail(arguments.platform + ": `kind` must be `simulated` or `process`, not `" + *kind +
-                "`");
+    return fail(arguments.platform + ": `kind` must be `simulated`, `process` or `library`, not `" +
+                *kind + "`");
   }
 
 private:
@@ -111,23 +113,52 @@ private:
     return runOn(*platform, clockFactor(arguments.clock));
   }
 
-  /// Real programs take real time.
   int runOnProcess(const std::string& text) {
-    if (!arguments.script.empty()) return fail("`--script` is for simulations");
-    if (arguments.clock == "simulated")
-      return fail("`--clock simulated` is for simulations: this platform takes real time");
-    makeExecutable(false);
-    const auto factor = clockFactor(arguments.clock).value_or(1);
     runtime::ProcessSettings settings;
-    settings.speed = factor;
-    settings.directory =
-        std::filesystem::absolute(std::filesystem::path(arguments.platform)).parent_path();
+    prepareForProcess(settings);
     if (const auto wrong = readProcessPlatform(text, settings))
       return fail(arguments.platform + ": " + *wrong);
+    return runOnProcess(std::move(settings), arguments.platform);
+  }
+
+  /// The library is loaded in a process of its own, which speaks the protocol for it: so its
+  /// crashes and hangs are those of a program.
+  int runOnLibrary(const std::string& text) {
+    runtime::LibrarySettings settings;
+    prepareForProcess(settings.process);
+    if (const auto wrong = readLibraryPlatform(text, *executable, settings))
+      return fail(arguments.platform + ": " + *wrong);
+    auto& process = settings.process;
+    process.name = "the process of the library";
+    process.isOurs = true;
+    process.command = {"/proc/self/exe", "platform-host", settings.library};
+    for (const auto& [skill, function] : settings.functions)
+      process.command.push_back(skill + "=" + function);
+    return runOnProcess(std::move(process),
+                        arguments.platform + ":" + runtime::placeOfMember(text, "library"));
+  }
+
+  /// Real programs take real time.
+  void prepareForProcess(runtime::ProcessSettings& settings) {
+    if (!arguments.script.empty()) throw Failed{fail("`--script` is for simulations")};
+    if (arguments.clock == "simulated")
+      throw Failed{fail("`--clock simulated` is for simulations: this platform takes real time")};
+    makeExecutable(false);
+    settings.speed = clockFactor(arguments.clock).value_or(1);
+    settings.directory =
+        std::filesystem::absolute(std::filesystem::path(arguments.platform)).parent_path();
+  }
+
+  /// \param place of what cannot be used
+  int runOnProcess(runtime::ProcessSettings settings, const std::string& place) {
+    const auto factor = settings.speed;
     const auto platform =
         processPlatform(*executable, std::move(settings), [] { return stopRequests > 0; });
-    if (!platform) return fail(arguments.platform + ": " + platform.error());
-    return runOn(**platform, factor);
+    if (platform) return runOn(**platform, factor);
+    const auto& [why, skill] = platform.error();
+    if (const auto* definition = program.skills.find(skill))
+      return failGeneration(program, {why, {definition->file, definition->node().name.range}});
+    return fail(place + ": " + why);
   }
 
   int runOn(runtime::Platform& platform, std::optional<double> factor) {

@@ -20,7 +20,7 @@ namespace proskill::cli {
 
 namespace {
 
-enum class StubLanguage : std::uint8_t { Python };
+enum class StubLanguage : std::uint8_t { Python, C, Cpp };
 
 struct StubArguments {
   StubLanguage language = StubLanguage::Python;
@@ -56,6 +56,7 @@ int writeStubs(const std::vector<runtime::StubFile>& files,
         fmt::format("cannot create `{}`: {}", directory.generic_string(), problem.message()));
   for (const auto& file : files) {
     const auto path = directory / file.name;
+    std::filesystem::create_directories(path.parent_path(), problem); // writing says what is wrong
     const bool writes = fateOf(file, path) == Fate::Write;
     if (writes)
       if (const auto why = disk::writeFile(path, file.text)) return fail(*why);
@@ -65,17 +66,28 @@ int writeStubs(const std::vector<runtime::StubFile>& files,
   return kDone;
 }
 
+std::vector<runtime::StubFile> stubsIn(StubLanguage language, const runtime::StubProgram& program) {
+  switch (language) {
+  case StubLanguage::Python: return runtime::pythonStubs(program);
+  case StubLanguage::C: return runtime::cStubs(program);
+  case StubLanguage::Cpp: return runtime::cppStubs(program);
+  }
+  return {};
+}
+
 int runStubs(const StubArguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
   const auto read = runtime::stubProgram(*program, arguments.mainSkill);
   if (!read) return failGeneration(*program, read.error());
-  return writeStubs(runtime::pythonStubs(*read), arguments.directory);
+  return writeStubs(stubsIn(arguments.language, *read), arguments.directory);
 }
 
 void addStubOptions(CLI::App& command, StubArguments& arguments) {
-  addChoice<StubLanguage>(command, "--language", arguments.language,
-                          {{"python", StubLanguage::Python}}, "The language of the functions");
+  addChoice<StubLanguage>(
+      command, "--language", arguments.language,
+      {{"python", StubLanguage::Python}, {"c", StubLanguage::C}, {"cpp", StubLanguage::Cpp}},
+      "The language of the functions");
   command.add_option("file", arguments.file, "Root file of the program")->required();
   command.add_option("directory", arguments.directory, "Output directory")->required();
   addMainSkill(command, arguments.mainSkill);
@@ -90,6 +102,7 @@ void addStubs(CLI::App& app, int& exitCode) {
       addStubOptions, runStubs, exitCode);
   showBelow(command,
             {"proskill stubs mission.proskill robot",
+             "proskill stubs --language cpp mission.proskill robot",
              "proskill run --platform robot/platform.json mission.proskill"},
             {{kDone, "the functions were written; your own code was not changed"},
              {kFailed, "the command line, a file or the program is wrong; nothing was written"}});

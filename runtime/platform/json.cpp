@@ -9,12 +9,27 @@ namespace proskill::runtime {
 
 namespace {
 
-/// Where a byte is, as people count: both from 1.
+struct Place {
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+/// Where what follows these bytes is, as people count: both from 1.
+Place placeBehind(std::string_view before) {
+  return {static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1,
+          before.size() - (before.rfind('\n') + 1) + 1};
+}
+
 std::string placeOf(std::string_view text, std::size_t byte) {
-  const auto before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
-  const auto line = std::ranges::count(before, '\n') + 1;
-  const auto column = before.size() - (before.rfind('\n') + 1) + 1;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+  const auto at = placeBehind(text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size())));
+  return "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
+}
+
+/// The end of a string that begins here, behind its quote.
+std::size_t endOfString(std::string_view text, std::size_t begin) {
+  auto at = begin + 1;
+  while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+  return std::min(at + 1, text.size());
 }
 
 } // namespace
@@ -28,6 +43,25 @@ Json parsedFile(std::string_view text) {
   }
   if (!value.is_object()) throw Wrong{"it is not an object"};
   return value;
+}
+
+std::string placeOfMember(std::string_view text, std::string_view name) {
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '{' || text[at] == '[') ++depth;
+    if (text[at] == '}' || text[at] == ']') --depth;
+    if (text[at] != '"') continue;
+    const auto begin = at;
+    const auto end = endOfString(text, begin);
+    at = end - 1;
+    const auto colon = text.find_first_not_of(" \t\r\n", end);
+    const bool isKey = colon != std::string_view::npos && text[colon] == ':';
+    if (depth != 1 || !isKey || text.substr(begin + 1, end - begin - 2) != name) continue;
+    const auto value = text.find_first_not_of(" \t\r\n", colon + 1);
+    const auto place = placeBehind(text.substr(0, value));
+    return std::to_string(place.line) + ":" + std::to_string(place.column);
+  }
+  return "1:1";
 }
 
 void allowMembers(const Json& value, const std::vector<std::string>& known,

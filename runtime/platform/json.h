@@ -22,6 +22,9 @@ struct Wrong {
 /// \return an object
 [[nodiscard]] Json parsedFile(std::string_view text);
 
+/// Where the value of a member of the whole object is: `3:14`. \pre it is JSON and has the member
+[[nodiscard]] std::string placeOfMember(std::string_view text, std::string_view name);
+
 /// That an object has no members but these.
 void allowMembers(const Json& value, const std::vector<std::string>& known,
                   const std::string& where);

@@ -65,6 +65,7 @@ Message messageOf(const Json& json) {
   if (type == "failed")
     return {.kind = Kind::Failed,
             .run = json.contains("run") ? runOf(json) : 0,
+            .name = json.contains("skill") ? stringAt(json, "skill") : "",
             .text = stringAt(json, "text")};
   if (type != "ready") throw Wrong{"there is no message `" + type + "`"};
   const auto protocol = json.find("protocol");

@@ -26,8 +26,10 @@ inline constexpr int kProtocol = 1;
 struct Message {
   enum class Kind : std::uint8_t { Ready, Result, Stopped, Failed, Event, Interrupt, Log };
   Kind kind = Kind::Log;
-  RunNumber run = 0;         ///< 0 in a `Failed` of the program as a whole
-  std::string name;          ///< Result: of the result; Event; Interrupt: of the skill
+  RunNumber run = 0; ///< 0 in a `Failed` of the program as a whole
+  /// Result: of the result; Event; Interrupt: of the skill; Failed: of the skill that it is about,
+  /// or empty
+  std::string name;
   std::string text;          ///< Failed, Log
   std::int64_t protocol = 0; ///< Ready
 };

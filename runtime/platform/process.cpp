@@ -69,7 +69,7 @@ public:
   std::string awaitReady(const std::function<bool()>& givenUp) {
     restartsLeft = 0; // what does not start at first is an error of the user
     while (state == State::Starting || state == State::Ending) {
-      if (givenUp()) return "asked to end before the platform's program was ready";
+      if (givenUp()) return "asked to end before " + settings.name + " was ready";
       constexpr int kMilliseconds = 100;
       pollfd all{watch.get(), POLLIN, 0};
       ::poll(&all, 1, kMilliseconds);
@@ -82,6 +82,9 @@ public:
         std::ranges::find(reports.rbegin(), reports.rend(), ReportKind::Fault, &Report::kind);
     return last->text;
   }
+
+  /// The skill that it does not suit, where it said so when it gave up.
+  [[nodiscard]] const std::string& unsuited() const { return unsuitedSkill; }
 
   // --- What the executor asks for
 
@@ -151,11 +154,10 @@ private:
   bool onTimer() {
     switch (state) {
     case State::Starting:
-      lose(fmt::format("the platform's program is not ready after {:g} s",
-                       inSeconds(settings.startup)));
+      lose(fmt::format("{} is not ready after {:g} s", settings.name, inSeconds(settings.startup)));
       return true;
     case State::Ending:
-      lossReason = "the platform's program has closed its connection, goes on, and is killed";
+      lossReason = settings.name + " has closed its connection, goes on, and is killed";
       child->signal(SIGKILL);
       return true;
     case State::Waiting: {
@@ -210,8 +212,11 @@ private:
   void obey(const Message& message) {
     if (message.kind == Kind::Ready) return onReady(message);
     if (message.kind == Kind::Log) return note(message.text);
-    if (message.kind == Kind::Failed && message.run == 0)
-      return lose("the platform's program gives up: " + message.text);
+    if (message.kind == Kind::Failed && message.run == 0) {
+      unsuitedSkill = message.name;
+      return lose(settings.isOurs ? message.text : settings.name + " gives up: " + message.text);
+    }
+
     if (state == State::Starting) return fault("the platform sent a message before it was ready");
     if (message.kind == Kind::Event) return signal(message.name, false);
     if (message.kind == Kind::Interrupt) return signal(message.name, true);
@@ -220,7 +225,7 @@ private:
 
   void onReady(const Message& message) {
     if (message.protocol != kProtocol)
-      return lose(fmt::format("the platform's program speaks version {} of the protocol, not {}",
+      return lose(fmt::format("{} speaks version {} of the protocol, not {}", settings.name,
                               message.protocol, kProtocol));
     if (state != State::Starting) return fault("the platform sent `ready` twice");
     state = State::Ready;
@@ -286,7 +291,7 @@ private:
     sent(done.sent);
     lines.add(done.received);
     if (done.ended) return lose("");
-    if (outgoing.size() > kMostUnread) lose("the platform's program does not read its input");
+    if (outgoing.size() > kMostUnread) lose(settings.name + " does not read its input");
   }
 
   void sent(std::size_t bytes) {
@@ -322,7 +327,7 @@ private:
       return true;
     }
     fault(!lossReason.empty() ? lossReason
-                              : "the connection to the platform's program is lost: " + *ending);
+                              : "the connection to " + settings.name + " is lost: " + *ending);
     const bool isLast = isClosing || restartsLeft == 0;
     if (isLast) giveUp(); // before its actions end: what would start next must not
     failRuns();
@@ -340,7 +345,7 @@ private:
     for (std::uint32_t i = 0; i < runs.size(); ++i) {
       if (!std::exchange(runs[i].isRunning, false)) continue;
       Report report{.kind = ReportKind::Result, .action = i, .run = runs[i].number};
-      if (!runs[i].isAsked) report.text = "its action has ended with the platform's program";
+      if (!runs[i].isAsked) report.text = "its action has ended with " + settings.name;
       reports.push_back(std::move(report));
     }
   }
@@ -376,18 +381,19 @@ private:
   bool waitsToSend = false; ///< and the watch knows that
   bool isClosing = false;
   std::string lossReason;
+  std::string unsuitedSkill;
   std::deque<Report> reports;
 };
 
 } // namespace
 
-std::expected<std::unique_ptr<Platform>, std::string>
+std::expected<std::unique_ptr<Platform>, Unusable>
 processPlatform(const Executable& executable, ProcessSettings settings,
                 const std::function<bool()>& givenUp) {
   auto made = std::make_unique<Process>(executable, std::move(settings));
   auto why = made->begin();
   if (why.empty()) why = made->awaitReady(givenUp);
-  if (!why.empty()) return std::unexpected(std::move(why));
+  if (!why.empty()) return std::unexpected(Unusable{std::move(why), made->unsuited()});
   return made;
 }
 

@@ -17,11 +17,20 @@ struct ProcessSettings {
   unsigned restarts = 0;              ///< how often it is started again where it ends
   Nanoseconds restartDelay = kSecond; ///< and how long after that
   double speed = 1;                   ///< of the run's clock
+  /// What messages call it.
+  std::string name = "the platform's program";
+  bool isOurs = false; ///< it is this program, and its complaints are whole sentences
 };
 
-/// Starts the program and waits until it is ready. Why it is not is in words. \pre the executable
-/// outlives the platform \param givenUp asked now and then while this waits
-[[nodiscard]] std::expected<std::unique_ptr<Platform>, std::string>
+/// Why a platform cannot be used.
+struct Unusable {
+  std::string why;
+  std::string skill; ///< that it does not suit; empty: it is not about one
+};
+
+/// Starts the program and waits until it is ready. \pre the executable outlives the platform
+/// \param givenUp asked now and then while this waits
+[[nodiscard]] std::expected<std::unique_ptr<Platform>, Unusable>
 processPlatform(const Executable& executable, ProcessSettings settings,
                 const std::function<bool()>& givenUp);
 

@@ -120,6 +120,19 @@ private:
   SimulationSettings& settings;
 };
 
+/// What processes of any kind have: `startup`, `restarts`, `restart_delay`.
+void lifeSettings(const Json& file, ProcessSettings& settings) {
+  if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
+  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s"};
+  if (file.contains("restart_delay"))
+    settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
+  if (!file.contains("restarts")) return;
+  const auto& restarts = file["restarts"];
+  if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
+    throw Wrong{"`restarts` must be a natural number up to a million"};
+  settings.restarts = restarts.get<unsigned>();
+}
+
 void processSettings(const Json& file, ProcessSettings& settings) {
   allowMembers(file, {"kind", "$schema", "command", "startup", "restarts", "restart_delay"},
                "the platform");
@@ -130,15 +143,26 @@ void processSettings(const Json& file, ProcessSettings& settings) {
   }
   if (settings.command.empty() || settings.command.front().empty())
     throw Wrong{"`command` must begin with a program"};
-  if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
-  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s"};
-  if (file.contains("restart_delay"))
-    settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
-  if (!file.contains("restarts")) return;
-  const auto& restarts = file["restarts"];
-  if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
-    throw Wrong{"`restarts` must be a natural number up to a million"};
-  settings.restarts = restarts.get<unsigned>();
+  lifeSettings(file, settings);
+}
+
+void librarySettings(const Json& file, const Executable& executable, LibrarySettings& settings) {
+  allowMembers(file,
+               {"kind", "$schema", "library", "functions", "startup", "restarts", "restart_delay"},
+               "the platform");
+  if (!file.contains("library")) throw Wrong{"`library` is missing: the file of a shared library"};
+  settings.library = stringAt(file, "library");
+  if (settings.library.empty()) throw Wrong{"`library` must be the file of a shared library"};
+  std::vector<std::string> skills;
+  for (const auto& performed : executable.model.performed) skills.push_back(performed.skill);
+  for (const auto& [skill, function] : objectAt(file, "functions")) {
+    if (std::ranges::find(skills, skill) == skills.end())
+      throwUnknown("basic skill", skill, skills);
+    if (!function.is_string() || function.get_ref<const std::string&>().empty())
+      throw Wrong{"the function of `" + skill + "` must be a name"};
+    settings.functions[skill] = function.get<std::string>();
+  }
+  lifeSettings(file, settings.process);
 }
 
 } // namespace
@@ -166,6 +190,16 @@ std::optional<std::string> readScript(std::string_view text, const Executable& e
 std::optional<std::string> readProcessPlatform(std::string_view text, ProcessSettings& settings) {
   try {
     processSettings(parsedFile(text), settings);
+  } catch (const Wrong& wrong) {
+    return wrong.why;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> readLibraryPlatform(std::string_view text, const Executable& executable,
+                                               LibrarySettings& settings) {
+  try {
+    librarySettings(parsedFile(text), executable, settings);
   } catch (const Wrong& wrong) {
     return wrong.why;
   }

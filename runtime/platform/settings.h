@@ -4,6 +4,8 @@
 #include "runtime/platform/simulated.h"
 
 #include <expected>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,14 @@ readPlatform(std::string_view text, const Executable& executable, SimulationSett
 /// Takes over what the file of a platform of kind `process` says.
 [[nodiscard]] std::optional<std::string> readProcessPlatform(std::string_view text,
                                                              ProcessSettings& settings);
+/// What the file of a platform of kind `library` says.
+struct LibrarySettings {
+  std::string library;                          ///< a path, relative to the file's directory
+  std::map<std::string, std::string> functions; ///< by skill: those not called after it
+  ProcessSettings process;                      ///< without its command
+};
+[[nodiscard]] std::optional<std::string>
+readLibraryPlatform(std::string_view text, const Executable& executable, LibrarySettings& settings);
 /// Takes over a script.
 [[nodiscard]] std::optional<std::string>
 readScript(std::string_view text, const Executable& executable, SimulationSettings& settings);

@@ -54,6 +54,9 @@ struct StubFile {
 
 /// The files of a platform in Python.
 [[nodiscard]] std::vector<StubFile> pythonStubs(const StubProgram& program);
+/// The files of a library in C, or in C++, which performs the actions.
+[[nodiscard]] std::vector<StubFile> cStubs(const StubProgram& program);
+[[nodiscard]] std::vector<StubFile> cppStubs(const StubProgram& program);
 
 /// Whether a generated file is as it was generated: a user has written nothing into it.
 [[nodiscard]] bool isUnchangedStub(std::string_view text);

@@ -61,6 +61,12 @@ BAD = ['{"kind":"process"}', '{"kind":"process","command":[]}', '{"kind":"proces
        '{"kind":"process","command":["sh","run.sh"],"restarts":1.5}',
        '{"kind":"process","command":["sh","run.sh"],"restart_delay":-1}',
        '{"kind":"process","command":["sh","run.sh"],"comand":1}', '{"kind":1}', '{"kind":"magic"}', "[]",
+       '{"kind":"library"}', '{"kind":"library","library":""}', '{"kind":"library","library":1}',
+       '{"kind":"library","library":"robot.so","functions":{"fly":1}}',
+       '{"kind":"library","library":"robot.so","functions":{"fly":""}}',
+       '{"kind":"library","library":"robot.so","functions":[]}',
+       '{"kind":"library","library":"robot.so","restarts":-1}',
+       '{"kind":"library","library":"robot.so","command":["sh"]}',
        '{"command":["sh","run.sh"]}', '{"actions":{"fly":{"duration":[1]}}}',
        '{"actions":{"fly":{"results":{"there":-1}}}}', '{"events":{"storm":3}}']
 SIMULATED = ["{}", '{"kind":"simulated"}',

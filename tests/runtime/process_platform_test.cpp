@@ -47,7 +47,7 @@ test::Ran talk(const std::string& script, const Talk& with = {}) {
                                             .restarts = with.restarts,
                                             .restartDelay = 1},
                                            [] { return false; });
-  if (!platform) FAIL(platform.error());
+  if (!platform) FAIL(platform.error().why);
   return test::runInRealTime(
       *executable, **platform,
       {.until = 30 * runtime::kSecond, .grace = with.grace, .stopRequests = with.stopRequests});
@@ -59,7 +59,7 @@ std::string whyNotStarted(const std::vector<std::string>& command,
   const auto platform = runtime::processPlatform(
       *executable, {.command = command, .directory = "/", .startup = startup},
       [] { return false; });
-  return platform ? "" : platform.error();
+  return platform ? "" : platform.error().why;
 }
 
 /// The text of the first fault, after its subject.

@@ -1,0 +1,208 @@
+#include "runtime/stubs/library_stubs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::runtime {
+
+namespace {
+
+/// An enumeration of C, and the words of the program that its members stand for.
+struct Enumeration {
+  std::string type;
+  std::vector<std::string> members;
+  std::vector<std::string> words;
+};
+
+/// The words of a program as C has them.
+class CStubs {
+public:
+  explicit CStubs(const StubProgram& of) : program(of), names(reservedInC()) {
+    for (const auto& variable : program.variables)
+      values.push_back(enumeration(variable.name + "_value", variable.name, variable.values));
+    for (const auto& action : program.actions) {
+      results.push_back(enumeration(action.skill + "_result", action.skill, action.results));
+      stopped.push_back(names.unique(upperSnake(action.skill) + "_WAS_STOPPED"));
+      functions.push_back(names.unique("perform_" + action.skill));
+    }
+    events = enumeration("robot_event", "event", program.events);
+    skills = enumeration("robot_skill", "skill", program.interrupts);
+  }
+
+  [[nodiscard]] StubFile header() const {
+    auto text = fmt::format("// The actions of {}, as functions to write: robot.c has them.\n"
+                            "#ifndef ACTIONS_H\n#define ACTIONS_H\n\n"
+                            "#include <proskill/platform.h>\n",
+                            program.file);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text += typeText(values[i], fmt::format("The values of `{}`.", program.variables[i].name));
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      auto all = results[i];
+      all.members.push_back(stopped[i]);
+      text += typeText(all, fmt::format("How `{}` ends.", program.actions[i].skill));
+    }
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      const auto line = actionLine(program.actions[i]);
+      text += line.empty() ? "\n" : "\n// " + line + "\n";
+      text += signature(i) + ";\n";
+    }
+    if (!program.events.empty())
+      text += typeText(events, "What may happen.") +
+              fmt::format("\nvoid report_event({} event);\n", events.type);
+    if (!program.interrupts.empty())
+      text += typeText(skills, "What may be interrupted from outside.") +
+              fmt::format("\nvoid interrupt_skill({} skill);\n", skills.type);
+    return {"actions.h", withStubMark("//", text + "\n#endif\n"), false};
+  }
+
+  [[nodiscard]] StubFile glue() const {
+    std::string text = "#include \"actions.h\"\n\n#include <string.h>\n\nPROSKILL_LIBRARY;\n";
+    if (!functions.empty()) text += kSuits;
+    for (std::size_t i = 0; i < values.size(); ++i) text += reader(values[i]);
+    for (std::size_t i = 0; i < functions.size(); ++i) text += caller(i);
+    if (!program.events.empty()) text += teller("report_event", events, "event", "proskill_report");
+    if (!program.interrupts.empty())
+      text += teller("interrupt_skill", skills, "skill", "proskill_interrupt");
+    return {"actions.c", withStubMark("//", text), false};
+  }
+
+  [[nodiscard]] StubFile users() const {
+    auto text = fmt::format("// Performs the actions of {}. This file is yours: `proskill stubs` "
+                            "does not write it again.\n"
+                            "// An action that is asked to stop lets proskill_wait return true.\n"
+                            "#include \"actions.h\"\n",
+                            program.file);
+    for (std::size_t i = 0; i < functions.size(); ++i)
+      text += fmt::format("\n{} {{\n  proskill_fail(run, \"not written yet\");\n  return {};\n}}\n",
+                          signature(i), stopped[i]);
+    return {"robot.c", text, true};
+  }
+
+private:
+  static constexpr std::string_view kSuits = R"(
+// Whether the arguments are those of the program that this file was written for.
+static bool suits(proskill_run run, const proskill_value *arguments, size_t count, size_t wanted) {
+  if (count != wanted) {
+    proskill_fail(run, "it has other arguments: run `proskill stubs` again");
+    return false;
+  }
+  for (size_t i = 0; i < count; ++i)
+    if (arguments[i].type == PROSKILL_NONE) {
+      proskill_fail(run, "an argument has no value");
+      return false;
+    }
+  return true;
+}
+)";
+
+  Enumeration enumeration(const std::string& type, const std::string& prefix,
+                          const std::vector<std::string>& words) {
+    Enumeration made{names.unique(type), {}, words};
+    for (const auto& word : words)
+      made.members.push_back(names.unique(upperSnake(prefix) + "_" + upperSnake(word)));
+    return made;
+  }
+
+  static std::string typeText(const Enumeration& of, const std::string& about) {
+    return fmt::format("\n// {}\ntypedef enum {{\n  {}\n}} {};\n", about,
+                       fmt::join(of.members, ",\n  "), of.type);
+  }
+
+  [[nodiscard]] const Enumeration& valuesOf(const StubType& type) const {
+    const auto found =
+        std::ranges::find(program.variables, type.variable, &StubProgram::Variable::name);
+    return values[static_cast<std::size_t>(found - program.variables.begin())];
+  }
+
+  [[nodiscard]] std::string typeOf(const StubType& type) const {
+    switch (type.kind) {
+    case StubType::Kind::Integer:
+    case StubType::Kind::Natural: return "int64_t ";
+    case StubType::Kind::Float: return "double ";
+    case StubType::Kind::Boolean: return "bool ";
+    case StubType::Kind::String: return "const char *";
+    case StubType::Kind::Value: break;
+    }
+    return valuesOf(type).type + " ";
+  }
+
+  /// How the argument of this place is passed on.
+  [[nodiscard]] std::string passed(const StubType& type, std::size_t place) const {
+    const auto argument = fmt::format("arguments[{}].", place);
+    switch (type.kind) {
+    case StubType::Kind::Integer:
+    case StubType::Kind::Natural: return argument + "integer";
+    case StubType::Kind::Float: return argument + "number";
+    case StubType::Kind::Boolean: return argument + "integer != 0";
+    case StubType::Kind::String: return argument + "string";
+    case StubType::Kind::Value: break;
+    }
+    return fmt::format("read_{}({}string)", valuesOf(type).type, argument);
+  }
+
+  [[nodiscard]] std::string signature(std::size_t action) const {
+    auto text = fmt::format("{} {}(proskill_run run", results[action].type, functions[action]);
+    const auto parameters = parameterNames(program.actions[action]);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      text += ", " + typeOf(program.actions[action].parameters[i].type) + parameters[i];
+    return text + ")";
+  }
+
+  /// A value from its word. Of the last one there is no need to ask.
+  [[nodiscard]] static std::string reader(const Enumeration& of) {
+    auto text = fmt::format("\nstatic {0} read_{0}(const char *word) {{\n", of.type);
+    for (std::size_t i = 0; i + 1 < of.words.size(); ++i)
+      text +=
+          fmt::format("  if (strcmp(word, \"{}\") == 0) return {};\n", of.words[i], of.members[i]);
+    return text + fmt::format("  (void)word;\n  return {};\n}}\n", of.members.back());
+  }
+
+  [[nodiscard]] std::string caller(std::size_t action) const {
+    const auto& of = program.actions[action];
+    auto text = fmt::format(
+        "\nPROSKILL_EXPORT const char *skill_{}(proskill_run run, const proskill_value *arguments, "
+        "size_t count);\n"
+        "const char *skill_{}(proskill_run run, const proskill_value *arguments, size_t count) {{\n"
+        "  if (!suits(run, arguments, count, {})) return PROSKILL_STOPPED;\n"
+        "  switch ({}(run",
+        of.skill, of.skill, of.parameters.size(), functions[action]);
+    for (std::size_t i = 0; i < of.parameters.size(); ++i)
+      text += ", " + passed(of.parameters[i].type, i);
+    text += ")) {\n";
+    for (std::size_t i = 0; i < of.results.size(); ++i)
+      text += fmt::format("  case {}: return \"{}\";\n", results[action].members[i], of.results[i]);
+    return text + fmt::format("  case {}: break;\n  }}\n  return PROSKILL_STOPPED;\n}}\n",
+                              stopped[action]);
+  }
+
+  [[nodiscard]] static std::string teller(const std::string& name, const Enumeration& of,
+                                          const std::string& parameter, const std::string& call) {
+    auto text =
+        fmt::format("\nvoid {}({} {}) {{\n  switch ({}) {{\n", name, of.type, parameter, parameter);
+    for (std::size_t i = 0; i < of.words.size(); ++i)
+      text += fmt::format("  case {}: {}(\"{}\"); break;\n", of.members[i], call, of.words[i]);
+    return text + "  }\n}\n";
+  }
+
+  const StubProgram& program;
+  StubNames names;
+  std::vector<Enumeration> values;  ///< by variable
+  std::vector<Enumeration> results; ///< by action, as what follows
+  std::vector<std::string> stopped;
+  std::vector<std::string> functions;
+  Enumeration events;
+  Enumeration skills;
+};
+
+} // namespace
+
+std::vector<StubFile> cStubs(const StubProgram& program) {
+  const CStubs stubs(program);
+  std::vector<StubFile> all{stubs.header(), stubs.glue(), stubs.users()};
+  for (auto& file : libraryFiles("CC", {"robot.c", "actions.c"}, "actions.h"))
+    all.push_back(std::move(file));
+  return all;
+}
+
+} // namespace proskill::runtime
