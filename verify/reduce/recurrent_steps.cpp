@@ -7,15 +7,29 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
+#include <tuple>
 
 namespace proskill::verify {
 
 namespace {
 
-constexpr std::int64_t kMostBits = 64;
+constexpr std::size_t kMostKinds = 64;
+constexpr std::int64_t kMostValues = 4096;
 
-/// Values of a cell, as bits from its lowest on.
+/// Values of a cell: a bit for each kind.
 using Values = Word;
+
+/// The values of a cell, sorted by what writes them and which guards they allow.
+struct Kinds {
+  std::vector<std::size_t> of; ///< by value, from the cell's lowest on
+  std::size_t count = 0;
+
+  [[nodiscard]] Values all() const {
+    return count == kMostKinds ? ~Values{0} : (Values{1} << count) - 1;
+  }
+};
 
 class RecurrenceSearch {
 public:
@@ -74,80 +88,143 @@ private:
     Bits read;
     eachIn(left, [&](TransitionId id) { read |= system.transitions[id].guardReads; });
     read.each([&](CellId cell) {
-      const Cell& place = system.cells[cell];
-      if (locations.contains(cell) || place.mask == 0 || place.high - place.low >= kMostBits)
-        return;
-      left = recurringWith(cell);
+      if (locations.contains(cell) || system.cells[cell].mask == 0) return;
+      if (const Kinds& kinds = kindsOf(cell); kinds.count > 0) left = recurringWith(cell, kinds);
     });
     return left != before;
   }
 
   /// Either the cell is written again and again, or it keeps one of its values. Those left before
   /// lie on cycles, so only where some are taken away others may lose theirs.
-  TransitionSet recurringWith(CellId cell) {
+  TransitionSet recurringWith(CellId cell, const Kinds& kinds) {
     limits.check();
-    const auto count = system.cells[cell].high - system.cells[cell].low + 1;
-    Values all = count == kMostBits ? ~Values{0} : (Values{1} << count) - 1;
     Values written = 0;
     for (auto id : writers[cell])
-      if (contains(left, id)) written |= writtenBy(id, cell, all);
+      if (contains(left, id)) written |= writtenBy(id, cell, kinds);
     TransitionSet found(left.size());
     bool keepsAll = false;
     const auto join = [&](Values values, bool constant) {
       if (keepsAll) return;
       TransitionSet some = left;
+      Ends impossible;
       Bits touched;
-      const auto takeOut = [&](TransitionId id) {
-        erase(some, id);
+      const auto touch = [&](TransitionId id) {
         for (auto part : system.transitions[id].parts) touched.insert(system.paths[part].instance);
       };
+      const auto takeOut = [&](TransitionId id) {
+        erase(some, id);
+        touch(id);
+      };
       for (auto id : readers[cell])
-        if (contains(left, id) && (allowedBy(id, cell) & values) == 0) takeOut(id);
+        if (contains(left, id) && (allowedBy(id, cell, kinds) & values) == 0) takeOut(id);
       if (constant)
-        for (auto id : writers[cell])
-          if (contains(some, id) && (writtenBy(id, cell, all) & values) == 0 &&
-              surelyWrites(id, cell))
-            takeOut(id);
+        for (auto id : writers[cell]) {
+          if (!contains(some, id) || (writtenBy(id, cell, kinds) & values) != 0) continue;
+          const auto ends = endsThatWrite(id, cell);
+          if (ends.empty()) continue;
+          impossible.insert(ends.begin(), ends.end());
+          touch(id);
+        }
       keepsAll = touched.empty();
-      some = onCycles(std::move(some), touched);
+      some = onCycles(std::move(some), touched, impossible);
       for (std::size_t k = 0; k < some.size(); ++k) found[k] |= some[k];
     };
     if (written != 0) join(written, false);
-    for (std::int64_t value = 0; value < count; ++value) join(Values{1} << value, true);
+    for (std::size_t kind = 0; kind < kinds.count; ++kind) join(Values{1} << kind, true);
     return found;
   }
 
   /// The values that the transition may write into the cell.
-  [[nodiscard]] Values writtenBy(TransitionId id, CellId cell, Values all) const {
+  [[nodiscard]] Values writtenBy(TransitionId id, CellId cell, const Kinds& kinds) const {
     Values values = 0;
-    if (!system.transitions[id].writes.contains(cell)) return values;
+    bool isAny = false;
+    eachWritten(id, cell, [&](std::optional<std::size_t> value) {
+      if (value)
+        values |= Values{1} << kinds.of[*value];
+      else
+        isAny = true;
+    });
+    return isAny ? kinds.all() : values;
+  }
+
+  /// Visits the values that the transition may write into the cell, counted from its lowest;
+  /// nothing stands for any.
+  template <class Visit> void eachWritten(TransitionId id, CellId cell, Visit visit) const {
+    if (!system.transitions[id].writes.contains(cell)) return;
+    const Cell& place = system.cells[cell];
+    bool isSeen = false;
     for (auto part : system.transitions[id].parts)
       for (const auto& assignment : system.paths[part].assignments) {
         if (assignment.target != cell) continue;
+        isSeen = true;
         const Node& value = system.nodes[assignment.value];
-        const auto at = value.number - system.cells[cell].low;
-        if (value.op != NodeOp::Number || at < 0 || at >= kMostBits) return all;
-        values |= Values{1} << at;
+        const bool isKnown =
+            value.op == NodeOp::Number && value.number >= place.low && value.number <= place.high;
+        visit(isKnown ? std::optional(static_cast<std::size_t>(value.number - place.low))
+                      : std::nullopt);
       }
-    return values == 0 ? all : values;
+    if (!isSeen) visit(std::nullopt);
   }
 
-  [[nodiscard]] bool surelyWrites(TransitionId id, CellId cell) {
-    return std::ranges::any_of(system.transitions[id].parts, [&](PathId part) {
+  const Kinds& kindsOf(CellId cell) {
+    const auto [entry, isNew] = kindsOfCell.try_emplace(cell);
+    Kinds& made = entry->second;
+    const Cell& place = system.cells[cell];
+    if (!isNew || place.high - place.low >= kMostValues) return made;
+    const auto count = static_cast<std::size_t>(place.high - place.low + 1);
+    std::vector<std::vector<bool>> traits(count);
+    for (auto id : readers[cell]) {
+      const auto allows = allowing(id, cell);
+      for (std::size_t value = 0; value < count; ++value) traits[value].push_back(allows[value]);
+    }
+    Bits constants;
+    for (auto id : writers[cell])
+      eachWritten(id, cell, [&](std::optional<std::size_t> value) {
+        if (value) constants.insert(static_cast<std::uint32_t>(*value));
+      });
+    constants.each([&](std::uint32_t constant) {
+      for (std::size_t value = 0; value < count; ++value)
+        traits[value].push_back(value == constant);
+    });
+    std::map<std::vector<bool>, std::size_t> kinds;
+    for (const auto& one : traits)
+      made.of.push_back(kinds.try_emplace(one, kinds.size()).first->second);
+    made.count = kinds.size() > kMostKinds ? 0 : kinds.size();
+    return made;
+  }
+
+  /// A transition with a location in which it leaves one of its instances.
+  using End = std::tuple<TransitionId, InstanceId, std::uint32_t>;
+  using Ends = std::set<End>;
+
+  /// The ends on the way to which the transition surely writes the cell.
+  [[nodiscard]] std::vector<End> endsThatWrite(TransitionId id, CellId cell) {
+    std::vector<End> ends;
+    for (auto part : system.transitions[id].parts) {
       const Path& path = system.paths[part];
-      if (!path.writes.contains(cell)) return false;
+      if (!path.writes.contains(cell)) continue;
       const auto [entry, isNew] = sure.try_emplace(part);
       if (isNew) entry->second = surelyWritten(path, path.writes);
-      return std::ranges::all_of(entry->second,
-                                 [&](const auto& end) { return end.second.contains(cell); });
-    });
+      for (const auto& [to, cells] : entry->second)
+        if (cells.contains(cell)) ends.emplace_back(id, path.instance, to);
+    }
+    return ends;
   }
 
   /// The values of the cell with which the transition's guard may hold.
-  [[nodiscard]] Values allowedBy(TransitionId id, CellId cell) {
-    const auto [entry, isNew] = allowed.try_emplace({id, cell}, ~Values{0});
-    if (!isNew || !system.transitions[id].guardReads.contains(cell)) return entry->second;
+  [[nodiscard]] Values allowedBy(TransitionId id, CellId cell, const Kinds& kinds) {
+    const auto [entry, isNew] = allowed.try_emplace({id, cell}, 0);
+    if (!isNew) return entry->second;
+    const auto allows = allowing(id, cell);
+    for (std::size_t value = 0; value < allows.size(); ++value)
+      if (allows[value]) entry->second |= Values{1} << kinds.of[value];
+    return entry->second;
+  }
+
+  /// By value of the cell: whether the transition's guard may hold.
+  [[nodiscard]] std::vector<bool> allowing(TransitionId id, CellId cell) {
     const Cell& place = system.cells[cell];
+    std::vector<bool> allows;
     limits.check();
     unknown[place.word] &= ~place.mask;
     for (std::int64_t value = place.low; value <= place.high; ++value) {
@@ -155,10 +232,10 @@ private:
       BitField undecided;
       const auto truth = evaluation.guard(system, system.transitions[id],
                                           {anywhere.data(), unknown.data()}, undecided);
-      if (truth == PartialTruth::False) entry->second &= ~(Values{1} << (value - place.low));
+      allows.push_back(truth != PartialTruth::False);
     }
     unknown[place.word] |= place.mask;
-    return entry->second;
+    return allows;
   }
 
   // --- Locations
@@ -171,12 +248,14 @@ private:
 
   /// Those whose parts all lie on cycles made of the rest.
   /// \param touched instances that may have lost cycles
-  [[nodiscard]] TransitionSet onCycles(TransitionSet some, Bits touched) const {
+  /// \param impossible ends that are never come to
+  [[nodiscard]] TransitionSet onCycles(TransitionSet some, Bits touched,
+                                       const Ends& impossible = {}) const {
     while (!touched.empty()) {
       Bits next;
       touched.each([&](InstanceId instance) {
         limits.check();
-        for (auto id : offCycles(instance, some)) {
+        for (auto id : offCycles(instance, some, impossible)) {
           erase(some, id);
           for (auto part : system.transitions[id].parts) next.insert(system.paths[part].instance);
         }
@@ -195,12 +274,16 @@ private:
     return move;
   }
 
-  [[nodiscard]] std::vector<TransitionId> offCycles(InstanceId instance,
-                                                    const TransitionSet& some) const {
+  [[nodiscard]] std::vector<TransitionId> offCycles(InstanceId instance, const TransitionSet& some,
+                                                    const Ends& impossible) const {
     std::vector<TransitionId> off;
     std::vector<Move> moves;
-    std::ranges::copy_if(movers[instance], std::back_inserter(moves),
-                         [&](const Move& move) { return contains(some, move.transition); });
+    for (const auto& move : movers[instance]) {
+      if (!contains(some, move.transition)) continue;
+      std::erase_if(moves.emplace_back(move).to, [&](std::uint32_t to) {
+        return impossible.contains({move.transition, instance, to});
+      });
+    }
     if (moves.empty()) return off;
     const std::size_t count = system.instances[instance].locations.size();
     std::vector<std::vector<graph::Node>> next(count);
@@ -227,6 +310,7 @@ private:
   std::vector<std::vector<Move>> movers;          ///< by instance
   std::vector<Word> anywhere;                     ///< a state of which one cell is looked at
   std::vector<Word> unknown;                      ///< the bits of the others
+  std::map<CellId, Kinds> kindsOfCell;
   std::map<PathId, std::map<std::uint32_t, Bits>> sure;
   std::map<std::pair<TransitionId, CellId>, Values> allowed;
 };
