@@ -127,7 +127,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l keep -d 'Run the
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l difference -d 'both: write a report of differences to this file (default proskill-difference.md)' -r
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l cache -d 'Keep verdicts in this directory, and use those that are kept there' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l jobs -d 'Threads to explore with; this version uses one' -x
-complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets inclusion extrapolation'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets slices inclusion extrapolation'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l runs -d 'Which runs without end count for your properties that do not say :fair. fair: time goes on, and actions without a time limit end; all: every run, as in Tina' -x -a 'fair all'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l expanded -d 'Verify the expanded model, with one state per step of a skill'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l sv-automata -d 'exact: detect every forbidden move of a state variable; paper: poll, as the paper does' -x -a 'exact paper'

@@ -21,6 +21,7 @@ inline constexpr std::array kReductionNames{
     ReductionName{Reduction::FreeInputs, "free-inputs", "open-variables"},
     ReductionName{Reduction::PrivateMoves, "private-moves", ""},
     ReductionName{Reduction::StubbornSets, "stubborn-sets", "safe-steps"},
+    ReductionName{Reduction::Slices, "slices", ""},
     ReductionName{Reduction::Inclusion, "inclusion", ""},
     ReductionName{Reduction::Extrapolation, "extrapolation", ""},
 };

@@ -4,12 +4,9 @@
 #include "verify/compile/compile.h"
 #include "verify/explore/monitor_search.h"
 #include "verify/explore/search.h"
-#include "verify/reduce/dead_variables.h"
-#include "verify/reduce/free_inputs.h"
-#include "verify/reduce/live_variables.h"
 #include "verify/reduce/monitor_view.h"
-#include "verify/reduce/private_moves.h"
-#include "verify/reduce/stubborn_sets.h"
+#include "verify/reduce/prepared.h"
+#include "verify/slice_search.h"
 #include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 
@@ -63,45 +60,14 @@ bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
   case Reduction::DeadVariables: return monitor.ofPoints || watchesStates(monitor, system);
   case Reduction::FreeInputs: return watchesPoints(monitor) || watchesStates(monitor, system);
   case Reduction::StubbornSets: return watchesPoints(monitor);
-  case Reduction::PrivateMoves: return false;
+  case Reduction::PrivateMoves:
+  case Reduction::Slices: return false;
   case Reduction::LiveVariables:
   case Reduction::Inclusion:
   case Reduction::Extrapolation: return true;
   }
   std::unreachable();
 }
-
-/// A system as a search for some goals looks at it.
-struct Prepared {
-  /// \throw LimitMet
-  Prepared(const System& whole, const std::vector<Goal>& goals,
-           const std::function<bool(Reduction)>& takes, LimitWatch& limits)
-      : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)
-                                                  : everything(whole)),
-        system(withStateLayout(whole, relevance.cells)) {
-    const Bits& dropped = reductions.dropped = relevance.dropped;
-    reductions.inclusion = takes(Reduction::Inclusion);
-    if (takes(Reduction::StubbornSets))
-      reductions.stubbornSets = &stubbornSets.emplace(system, goals, dropped, limits);
-    if (takes(Reduction::LiveVariables))
-      reductions.liveVariables = &liveVariables.emplace(system, goals, dropped, limits);
-    if (takes(Reduction::FreeInputs) && !freeInputs.emplace(system, goals, dropped).none())
-      reductions.freeInputs = &*freeInputs;
-    if (takes(Reduction::PrivateMoves) && reductions.freeInputs &&
-        !privateMoves.emplace(system, goals, dropped, *freeInputs).none())
-      reductions.privateMoves = &*privateMoves;
-  }
-  Prepared(const Prepared&) = delete;
-  Prepared& operator=(const Prepared&) = delete;
-
-  Relevance relevance;
-  System system;
-  std::optional<StubbornSets> stubbornSets;
-  std::optional<LiveVariables> liveVariables;
-  std::optional<FreeInputs> freeInputs;
-  std::optional<PrivateMoves> privateMoves;
-  Reductions reductions;
-};
 
 /// Answers questions to a compiled model, each as soon as it is decided.
 class Verification {
@@ -139,6 +105,14 @@ private:
     const std::set<Reduction> withPriorities{Reduction::Inclusion, Reduction::Extrapolation};
     return options.reductions.contains(reduction) &&
            (!compiled.system.hasPriorities || withPriorities.contains(reduction));
+  }
+
+  [[nodiscard]] std::function<bool(Reduction)> may() const {
+    return [this](Reduction reduction) { return takes(reduction); };
+  }
+
+  [[nodiscard]] Extrapolation extrapolation() const {
+    return takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
   }
 
   /// Answers what was decided before: first what needs no replay, which takes time.
@@ -182,23 +156,82 @@ private:
     return Answer{Truth::False, std::move(*trace), {}};
   }
 
-  /// Answers questions about states and steps, by one exploration.
-  std::optional<Unsupported> explore(const std::vector<std::size_t>& which) {
+  /// Answers questions about states and steps, by one exploration. Where that turns out to be long,
+  /// slices are explored first.
+  std::optional<Unsupported> explore(std::vector<std::size_t> which) {
+    const bool slices = usesSlices();
+    if (slices && std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); }) > 0 &&
+        which.empty())
+      return std::nullopt;
     std::vector<Goal> goals;
     for (auto i : which) goals.push_back(compiled.goals[i]);
-    const Prepared prepared(
-        compiled.system, goals, [&](Reduction r) { return takes(r); }, limits);
-    const auto extrapolation =
-        takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
+    const Prepared prepared(compiled.system, goals, may(), limits);
     const Witness witness(whole, prepared.reductions, provenance, limits);
+    Bits decided;
+    Detour detour;
+    if (slices)
+      detour = {options.classesBeforeSlices, [&] {
+                  const Bits before = decided;
+                  exploreSlices(which, goals, decided);
+                  Bits added = decided;
+                  return added -= before;
+                }};
     const auto found = search(
-        prepared.system, goals, prepared.reductions, extrapolation, limits,
-        [&](std::size_t i, const Evidence& evidence) { answerBy(which[i], evidence, witness); });
+        prepared.system, goals, prepared.reductions, extrapolation(), limits,
+        [&](std::size_t i, const Evidence& evidence) {
+          decided.insert(static_cast<std::uint32_t>(i));
+          answerBy(which[i], evidence, witness);
+        },
+        detour);
     if (found.failure) return found.failure;
     add(result.exploration, found.statistics);
     for (std::size_t i = 0; i < goals.size(); ++i)
-      if (!found.goals[i]) answerWithout(which[i], found.statistics, found.progressStopped);
+      if (!decided.contains(static_cast<std::uint32_t>(i)))
+        answerWithout(which[i], found.statistics, found.progressStopped);
     return std::nullopt;
+  }
+
+  /// An error that nobody asks for has to be met.
+  [[nodiscard]] bool usesSlices() {
+    return takes(Reduction::Slices) && !compiled.system.hasPriorities &&
+           (errorsAreAsked() || isPlainlyNever(whole, Goal{.kind = GoalKind::Error}, limits));
+  }
+
+  bool isAnsweredPlainly(std::size_t index) {
+    if (!isPlainlyNever(whole, compiled.goals[index], limits)) return false;
+    keep(index, {true, {}});
+    answer(index, {Truth::True, std::nullopt, {}});
+    return true;
+  }
+
+  /// \param which the questions whose goals these are \param decided goals, by place; gets more
+  void exploreSlices(const std::vector<std::size_t>& which, const std::vector<Goal>& goals,
+                     Bits& decided) {
+    std::vector<std::size_t> open;
+    for (std::uint32_t i = 0; i < goals.size(); ++i)
+      if (!decided.contains(i)) open.push_back(i);
+    const Reductions none;
+    const Witness witness(whole, none, provenance, limits);
+    SliceSearch slices(compiled.system, whole, provenance, may(), limits);
+    const Bits found = slices.decide(goals, open, result.exploration,
+                                     [&](std::size_t i, const Evidence* evidence) {
+                                       return isShownBySlice(which[i], evidence, witness);
+                                     });
+    result.exploration.sliced += found.count();
+    decided |= found;
+  }
+
+  bool isShownBySlice(std::size_t index, const Evidence* evidence, const Witness& witness) {
+    if (!evidence) {
+      keep(index, {true, {}});
+      answer(index, {Truth::True, std::nullopt, {}});
+      return true;
+    }
+    auto made = shown(index, *evidence, witness);
+    if (!made) return false;
+    keep(index, {false, *evidence});
+    answer(index, std::move(*made));
+    return true;
   }
 
   /// Answers a question about runs, by an exploration of its own.

@@ -114,6 +114,7 @@ enum class Reduction : std::uint8_t {
   FreeInputs,    ///< lets one value stand for all that the environment may set at any time
   PrivateMoves,  ///< fires at once the steps of a process on inputs that only it reads
   StubbornSets,  ///< fires one urgent transition alone where that is safe
+  Slices,        ///< asks a question of the part of the model that has an influence on it
   Inclusion,     ///< does not expand a zone that another zone of the same discrete state includes
   Extrapolation, ///< drops clock bounds beyond the largest constants (LU)
 };
@@ -138,8 +139,10 @@ struct Progress {
 struct Options {
   std::set<Reduction> reductions{Reduction::DeadVariables, Reduction::LiveVariables,
                                  Reduction::FreeInputs,    Reduction::PrivateMoves,
-                                 Reduction::StubbornSets,  Reduction::Inclusion,
-                                 Reduction::Extrapolation};
+                                 Reduction::StubbornSets,  Reduction::Slices,
+                                 Reduction::Inclusion,     Reduction::Extrapolation};
+  /// A system with so few classes is explored as a whole: slices are for what is larger.
+  std::uint32_t classesBeforeSlices = 20'000;
   Limits limits;
   unsigned jobs = 1;
   std::set<std::string> obliged; ///< names of processes; see Question::fair
@@ -164,8 +167,9 @@ struct Exploration {
   std::uint64_t bytes = 0;
   double seconds = 0;
   bool complete = false;
-  std::string stopped;     ///< the limit that was met, if the exploration is not complete
-  std::uint64_t known = 0; ///< questions that Options::answers had an answer to
+  std::string stopped;      ///< the limit that was met, if the exploration is not complete
+  std::uint64_t known = 0;  ///< questions that Options::answers had an answer to
+  std::uint64_t sliced = 0; ///< number of questions answered by slices
 };
 
 struct Result {

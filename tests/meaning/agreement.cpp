@@ -42,21 +42,14 @@ void compareTruth(bool expected, const verify::Answer& answer, Comparison& compa
                                         wordOf(answer.truth), answer.reason, expected);
 }
 
-Comparison compare(const Script& script, const codegen::Model& model, std::size_t limit,
-                   const verify::Options& options) {
-  Comparison comparison;
-  const Runs runs(script, limit);
-  comparison.situations = runs.nodes().size();
-  comparison.tooLarge = !runs.complete();
-  if (comparison.tooLarge) return comparison;
-  const Verdicts verdicts(script, runs);
-  const Replays replays(script, model.unit);
-  verify::Options fair = options;
-  for (const auto& [process, _] : model.obliged) fair.obliged.insert(process);
-  const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), fair);
+/// Compares the answers that the engine gives with these options.
+void compareAnswers(const Script& script, const codegen::Model& model, const Verdicts& verdicts,
+                    const Replays& replays, const verify::Options& options,
+                    Comparison& comparison) {
+  const auto result = verify::verify(model.fiacre, model.provenance, questionsOf(model), options);
   if (!result) {
     comparison.refusal = "the engine cannot run it: " + result.error().message;
-    return comparison;
+    return;
   }
   for (std::size_t i = 0; i < model.checks.size(); ++i) {
     const auto& check = model.checks[i];
@@ -70,7 +63,25 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
     comparison.kind = check.kind + ", " + comparison.kind;
     comparison.disagreement =
         fmt::format("{} ({})\n{}", check.name, check.description, *comparison.disagreement);
-    return comparison;
+    return;
+  }
+}
+
+Comparison compare(const Script& script, const codegen::Model& model, std::size_t limit,
+                   const verify::Options& options) {
+  Comparison comparison;
+  const Runs runs(script, limit);
+  comparison.situations = runs.nodes().size();
+  comparison.tooLarge = !runs.complete();
+  if (comparison.tooLarge) return comparison;
+  const Verdicts verdicts(script, runs);
+  const Replays replays(script, model.unit);
+  verify::Options asked = options;
+  for (const auto& [process, _] : model.obliged) asked.obliged.insert(process);
+  for (const std::uint32_t classes : {options.classesBeforeSlices, 0U}) {
+    asked.classesBeforeSlices = classes;
+    if (!comparison.disagreement && !comparison.refusal)
+      compareAnswers(script, model, verdicts, replays, asked, comparison);
   }
   return comparison;
 }

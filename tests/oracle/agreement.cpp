@@ -51,15 +51,18 @@ const std::vector<std::pair<std::string, Options>>& settings() {
     const std::vector<std::pair<std::string, Reduction>> names{
         {"dead variables", Reduction::DeadVariables}, {"live variables", Reduction::LiveVariables},
         {"open variables", Reduction::FreeInputs},    {"private moves", Reduction::PrivateMoves},
-        {"safe steps", Reduction::StubbornSets},      {"inclusion", Reduction::Inclusion},
-        {"extrapolation", Reduction::Extrapolation}};
+        {"safe steps", Reduction::StubbornSets},      {"slices", Reduction::Slices},
+        {"inclusion", Reduction::Inclusion},          {"extrapolation", Reduction::Extrapolation}};
     for (const auto& [name, reduction] : names) {
       made.emplace_back("without " + name, Options{});
       made.back().second.reductions.erase(reduction);
       made.emplace_back("only " + name, Options{.reductions = {reduction}});
       if (reduction == Reduction::PrivateMoves) // they are on open variables
         made.back().second.reductions.insert(Reduction::FreeInputs);
+      if (reduction == Reduction::Slices) made.back().second.classesBeforeSlices = 0;
     }
+    made.emplace_back("slices first", Options{.classesBeforeSlices = 0});
+    made.emplace_back("slices in the middle", Options{.classesBeforeSlices = 5});
     return made;
   }();
   return all;

@@ -105,6 +105,7 @@ std::vector<verify::Options> reductionChoices() {
     choices.emplace_back().reductions = {one};
     choices.emplace_back().reductions.erase(one);
   }
+  choices.emplace_back().classesBeforeSlices = 0;
   return choices;
 }
 

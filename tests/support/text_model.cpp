@@ -38,7 +38,19 @@ bool Text::isFalse(const std::string& pattern) const {
   const auto truth = answer(parsed).truth;
   if (answer(parsed, plain).truth != truth)
     throw std::runtime_error("reductions change the answer");
+  verify::Options slicesFirst;
+  slicesFirst.classesBeforeSlices = 0;
+  if (answer(parsed, slicesFirst).truth != truth)
+    throw std::runtime_error("slices change the answer");
   return truth == verify::Truth::False;
+}
+
+std::uint64_t Text::sliced(const std::string& pattern) const {
+  const auto parsed = read(text, pattern);
+  verify::Options options;
+  options.classesBeforeSlices = 0;
+  const auto result = verify::verify(parsed.program, parsed.provenance, {{0}}, options);
+  return result ? result->exploration.sliced : 0;
 }
 
 verify::Trace Text::trace(const std::string& pattern) const {

@@ -18,6 +18,8 @@ public:
   [[nodiscard]] bool isFalse(const std::string& pattern) const;
   /// The same, the other way round.
   [[nodiscard]] bool isTrue(const std::string& pattern) const { return !isFalse(pattern); }
+  /// How many answers slices give if they are asked first: 0 or 1.
+  [[nodiscard]] std::uint64_t sliced(const std::string& pattern) const;
   /// The run that makes the pattern false. \pre it is
   [[nodiscard]] verify::Trace trace(const std::string& pattern) const;
   /// What goes wrong at run time, and the text of the statement that it does in: `x := 1 / y: a

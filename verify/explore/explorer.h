@@ -26,6 +26,12 @@ using OnFound = std::function<void(std::size_t, const Steps&)>;
 
 using NodeIndex = std::uint32_t;
 
+/// What an exploration that turns out to be long does once on its way.
+struct Detour {
+  NodeIndex after = kNone;      ///< so many classes were expanded
+  std::function<Bits()> decide; ///< \return goals, by place, that need not be looked for any more
+};
+
 /// A discrete state with a zone, and how it was reached.
 struct ZoneNode {
   StateId state = 0;
@@ -64,7 +70,8 @@ public:
   /// \pre the arguments outlive this
   /// \param onFound called for each goal as soon as it is reached
   Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
-           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {});
+           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {},
+           Detour detour = {});
 
   /// Call this once.
   Explored run();
@@ -83,6 +90,7 @@ private:
   };
 
   void explore();
+  void takeDetour();
   void start();
   void load(NodeIndex index);
   void expand(NodeIndex index);
@@ -114,6 +122,7 @@ private:
   const Reductions& reductions;
   LimitWatch& limits;
   OnFound onFound;
+  Detour detour;
   ZoneGraph graph;
   Walker walker;
   Explored result;
@@ -121,6 +130,7 @@ private:
 
   bool hasErrors = false; ///< some transition is an error
   std::size_t open = 0;   ///< number of undecided goals
+  Bits decided;           ///< goals that the detour decided
   std::vector<std::vector<std::size_t>> goalsOfEvent;
   std::vector<std::size_t> stateGoals; ///< goals that are conditions on states
   std::vector<std::size_t> stepGoals;  ///< goals that also read steps

@@ -108,17 +108,19 @@ void add(Exploration& to, const Exploration& more) {
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
                     const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits,
-                    const OnEvidence& onFound) {
+                    const OnEvidence& onFound, const Detour& detour) {
   SearchResult result;
   result.goals.resize(goals.size());
   const auto note = [&](std::size_t goal, const Evidence& evidence) {
     result.goals[goal] = evidence;
     onFound(goal, evidence);
   };
-  Explorer explorer(system, goals, reductions, extrapolation, limits,
-                    [&](std::size_t goal, const Steps& steps) {
-                      note(goal, Evidence{steps, {}});
-                    });
+  Explorer explorer(
+      system, goals, reductions, extrapolation, limits,
+      [&](std::size_t goal, const Steps& steps) {
+        note(goal, Evidence{steps, {}});
+      },
+      detour);
   Explored explored = explorer.run();
   result.statistics = explored.statistics;
   if (!explored.failure.empty())

@@ -45,6 +45,7 @@ using OnEvidence = std::function<void(std::size_t, const Evidence&)>;
 /// first one could not decide whether time can stop.
 [[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,
                                   const Reductions& reductions, Extrapolation extrapolation,
-                                  LimitWatch& limits, const OnEvidence& onFound);
+                                  LimitWatch& limits, const OnEvidence& onFound,
+                                  const Detour& detour = {});
 
 } // namespace proskill::verify

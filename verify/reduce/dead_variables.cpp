@@ -1,22 +1,13 @@
 #include "verify/reduce/dead_variables.h"
 
 #include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
 
 #include <algorithm>
 
 namespace proskill::verify {
 
 namespace {
-
-/// The targets of a path, the location itself where it loops.
-std::vector<std::uint32_t> targetsOf(const Path& path) {
-  std::vector<std::uint32_t> all;
-  for (const auto& instruction : path.code) {
-    if (instruction.kind == InstructionKind::To) all.push_back(instruction.last);
-    if (instruction.kind == InstructionKind::Loop) all.push_back(path.location);
-  }
-  return all;
-}
 
 class Slicer {
 public:

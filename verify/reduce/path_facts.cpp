@@ -7,6 +7,15 @@
 
 namespace proskill::verify {
 
+std::vector<std::uint32_t> targetsOf(const Path& path) {
+  std::vector<std::uint32_t> all;
+  for (const auto& instruction : path.code) {
+    if (instruction.kind == InstructionKind::To) all.push_back(instruction.last);
+    if (instruction.kind == InstructionKind::Loop) all.push_back(path.location);
+  }
+  return all;
+}
+
 std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCells) {
   std::vector<Bits> before(path.code.size(), allCells); // not reached: everything
   if (!before.empty()) before[0] = {};

@@ -6,6 +6,9 @@
 
 namespace proskill::verify {
 
+/// The targets of a path; the location itself if it loops.
+[[nodiscard]] std::vector<std::uint32_t> targetsOf(const Path& path);
+
 /// The cells that every way through a path's code surely writes, by the location in which it ends;
 /// `loop` ends in its own location.
 [[nodiscard]] std::map<std::uint32_t, Bits> surelyWritten(const Path& path, const Bits& allCells);

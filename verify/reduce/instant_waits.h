@@ -1,0 +1,45 @@
+#pragma once
+
+#include "verify/limits.h"
+#include "verify/model/system.h"
+#include "verify/state/partial_evaluation.h"
+
+#include <map>
+#include <set>
+
+namespace proskill::verify {
+
+/// Finds conditions that are false for an instant only: while one is false, an urgent step is
+/// possible, so that no time passes. An urgent step that waits for such a condition is possible
+/// whenever time is about to pass, whether it waits or not.
+class InstantWaits {
+public:
+  /// \param system with its state layout \pre the arguments outlive this
+  InstantWaits(const System& system, LimitWatch& limits);
+
+  /// Whether some urgent transition is possible in each reachable state in which the condition is
+  /// false. May say no where it is so. \throw LimitMet
+  [[nodiscard]] bool isInstant(NodeId condition);
+
+private:
+  using Values = std::set<std::int64_t>;
+
+  [[nodiscard]] bool isUrgentWith(const std::vector<CellId>& cells);
+  [[nodiscard]] Bits locationsWith(InstanceId instance, CellId cell, std::int64_t value);
+  [[nodiscard]] const std::vector<Values>& valuesAt(CellId cell);
+  [[nodiscard]] bool someIsEnabled(InstanceId instance, std::uint32_t location);
+  void set(CellId cell, std::int64_t value);
+  void forget(CellId cell);
+
+  const System& system;
+  LimitWatch& limits;
+  PartialEvaluation evaluation;
+  std::vector<InstanceId> writer; ///< by cell: the only instance that writes it, or kNone
+  std::vector<std::vector<TransitionId>> urgentOf; ///< by instance
+  std::map<CellId, std::vector<Values>> known;     ///< by location of the writer
+  std::map<NodeId, bool> decided;
+  std::vector<Word> state;
+  std::vector<Word> unknown;
+};
+
+} // namespace proskill::verify

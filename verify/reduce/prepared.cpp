@@ -1,0 +1,25 @@
+#include "verify/reduce/prepared.h"
+
+#include "verify/state/state_layout.h"
+
+namespace proskill::verify {
+
+Prepared::Prepared(const System& whole, const std::vector<Goal>& goals,
+                   const std::function<bool(Reduction)>& takes, LimitWatch& limits)
+    : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)
+                                                : everything(whole)),
+      system(withStateLayout(whole, relevance.cells)) {
+  const Bits& dropped = reductions.dropped = relevance.dropped;
+  reductions.inclusion = takes(Reduction::Inclusion);
+  if (takes(Reduction::StubbornSets))
+    reductions.stubbornSets = &stubbornSets.emplace(system, goals, dropped, limits);
+  if (takes(Reduction::LiveVariables))
+    reductions.liveVariables = &liveVariables.emplace(system, goals, dropped, limits);
+  if (takes(Reduction::FreeInputs) && !freeInputs.emplace(system, goals, dropped).none())
+    reductions.freeInputs = &*freeInputs;
+  if (takes(Reduction::PrivateMoves) && reductions.freeInputs &&
+      !privateMoves.emplace(system, goals, dropped, *freeInputs).none())
+    reductions.privateMoves = &*privateMoves;
+}
+
+} // namespace proskill::verify

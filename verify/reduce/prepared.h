@@ -1,0 +1,33 @@
+#pragma once
+
+#include "verify/reduce/dead_variables.h"
+#include "verify/reduce/free_inputs.h"
+#include "verify/reduce/live_variables.h"
+#include "verify/reduce/private_moves.h"
+#include "verify/reduce/reductions.h"
+#include "verify/reduce/stubborn_sets.h"
+#include "verify/verify.h"
+
+#include <functional>
+#include <optional>
+
+namespace proskill::verify {
+
+/// A system as a search for some goals looks at it.
+struct Prepared {
+  /// \param takes whether a reduction may be used \throw LimitMet
+  Prepared(const System& whole, const std::vector<Goal>& goals,
+           const std::function<bool(Reduction)>& takes, LimitWatch& limits);
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  Relevance relevance;
+  System system;
+  std::optional<StubbornSets> stubbornSets;
+  std::optional<LiveVariables> liveVariables;
+  std::optional<FreeInputs> freeInputs;
+  std::optional<PrivateMoves> privateMoves;
+  Reductions reductions;
+};
+
+} // namespace proskill::verify

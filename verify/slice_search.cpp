@@ -1,0 +1,143 @@
+#include "verify/slice_search.h"
+
+#include "verify/model/nodes.h"
+#include "verify/reduce/prepared.h"
+#include "verify/reduce/recurrent_steps.h"
+#include "verify/state/run.h"
+#include "verify/state/state_layout.h"
+#include "verify/trace/whole_run.h"
+#include "verify/trace/witness.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+/// A slice that is nearly the whole is not worth its exploration.
+bool isSmall(const Bits& cone, const Bits& all) { return cone.count() * 4 <= all.count() * 3; }
+
+/// What can be explored together at little more than the cost of the larger alone.
+bool isExploredWith(const Bits& cone, const Bits& larger) {
+  Bits outside = cone;
+  outside -= larger;
+  return outside.empty() && (cone.empty() || cone.count() * 2 > larger.count());
+}
+
+bool mayFail(const System& system, const Transition& transition) {
+  return transition.fails || std::ranges::any_of(transition.parts, [&](PathId part) {
+           return system.paths[part].mayFail;
+         });
+}
+
+/// Whether it is possible in every state: its processes have one place only, and it asks for no
+/// more.
+bool isAlwaysPossible(const System& system, TransitionId id) {
+  const Transition& transition = system.transitions[id];
+  Bits read;
+  addReads(system, transition.guard, read);
+  bool isFixed = true;
+  read.each(
+      [&](CellId cell) { isFixed = isFixed && system.cells[cell].low == system.cells[cell].high; });
+  return isFixed && !transition.tentative && !mayFail(system, transition) &&
+         isEnabled(system, id, initialState(system).data());
+}
+
+} // namespace
+
+SliceSearch::SliceSearch(const System& system, const System& laidOut,
+                         const fiacre::Provenance& origins, Takes may, LimitWatch& watch)
+    : whole(laidOut),
+      provenance(origins),
+      takes(std::move(may)),
+      limits(watch),
+      slicer(system, watch) {}
+
+Bits SliceSearch::decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
+                         Exploration& statistics, const OnDecided& onDecided) {
+  Bits decided;
+  for (const auto& group : groupsOf(goals, open))
+    explore(group, goals, statistics, onDecided, decided);
+  return decided;
+}
+
+/// The largest cones first: a cone that is not much smaller than one that contains it joins it.
+std::vector<SliceSearch::Group> SliceSearch::groupsOf(const std::vector<Goal>& goals,
+                                                      const std::vector<std::size_t>& open) {
+  std::vector<Group> alone;
+  for (auto i : open) {
+    if (!Slicer::canDecide(goals[i])) continue;
+    Bits cone = slicer.cone({&goals[i]});
+    if (isSmall(cone, slicer.moving())) alone.push_back({std::move(cone), {i}});
+  }
+  std::ranges::stable_sort(alone, std::greater{}, [](const Group& it) { return it.cone.count(); });
+  std::vector<Group> groups;
+  for (auto& one : alone) {
+    const auto larger = std::ranges::find_if(
+        groups, [&](const Group& group) { return isExploredWith(one.cone, group.cone); });
+    if (larger == groups.end())
+      groups.push_back(std::move(one));
+    else
+      larger->goals.push_back(one.goals.front());
+  }
+  return groups;
+}
+
+void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
+                          Exploration& statistics, const OnDecided& onDecided, Bits& decided) {
+  Slicer::Goals asked;
+  std::vector<Goal> own;
+  for (auto i : group.goals) {
+    asked.push_back(&goals[i]);
+    own.push_back(goals[i]);
+  }
+  const Slice slice = slicer.slice(asked);
+  const System allCells = withStateLayout(slice.system);
+  const Enabling enabling(allCells);
+  const Prepared prepared(slice.system, own, takes, limits);
+  const Witness witness(allCells, prepared.reductions, provenance, limits);
+  const auto extrapolation =
+      takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
+  const auto onFound = [&](std::size_t i, const Evidence& evidence) {
+    const Evidence tidied = witness.tidied(own[i], evidence);
+    const auto dating = dated(allCells, enabling, tidied, limits);
+    if (!dating) return;
+    const auto steps = wholeRun(whole, slice, tidied.steps, *dating, limits);
+    if (!steps) return;
+    const Evidence run{*steps, {}};
+    if (onDecided(group.goals[i], &run)) decided.insert(static_cast<std::uint32_t>(group.goals[i]));
+  };
+  const auto found =
+      search(prepared.system, own, prepared.reductions, extrapolation, limits, onFound);
+  statistics.classes += found.statistics.classes;
+  statistics.markings += found.statistics.markings;
+  statistics.domains += found.statistics.domains;
+  statistics.transitions += found.statistics.transitions;
+  if (found.failure || !found.statistics.complete) return;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (!found.goals[i] && onDecided(group.goals[i], nullptr))
+      decided.insert(static_cast<std::uint32_t>(group.goals[i]));
+}
+
+bool isPlainlyNever(const System& whole, const Goal& goal, LimitWatch& limits) {
+  switch (goal.kind) {
+  case GoalKind::Deadlock:
+    for (TransitionId i = 0; i < whole.transitions.size(); ++i)
+      if (isAlwaysPossible(whole, i)) return true;
+    return false;
+  case GoalKind::Stuck:
+    return std::ranges::all_of(recurrentSteps(whole, {}, limits),
+                               [](Word bits) { return bits == 0; });
+  case GoalKind::Error:
+    return std::ranges::none_of(whole.transitions, [&](const Transition& transition) {
+      return mayFail(whole, transition);
+    });
+  case GoalKind::Events:
+  case GoalKind::Condition:
+  case GoalKind::Run:
+  case GoalKind::Unsupported: return false;
+  }
+  std::unreachable();
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,85 @@
+#include "verify/trace/whole_run.h"
+
+#include "verify/trace/simulator.h"
+
+namespace proskill::verify {
+
+namespace {
+
+constexpr std::size_t kMostSteps = 20'000;
+
+class Runner {
+public:
+  Runner(const System& of, const Slice& slice, std::int64_t units, LimitWatch& watch)
+      : system(of), scale(units), limits(watch), simulator(of, units), now(simulator.start()) {
+    for (std::size_t i = 0; i < slice.original.size(); ++i)
+      if (!slice.late.contains(static_cast<std::uint32_t>(i))) planned.insert(slice.original[i]);
+  }
+
+  /// Takes the step at its date, and before it what time waits for.
+  bool take(TransitionId step, std::int64_t at) {
+    while (const auto due = nextDue(at)) {
+      if (planned.contains(due->step) || !takeAt(due->step, due->date)) return false;
+    }
+    return takeAt(step, at);
+  }
+
+  Steps taken;
+
+private:
+  struct Due {
+    TransitionId step = 0;
+    std::int64_t date = 0;
+  };
+
+  /// The first step that has to happen before `until`, or at once.
+  [[nodiscard]] std::optional<Due> nextDue(std::int64_t until) const {
+    std::optional<Due> first;
+    for (const auto& [id, since] : now.since) {
+      const auto& interval = system.transitions[id].interval;
+      if (!interval.upper) continue;
+      const auto end = since + *interval.upper * scale;
+      const auto last = interval.upperOpen ? end - 1 : end;
+      const bool isUrgent = end <= date && system.transitions[id].urgent && !planned.contains(id);
+      if (!isUrgent && (interval.upperOpen ? end > until : end >= until)) continue;
+      const auto then = std::max(last, date);
+      if (!first || then < first->date || (then == first->date && planned.contains(first->step)))
+        first = {id, then};
+    }
+    return first;
+  }
+
+  bool takeAt(TransitionId step, std::int64_t at) {
+    limits.check();
+    if (taken.size() >= kMostSteps || !simulator.mayWait(now, at) ||
+        !simulator.isRipe(now, step, at))
+      return false;
+    auto next = simulator.take(now, step, at, log);
+    if (!next) return false;
+    now = std::move(*next);
+    date = at;
+    taken.push_back(step);
+    return true;
+  }
+
+  const System& system;
+  std::int64_t scale;
+  LimitWatch& limits;
+  Simulator simulator;
+  Concrete now;
+  std::int64_t date = 0;
+  Bits planned; ///< transitions that happen only where the slice's run says so
+  StepLog log;
+};
+
+} // namespace
+
+std::optional<Steps> wholeRun(const System& whole, const Slice& slice, const Steps& steps,
+                              const Dating& dating, LimitWatch& limits) {
+  Runner runner(whole, slice, dating.scale, limits);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (!runner.take(slice.original[steps[i]], dating.steps[i].date)) return std::nullopt;
+  return std::move(runner.taken);
+}
+
+} // namespace proskill::verify
