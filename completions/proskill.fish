@@ -86,7 +86,7 @@ complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time
 complete -c proskill -n '__fish_seen_subcommand_from run' -l seed -d 'Seed of a simulation (default 0); the same seed gives the same run' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l until -d 'End the run after this time, in seconds or with m, h, d (a simulation: 1d)' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l format -d 'How to print what happens' -x -a 'text json'
-complete -c proskill -n '__fish_seen_subcommand_from run' -l record -d 'Record the run in this file, as a trace that `proskill view` opens' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l record -d 'Record the run in this file, as a trace that `proskill view` opens; a name that ends in .mcap: as MCAP, for other tools' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .fcr)'

@@ -1,6 +1,5 @@
 #include "cli/execution/recorder.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace proskill::cli {
@@ -35,6 +34,7 @@ std::optional<std::string> Recorder::add(std::string_view bytes, std::string_vie
   if (isEnded) return complaint();
   const auto size = waiting.size();
   waiting += bytes;
+  sizes.push_back(static_cast<std::uint32_t>(bytes.size()));
   end = last;
   if (isReal ? size == 0 : size < kBatch && waiting.size() >= kBatch) hasBytes.notify_one();
   return std::nullopt;
@@ -88,11 +88,13 @@ void Recorder::awaitBytes(Lock& lock) {
 
 void Recorder::write(Lock& lock) {
   std::swap(waiting, writing);
+  std::swap(sizes, writingSizes);
   const auto last = end;
   lock.unlock();
   auto wrong = file.add(writing, last);
   if (wrong) wrong = addOneByOne(last);
   writing.clear();
+  writingSizes.clear();
   lock.lock();
   if (wrong) return stop(*wrong);
   isSynced = !isReal;
@@ -100,11 +102,10 @@ void Recorder::write(Lock& lock) {
 }
 
 std::optional<std::string> Recorder::addOneByOne(std::string_view last) {
-  for (std::size_t begin = 0; begin < writing.size();) {
-    const auto end = std::min(writing.find(",\n", begin + 1), writing.size());
-    if (auto wrong = file.add(std::string_view(writing).substr(begin, end - begin), last))
-      return wrong;
-    begin = end;
+  std::string_view rest = writing;
+  for (const auto size : writingSizes) {
+    if (auto wrong = file.add(rest.substr(0, size), last)) return wrong;
+    rest.remove_prefix(size);
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace proskill::cli {
 
@@ -49,11 +50,13 @@ private:
   std::condition_variable hasBytes;
   std::condition_variable hasRoom;
   std::string waiting;
+  std::vector<std::uint32_t> sizes; ///< of what was added to it
   std::string_view end;
   bool isFinished = false; ///< nothing is added any more
   bool isEnded = false;    ///< nothing is written any more
   std::optional<std::string> failure;
   std::string writing; ///< of the thread alone, as what follows
+  std::vector<std::uint32_t> writingSizes;
   bool isSynced = true;
   std::chrono::steady_clock::time_point lastSync;
   std::thread thread;

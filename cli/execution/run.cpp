@@ -196,7 +196,21 @@ private:
     const auto add = [&recorder](std::string_view bytes, std::string_view end) {
       warnOfRecording(recorder->add(bytes, end));
     };
-    observers.add(report::runRecording(add, subject));
+    observers.add(isMcap(arguments.record) ? report::runMcap(add, subject, startOf(time))
+                                           : report::runRecording(add, subject));
+  }
+
+  static bool isMcap(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".mcap";
+  }
+
+  /// In nanoseconds since 1970, as other recordings of the same robot count them.
+  static std::uint64_t startOf(RunTime time) {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return time == RunTime::Simulated
+               ? 0
+               : static_cast<std::uint64_t>(
+                     std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
   }
 
   static void warnOfRecording(const std::optional<std::string>& wrong) {

@@ -77,8 +77,10 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
   addChoice<RunFormat>(command, "--format", arguments.format,
                        {{"text", RunFormat::Text}, {"json", RunFormat::Json}},
                        "How to print what happens");
-  show(command.add_option("--record", arguments.record,
-                          "Record the run in this file, as a trace that `proskill view` opens"),
+  show(command.add_option(
+           "--record", arguments.record,
+           "Record the run in this file, as a trace that `proskill view` opens; a name that "
+           "ends in .mcap: as MCAP, for other tools"),
        group::kOutput, "FILE");
   addColour(command, arguments.colour);
 }

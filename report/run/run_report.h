@@ -33,6 +33,12 @@ using AddToRecording = std::function<void(std::string_view bytes, std::string_vi
 [[nodiscard]] std::unique_ptr<runtime::Observer> runRecording(AddToRecording add,
                                                               RunSubject subject);
 
+/// Records a run as an MCAP file with channels of JSON: `/steps`, `/variables` and `/skills`, whose
+/// statuses these are.
+/// \param start the run's beginning, in nanoseconds since 1970; 0: dates count from the beginning
+[[nodiscard]] std::unique_ptr<runtime::Observer> runMcap(AddToRecording add, RunSubject subject,
+                                                         std::uint64_t start);
+
 /// How a run ended: "the mission has ended".
 [[nodiscard]] std::string_view toWords(runtime::End end);
 void writeRunSummary(std::ostream& out, RunSubject subject, const runtime::RunResult& result,
