@@ -12,6 +12,7 @@
 #include "runtime/platform/settings.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <csignal>
 #include <filesystem>
@@ -133,7 +134,7 @@ private:
     process.isOurs = true;
     process.command = {"/proc/self/exe", "platform-host", settings.library};
     for (const auto& [skill, function] : settings.functions)
-      process.command.push_back(skill + "=" + function);
+      process.command.push_back(fmt::format("{}={}", skill, function));
     return runOnProcess(std::move(process),
                         arguments.platform + ":" + runtime::placeOfMember(text, "library"));
   }
