@@ -156,38 +156,44 @@ private:
     return Answer{Truth::False, std::move(*trace), {}};
   }
 
-  /// Answers questions about states and steps, by one exploration. Where that turns out to be long,
-  /// slices are explored first.
+  /// Answers questions about states and steps. If the exploration turns out to be long, slices
+  /// answer what they can, and it begins anew with what is left: fewer questions are less work.
   std::optional<Unsupported> explore(std::vector<std::size_t> which) {
-    const bool slices = usesSlices();
-    if (slices && std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); }) > 0 &&
-        which.empty())
-      return std::nullopt;
+    if (which.empty() || !usesSlices()) return exploreWhole(which, {});
+    std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); });
+    if (which.empty()) return std::nullopt;
+    bool isPaused = false;
+    const Pause pause{options.classesBeforeSlices, [&] {
+                        isPaused = exploreSlices(which);
+                        return !isPaused;
+                      }};
+    auto failure = exploreWhole(which, pause);
+    if (failure || !isPaused) return failure;
+    std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
+    if (!which.empty()) return exploreWhole(which, {});
+    result.exploration.complete = false;
+    result.exploration.stopped = "all questions decided";
+    return std::nullopt;
+  }
+
+  std::optional<Unsupported> exploreWhole(const std::vector<std::size_t>& which,
+                                          const Pause& pause) {
     std::vector<Goal> goals;
     for (auto i : which) goals.push_back(compiled.goals[i]);
     const Prepared prepared(compiled.system, goals, may(), limits);
     const Witness witness(whole, prepared.reductions, provenance, limits);
-    Bits decided;
-    Detour detour;
-    if (slices)
-      detour = {options.classesBeforeSlices, [&] {
-                  const Bits before = decided;
-                  exploreSlices(which, goals, decided);
-                  Bits added = decided;
-                  return added -= before;
-                }};
-    const auto found = search(
+    auto found = search(
         prepared.system, goals, prepared.reductions, extrapolation(), limits,
-        [&](std::size_t i, const Evidence& evidence) {
-          decided.insert(static_cast<std::uint32_t>(i));
-          answerBy(which[i], evidence, witness);
-        },
-        detour);
+        [&](std::size_t i, const Evidence& evidence) { answerBy(which[i], evidence, witness); },
+        pause);
     if (found.failure) return found.failure;
+    if (found.paused) {
+      found.statistics.complete = true;
+      found.statistics.stopped.clear();
+    }
     add(result.exploration, found.statistics);
-    for (std::size_t i = 0; i < goals.size(); ++i)
-      if (!decided.contains(static_cast<std::uint32_t>(i)))
-        answerWithout(which[i], found.statistics, found.progressStopped);
+    for (std::size_t i = 0; i < goals.size() && !found.paused; ++i)
+      if (!found.goals[i]) answerWithout(which[i], found.statistics, found.progressStopped);
     return std::nullopt;
   }
 
@@ -204,21 +210,18 @@ private:
     return true;
   }
 
-  /// \param which the questions whose goals these are \param decided goals, by place; gets more
-  void exploreSlices(const std::vector<std::size_t>& which, const std::vector<Goal>& goals,
-                     Bits& decided) {
-    std::vector<std::size_t> open;
-    for (std::uint32_t i = 0; i < goals.size(); ++i)
-      if (!decided.contains(i)) open.push_back(i);
+  /// \return whether any of the questions was answered
+  bool exploreSlices(std::vector<std::size_t> which) {
+    std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
     const Reductions none;
     const Witness witness(whole, none, provenance, limits);
     SliceSearch slices(compiled.system, whole, provenance, may(), limits);
-    const Bits found = slices.decide(goals, open, result.exploration,
-                                     [&](std::size_t i, const Evidence* evidence) {
-                                       return isShownBySlice(which[i], evidence, witness);
-                                     });
-    result.exploration.sliced += found.count();
-    decided |= found;
+    const Bits decided = slices.decide(compiled.goals, which, result.exploration,
+                                       [&](std::size_t i, const Evidence* evidence) {
+                                         return isShownBySlice(i, evidence, witness);
+                                       });
+    result.exploration.sliced += decided.count();
+    return !decided.empty();
   }
 
   bool isShownBySlice(std::size_t index, const Evidence* evidence, const Witness& witness) {
@@ -287,6 +290,7 @@ private:
 
   void answer(std::size_t index, Answer made) {
     result.answers[index] = {made.truth, std::nullopt, made.reason};
+    if (made.truth != Truth::Unknown) answered.insert(index);
     if (options.decided && made.truth != Truth::Unknown)
       options.decided(index, std::move(made));
     else
@@ -299,7 +303,8 @@ private:
   const Options& options;
   LimitWatch& limits;
   Result& result;
-  System whole;                ///< with every cell kept
+  System whole; ///< with every cell kept
+  std::set<std::size_t> answered;
   std::set<std::size_t> known; ///< goals that Options::answers had the answers to
 };
 

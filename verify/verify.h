@@ -142,7 +142,7 @@ struct Options {
                                  Reduction::StubbornSets,  Reduction::Slices,
                                  Reduction::Inclusion,     Reduction::Extrapolation};
   /// A system with so few classes is explored as a whole: slices are for what is larger.
-  std::uint32_t classesBeforeSlices = 20'000;
+  std::uint32_t classesBeforeSlices = 30'000;
   Limits limits;
   unsigned jobs = 1;
   std::set<std::string> obliged; ///< names of processes; see Question::fair

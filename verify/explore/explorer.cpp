@@ -10,13 +10,13 @@
 namespace proskill::verify {
 
 Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reductions& with,
-                   Extrapolation extrapolation, LimitWatch& watch, OnFound tell, Detour once)
+                   Extrapolation extrapolation, LimitWatch& watch, OnFound tell, Pause until)
     : system(of),
       goals(asked),
       reductions(with),
       limits(watch),
       onFound(std::move(tell)),
-      detour(std::move(once)),
+      pause(std::move(until)),
       graph(of, with, extrapolation),
       walker(of, graph.enabling, with) {
   goalsOfEvent.resize(system.eventCount);
@@ -70,14 +70,12 @@ void Explorer::explore() {
     if (next % kBetweenChecks == 0)
       if (auto limit = limits.met(progress(), graph.growth()); !limit.empty())
         throw LimitMet{std::move(limit)};
-    if (next == detour.after) takeDetour();
+    if (next == pause.after && !pause.goesOn()) {
+      result.paused = true;
+      return;
+    }
     if (!graph.nodes[next].covered) expand(next);
   }
-}
-
-void Explorer::takeDetour() {
-  decided = detour.decide();
-  decided.each([&](std::size_t) { --open; });
 }
 
 void Explorer::start() {
@@ -327,7 +325,7 @@ void Explorer::noticeError() {
 }
 
 void Explorer::found(std::size_t goal) {
-  if (result.goals[goal] || decided.contains(static_cast<std::uint32_t>(goal))) return;
+  if (result.goals[goal]) return;
   --open;
   Steps& steps = result.goals[goal].emplace();
   if (expanding != kNone) steps = pathTo(expanding);

@@ -17,6 +17,7 @@ namespace proskill::verify {
 struct Explored {
   std::vector<std::optional<Steps>> goals; ///< by goal: the steps that reach it
   Exploration statistics;
+  bool paused = false;
   std::string failure; ///< an error of the model, such as a value out of range
   fiacre::OriginId failureOrigin = 0;
 };
@@ -26,10 +27,10 @@ using OnFound = std::function<void(std::size_t, const Steps&)>;
 
 using NodeIndex = std::uint32_t;
 
-/// What an exploration that turns out to be long does once on its way.
-struct Detour {
-  NodeIndex after = kNone;      ///< so many classes were expanded
-  std::function<Bits()> decide; ///< \return goals, by place, that need not be looked for any more
+/// A moment at which an exploration that turns out to be long asks whether to go on.
+struct Pause {
+  NodeIndex after = kNone;      ///< number of expanded classes
+  std::function<bool()> goesOn; ///< called once
 };
 
 /// A discrete state with a zone, and how it was reached.
@@ -70,8 +71,7 @@ public:
   /// \pre the arguments outlive this
   /// \param onFound called for each goal as soon as it is reached
   Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
-           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {},
-           Detour detour = {});
+           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {}, Pause pause = {});
 
   /// Call this once.
   Explored run();
@@ -90,7 +90,6 @@ private:
   };
 
   void explore();
-  void takeDetour();
   void start();
   void load(NodeIndex index);
   void expand(NodeIndex index);
@@ -122,7 +121,7 @@ private:
   const Reductions& reductions;
   LimitWatch& limits;
   OnFound onFound;
-  Detour detour;
+  Pause pause;
   ZoneGraph graph;
   Walker walker;
   Explored result;
@@ -130,7 +129,6 @@ private:
 
   bool hasErrors = false; ///< some transition is an error
   std::size_t open = 0;   ///< number of undecided goals
-  Bits decided;           ///< goals that the detour decided
   std::vector<std::vector<std::size_t>> goalsOfEvent;
   std::vector<std::size_t> stateGoals; ///< goals that are conditions on states
   std::vector<std::size_t> stepGoals;  ///< goals that also read steps

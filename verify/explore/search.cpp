@@ -108,7 +108,7 @@ void add(Exploration& to, const Exploration& more) {
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
                     const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits,
-                    const OnEvidence& onFound, const Detour& detour) {
+                    const OnEvidence& onFound, const Pause& pause) {
   SearchResult result;
   result.goals.resize(goals.size());
   const auto note = [&](std::size_t goal, const Evidence& evidence) {
@@ -120,12 +120,13 @@ SearchResult search(const System& system, const std::vector<Goal>& goals,
       [&](std::size_t goal, const Steps& steps) {
         note(goal, Evidence{steps, {}});
       },
-      detour);
+      pause);
   Explored explored = explorer.run();
   result.statistics = explored.statistics;
   if (!explored.failure.empty())
     result.failure = Unsupported{explored.failure, explored.failureOrigin};
-  if (result.failure || std::ranges::none_of(goals, isStuckGoal)) return result;
+  result.paused = explored.paused;
+  if (result.failure || result.paused || std::ranges::none_of(goals, isStuckGoal)) return result;
 
   const auto stuck = findStuck(system, goals, reductions, extrapolation, explorer, limits, result);
   result.statistics.seconds = limits.seconds();

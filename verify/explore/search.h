@@ -30,6 +30,7 @@ struct Evidence {
 struct SearchResult {
   std::vector<std::optional<Evidence>> goals; ///< by goal; nothing if it was not found
   Exploration statistics;
+  bool paused = false;         ///< the search stopped early, as it was asked to
   std::string progressStopped; ///< the limit because of which it is unknown whether time can stop
   std::optional<Unsupported> failure;
 };
@@ -46,6 +47,6 @@ using OnEvidence = std::function<void(std::size_t, const Evidence&)>;
 [[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,
                                   const Reductions& reductions, Extrapolation extrapolation,
                                   LimitWatch& limits, const OnEvidence& onFound,
-                                  const Detour& detour = {});
+                                  const Pause& pause = {});
 
 } // namespace proskill::verify
