@@ -18,6 +18,9 @@ namespace proskill::verify {
 
 namespace {
 
+/// Questions times transitions: beyond that it takes seconds to find out which slices there are.
+constexpr std::size_t kMostWork = 200'000;
+
 Answer unknown(std::string reason) { return {Truth::Unknown, std::nullopt, std::move(reason)}; }
 
 /// Whether a kept mark is one of the monitor's, on a run of so many steps.
@@ -213,6 +216,7 @@ private:
   /// \return whether any of the questions was answered
   bool exploreSlices(std::vector<std::size_t> which) {
     std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
+    if (which.size() * whole.transitions.size() > kMostWork) return false;
     const Reductions none;
     const Witness witness(whole, none, provenance, limits);
     SliceSearch slices(compiled.system, whole, provenance, may(), limits);
