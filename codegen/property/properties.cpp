@@ -1,4 +1,5 @@
 #include "codegen/property/properties.h"
+#include "fiacre/syntax/formula.h"
 
 #include <algorithm>
 #include <array>
@@ -121,15 +122,14 @@ void beginWhere(const fiacre::Observable& begun, fiacre::Pattern& pattern) {
   for (auto* scope : {&pattern.after, &pattern.before})
     if (*scope) **scope = compound(ObservableKind::And, begun, std::move(**scope));
   if (pattern.kind != PatternKind::Ltl) return;
-  fiacre::Ltl open;
-  open.kind = LtlKind::Not;
-  open.operands = {atomOf(begun)};
   fiacre::Ltl first;
-  first.kind = LtlKind::And;
-  first.operands = {atomOf(begun), std::move(pattern.ltl)};
-  pattern.ltl = {};
-  pattern.ltl.kind = LtlKind::Until;
-  pattern.ltl.operands = {std::move(open), std::move(first)};
+  if (fiacre::isAtom(pattern.ltl))
+    first = atomOf(compound(ObservableKind::And, begun, std::move(pattern.ltl.atom)));
+  else
+    first = {.kind = LtlKind::And,
+             .operands = fiacre::operandsOf(atomOf(begun), std::move(pattern.ltl))};
+  pattern.ltl = {.kind = LtlKind::Until,
+                 .operands = fiacre::operandsOf(fiacre::negated(atomOf(begun)), std::move(first))};
 }
 
 } // namespace
