@@ -72,7 +72,7 @@ function filesNamed() {
   const named = [];
   const walk = (value) => {
     if (typeof value === 'string' && /^(\.\/)?[\w./-]+\.(js|json|svg|png|md)$/.test(value) && value !== '.proskill.json') named.push(posix.normalize(value));
-    else if (value && typeof value === 'object') Object.values(value).forEach(walk);
+    else if (value && typeof value === 'object') Object.entries(value).forEach(([key, inner]) => key === 'fileMatch' || walk(inner));
   };
   walk({ main: manifest.main, icon: manifest.icon, contributes });
   return [...new Set(named)];
