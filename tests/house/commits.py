@@ -15,7 +15,7 @@ GOOD = [("dev: try both commands on a bare Debian 12", WHY), ("lsp, dap: share f
 BAD = {("Values are cut", WHY): "is not `area", ("The lsp: cut values", WHY): "is not `area", ("lsp: cut", ""): "no body", ("lsp: cuts values", WHY): "imperative",
        ("lsp: fixed values", WHY): "imperative", ("lsp: adding values", WHY): "imperative", ("lsp: the values", WHY): "imperative",
        ("x: " + "a" * 70, WHY): "73 characters", ("x: cut", "Signed-off-by: A <a@b>"): "no body",
-       ("x: cut", "See /home/me/notes."): "/home/me", ("x: cut", "from /work/tree"): "/work/tree"}
+       ("x: cut", "See /home/me/notes."): "/home/me", ("x: cut", "from /mnt/disk"): "/mnt/disk"}
 
 found = [f"{message}: {complaint}" for message in GOOD for complaint in complaints(*message)]
 for message, why in BAD.items():
