@@ -10,17 +10,17 @@ namespace proskill::host {
 
 using Json = nlohmann::ordered_json;
 
-/// The line to `proskill run`. What the library prints goes to the standard error: the standard
-/// output is the line's.
+/// Connection to `proskill run`. Standard output carries only messages; what the library prints
+/// goes to standard error.
 class Connection {
 public:
   Connection();
 
-  /// The next message; nothing when there will be none.
+  /// The next message; nullopt at the end of the input.
   [[nodiscard]] std::optional<Json> receive();
-  /// From any thread. What cannot be sent is dropped: the other end is gone.
+  /// Thread-safe. Messages are dropped once the other end is gone.
   void send(const Json& message);
-  /// From a signal handler: a message that was made before.
+  /// Async-signal-safe; the line must have been prepared before.
   void sendInDistress(const std::string& line) const;
 
   [[nodiscard]] static std::string lineOf(const Json& message);
@@ -28,7 +28,7 @@ public:
 private:
   int output = -1;
   std::mutex sending;
-  std::string held; ///< what has come, without what was returned
+  std::string held; ///< bytes received, not yet returned as messages
 };
 
 } // namespace proskill::host

@@ -7,12 +7,12 @@ namespace proskill::host {
 
 namespace {
 
-thread_local std::string lastWords; ///< made before the crash: a handler may not allocate
+thread_local std::string lastWords; ///< prepared in advance: a signal handler may not allocate
 thread_local const Connection* lastConnection = nullptr;
 
 void sayLastWords(int signal) {
   if (lastConnection) lastConnection->sendInDistress(lastWords);
-  raise(signal); // the usual effect, as SA_RESETHAND has restored it
+  raise(signal); // SA_RESETHAND has restored the default action
 }
 
 void listenForCrashes() {

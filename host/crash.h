@@ -6,8 +6,8 @@
 
 namespace proskill::host {
 
-/// Says what crashes where this thread does: the action of a skill, or where it is empty the
-/// library. The recording then has it.
+/// Makes a crash of this thread report the action of a skill, or the library if `skill` is empty,
+/// so that the recording contains it.
 void nameInCrashes(const std::string& skill, const Connection& connection);
 
 } // namespace proskill::host

@@ -18,16 +18,15 @@ namespace proskill::host {
 namespace {
 
 constexpr int kProtocol = 1;
-/// How long actions may take to stop after the run: `proskill run` waits for five seconds.
+/// Time that actions have to stop after the run; `proskill run` waits for five seconds.
 constexpr auto kPatience = std::chrono::seconds(4);
 
-/// What the functions of platform.h do. A library is given functions, not objects: so there is one
-/// of these, and it lives as long as the process.
+/// Implements the functions of platform.h. They are plain functions without a context, so there is
+/// one host, which lives as long as the process.
 class Host {
 public:
   explicit Host(std::string library) : path(std::move(library)) {}
 
-  /// \return the exit code
   int run(const std::map<std::string, std::string>& named);
 
   void finish(proskill_run run, const char* result) {
@@ -58,14 +57,14 @@ private:
   std::optional<Library> library;
   std::map<std::string, Function> functions;
   std::mutex beginning;
-  std::vector<Json> early; ///< what is said before `ready`
+  std::vector<Json> early; ///< messages sent before `ready`
   bool isReady = false;
   std::atomic<bool> isOver = false;
 };
 
 Host* theHost = nullptr; // set before the library is loaded
 
-/// Time of the run's clock as real time.
+/// Converts seconds of the run's clock to real time.
 std::chrono::nanoseconds realTime(double seconds) {
   constexpr double kLongest = 1e9;
   const double real = seconds / theHost->speed;
@@ -169,7 +168,7 @@ void Host::start(const Json& message) {
     std::thread([this, run, &skill = skill, perform = function.perform,
                  given = std::move(arguments)] {
       this->perform(run, skill, perform, given);
-    }).detach(); // the end of the run waits for it
+    }).detach(); // at the end of the run, main waits for this thread's action
   } catch (const std::system_error& error) {
     fail(run, fmt::format("there is no thread for it: {}", error.what()));
   }
@@ -186,7 +185,8 @@ void Host::perform(proskill_run run, const std::string& skill, Function::Perform
   }
 }
 
-/// \param hasReturned a function that blocks: it may have failed before it returns
+/// \param hasReturned the action is a blocking function, which may have called `fail` before it
+/// returned
 void Host::finish(proskill_run run, const std::optional<std::string>& result, bool hasReturned) {
   const auto ended = runs.end(run);
   if (ended ? ended->isAbandoned : hasReturned) return;
@@ -202,7 +202,7 @@ int Host::end() {
   if (left.empty() && library) library->close();
   if (!left.empty()) fmt::print(stderr, "actions that did not stop: {}\n", fmt::join(left, ", "));
   std::fflush(nullptr);
-  _exit(0); // threads of the library may still run in what would be destroyed
+  _exit(0); // threads of the library may still use what destructors would destroy
 }
 
 } // namespace

@@ -3,13 +3,13 @@
 #include <map>
 #include <string>
 
-/// The process in which a shared library performs the actions of a program: the other end of the
-/// protocol of docs/platforms.md. A library that crashes or hangs takes this process with it, and
-/// not the executor.
+/// Process in which a shared library performs the actions of a program: the other end of the
+/// protocol of docs/platforms.md. If the library crashes or hangs, this process fails, not the
+/// executor.
 namespace proskill::host {
 
-/// Speaks the protocol on the standard input and output until the run is over.
-/// \param functions by skill: the names of functions that are not called after it
+/// Speaks the protocol on standard input and output until the run is over.
+/// \param functions by skill: functions whose names differ from the skill's
 /// \return the exit code
 int runLibrary(const std::string& path, const std::map<std::string, std::string>& functions);
 

@@ -9,7 +9,7 @@ namespace proskill::host {
 
 namespace {
 
-/// A skill's name as C may have it.
+/// Replaces the characters of a skill's name that are invalid in C.
 std::string identifier(std::string name) {
   for (char& c : name)
     if (!(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && !(c >= '0' && c <= '9')) c = '_';
@@ -25,7 +25,7 @@ std::expected<Library, std::string> Library::load(const std::string& path,
   std::error_code none;
   if (!std::filesystem::exists(path, none))
     return std::unexpected(fmt::format("there is no file `{}`", path));
-  // A name without a slash would be looked for among the libraries of the system.
+  // dlopen searches the system's directories for a name without a slash
   void* handle = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) return std::unexpected(fmt::format("`{}` cannot be loaded: {}", path, dlerror()));
   Library library(handle, path);

@@ -45,7 +45,7 @@ std::optional<Runs::Ended> Runs::end(proskill_run run) {
   Lock lock(mutex);
   auto found = all.find(run);
   changed.wait(lock, [&] {
-    found = all.find(run); // another thread may have ended it meanwhile
+    found = all.find(run); // another thread may have ended the run meanwhile
     if (found == all.end()) return true;
     const auto caller = found->second.caller;
     return caller == std::thread::id() || caller == std::this_thread::get_id();
@@ -68,14 +68,14 @@ void Runs::askToStop(proskill_run run) {
   callOnStop(lock, run);
 }
 
-/// \pre the run is there
+/// \pre the run exists
 void Runs::callOnStop(Lock& lock, proskill_run run) {
   auto& of = all.at(run);
   auto* const call = std::exchange(of.onStop, nullptr);
   if (!call) return;
   auto* const data = of.data;
   of.caller = std::this_thread::get_id();
-  lock.unlock(); // it may end the run
+  lock.unlock(); // the callback may end the run
   call(run, data);
   lock.lock();
   if (const auto found = all.find(run); found != all.end()) found->second.caller = {};

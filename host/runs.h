@@ -17,7 +17,7 @@
 
 namespace proskill::host {
 
-/// The arguments of one start, as the library gets them.
+/// Arguments of an action, as the library receives them.
 class Arguments {
 public:
   explicit Arguments(const nlohmann::ordered_json& list);
@@ -29,32 +29,35 @@ private:
   std::vector<proskill_value> values;
 };
 
-/// The runs of actions: which there are, and who is asked to stop. All of it from any thread.
+/// Running actions and their stop requests. Thread-safe.
 class Runs {
 public:
   using OnStop = void(proskill_run, void*);
 
-  /// \param name of the skill; it lives as long as this
+  /// \param name of the skill; it must outlive this object
   void begin(proskill_run run, const std::string& name);
-  /// Ends a run, and waits while its `onStop` is called in another thread. Nothing where there is
-  /// none: it has ended before.
+  /// Ends a run; first waits for its `onStop` callback if another thread is in it.
+  /// \return nullopt if the run has already ended
   struct Ended {
-    bool wasAsked = false;    ///< to stop
-    bool isAbandoned = false; ///< nobody wants to hear of it
+    bool wasAsked = false;    ///< was asked to stop
+    bool isAbandoned = false; ///< its end is not to be reported
   };
   [[nodiscard]] std::optional<Ended> end(proskill_run run);
 
   void askToStop(proskill_run run);
   void abandon(proskill_run run);
-  /// Asks all, and waits for their ends. \return the skills of those that did not end in time
+  /// Asks all runs to stop and waits for their ends.
+  /// \return the skills whose actions did not end in time
   [[nodiscard]] std::vector<std::string> stopAll(std::chrono::nanoseconds patience);
 
   [[nodiscard]] bool isAsked(proskill_run run) const;
-  /// Waits until it is asked to stop or has ended, or for this time. \return whether it was asked
+  /// Waits until the run is asked to stop, ends, or this time has passed.
+  /// \return whether it was asked to stop
   [[nodiscard]] bool wait(proskill_run run, std::chrono::nanoseconds time) const;
-  /// Can be read when it is asked to stop; -1 where there is no such run.
+  /// File descriptor that becomes readable when the run is asked to stop; -1 if there is no such
+  /// run.
   [[nodiscard]] int descriptor(proskill_run run);
-  /// \param call when it is asked to stop; at once where it has been
+  /// \param call called when the run is asked to stop; at once if it already was
   void onStop(proskill_run run, OnStop* call, void* data);
   [[nodiscard]] const char* skill(proskill_run run) const;
 
@@ -66,7 +69,7 @@ private:
     int descriptor = -1;
     OnStop* onStop = nullptr;
     void* data = nullptr;
-    std::thread::id caller; ///< who calls it now
+    std::thread::id caller; ///< thread that is in the callback
   };
   using Lock = std::unique_lock<std::mutex>;
 

@@ -1,17 +1,17 @@
-/* The actions of a ProSkill program as functions in a shared library: docs/platforms.md.
+/* Implements the actions of a ProSkill program as functions in a shared library:
+   docs/platforms.md.
 
-   `proskill run` loads the library in a process of its own, and looks in it for a function for each
+   `proskill run` loads the library in a process of its own, and looks up one function for each
    basic skill. For the skill `fly` this is one of
 
      const char *skill_fly(proskill_run run, const proskill_value *arguments, size_t count);
      void begin_fly(proskill_run run, const proskill_value *arguments, size_t count);
 
    `skill_fly` blocks: it has a thread of its own, and returns the name of a result. `begin_fly`
-   returns soon, and proskill_finish ends the run later. Other functions may be named in the
-   platform file.
+   returns at once; proskill_finish ends the run later. The platform file may name other functions.
 
-   Every function of this header may be called from any thread, with any number of a run: what has
-   ended is not touched. C99 and C++11 or later; SPDX-License-Identifier: MIT */
+   All functions of this header are thread-safe. Calls with the number of a run that has ended have
+   no effect. Requires C99 or C++11. SPDX-License-Identifier: MIT */
 #ifndef PROSKILL_PLATFORM_H
 #define PROSKILL_PLATFORM_H
 
@@ -23,42 +23,42 @@
 extern "C" {
 #endif
 
-/* The version of what follows. A library of another version is not loaded. */
+/* Version of this interface. A library of another version is not loaded. */
 #define PROSKILL_ABI 1
 
-/* Before each function and variable that `proskill run` looks for. */
+/* Exports a function or variable, so that `proskill run` finds it. */
 #ifdef __cplusplus
 #define PROSKILL_EXPORT extern "C" __attribute__((visibility("default")))
 #else
 #define PROSKILL_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* One start of an action. No other has its number. */
+/* Number of one start of an action. Numbers are never reused. */
 typedef uint64_t proskill_run;
 
 typedef enum proskill_type {
-  PROSKILL_NONE, /* it has no value: of a mission with `:input` */
+  PROSKILL_NONE, /* no value: an `:input` of the mission */
   PROSKILL_INTEGER,
   PROSKILL_FLOAT,
   PROSKILL_BOOLEAN,
   PROSKILL_STRING /* also a value of a state variable */
 } proskill_type;
 
-/* An argument of `:action`. It lives until the function that gets it returns. */
+/* An argument of `:action`. It is valid until the function that receives it returns. */
 typedef struct proskill_value {
   proskill_type type;
-  int64_t integer;    /* an integer; a boolean: 0 or 1 */
-  double number;      /* a float or an integer */
-  const char* string; /* a string; of any other type: "" */
+  int64_t integer;    /* of an integer or a boolean (0 or 1) */
+  double number;      /* of a float or an integer */
+  const char* string; /* of a string; "" for any other type */
 } proskill_value;
 
-/* What a function returns that has stopped because it was asked to. */
+/* The result of a function that has stopped because it was asked to. */
 #define PROSKILL_STOPPED ((const char*)0)
 
-/* What `proskill run` offers. It is called by the functions below. */
+/* Functions that `proskill run` provides. Call them through the functions below. */
 typedef struct proskill_host {
   uint32_t abi;
-  uint32_t size; /* of this struct: later versions may add functions */
+  uint32_t size; /* of this struct; later versions may add functions */
   bool (*stop_requested)(proskill_run run);
   bool (*wait)(proskill_run run, double seconds);
   int (*stop_descriptor)(proskill_run run);
@@ -72,14 +72,14 @@ typedef struct proskill_host {
   double (*speed)(void);
 } proskill_host;
 
-/* What `proskill run` looks for first. */
+/* Describes the library. `proskill run` looks it up first. */
 typedef struct proskill_library {
   uint32_t abi;
   uint32_t reserved;
-  const proskill_host* host; /* set when the library was loaded */
+  const proskill_host* host; /* set when the library is loaded */
 } proskill_library;
 
-/* To be written once in a library, at the top level of one of its files: PROSKILL_LIBRARY; */
+/* Write `PROSKILL_LIBRARY;` once in a library, at the top level of one of its files. */
 #ifdef __cplusplus
 #define PROSKILL_LIBRARY                                                                           \
   extern "C" {                                                                                     \
@@ -94,69 +94,70 @@ typedef struct proskill_library {
 #endif
 extern __attribute__((visibility("default"))) proskill_library proskill_this_library;
 
-/* A library may have these two:
+/* A library may define these two functions:
 
-     const char *proskill_open(void);   before the run begins; it returns why it cannot, or NULL
-     void proskill_close(void);         after the run, when every action has ended; it ends the
-   library's threads */
+     const char *proskill_open(void);   called before the run; returns an error message, or NULL
+     void proskill_close(void);         called after the run, when all actions have ended; has to
+   end the library's threads */
 
-/* --- Within an action */
+/* --- For actions */
 
-/* Whether it is asked to stop: the skill was interrupted, or a guard failed, or the run ends. */
+/* Whether the action is asked to stop: its skill was interrupted, a guard failed, or the run ends.
+ */
 static inline bool proskill_stop_requested(proskill_run run) {
   return proskill_this_library.host->stop_requested(run);
 }
 
-/* Waits so many seconds of the run's clock, or until the action is asked to stop: then it returns
- * true. */
+/* Waits until this many seconds of the run's clock have passed, or the action is asked to stop. In
+   the latter case it returns true. */
 static inline bool proskill_wait(proskill_run run, double seconds) {
   return proskill_this_library.host->wait(run, seconds);
 }
 
-/* For poll and select: it can be read from when the action is asked to stop. It is not to be
-   closed, and is -1 for a run that has ended. */
+/* File descriptor for poll and select, which becomes readable when the action is asked to stop. -1
+   if the run has ended. Do not close it. */
 static inline int proskill_stop_descriptor(proskill_run run) {
   return proskill_this_library.host->stop_descriptor(run);
 }
 
-/* Has a function called, once, when the action is asked to stop; at once where it has been. It
-   returns soon: until then, the end of the run waits in other threads. So what `data` points to
-   lives at least until proskill_finish. */
+/* Registers a function that is called once when the action is asked to stop, or at once if it
+   already was. The function must return quickly: the run cannot end while it is being called.
+   `data` must stay valid until proskill_finish. */
 static inline void proskill_on_stop(proskill_run run, void (*call)(proskill_run run, void* data),
                                     void* data) {
   proskill_this_library.host->on_stop(run, call, data);
 }
 
-/* Ends a run that begin_… has begun: by one of its results, or PROSKILL_STOPPED. */
+/* Ends a run that begin_… has started, with one of its results or PROSKILL_STOPPED. */
 static inline void proskill_finish(proskill_run run, const char* result) {
   proskill_this_library.host->finish(run, result);
 }
 
-/* Ends a run without a result, as an exception does. */
+/* Ends a run with an error instead of a result. */
 static inline void proskill_fail(proskill_run run, const char* why) {
   proskill_this_library.host->fail(run, why);
 }
 
-/* The skill that a run is of, for a function of several skills; "" where the run has ended. It
-   lives until the end of the program. */
+/* The skill of a run, for functions that perform several skills; "" if the run has ended. The
+   string is valid until the end of the process. */
 static inline const char* proskill_skill(proskill_run run) {
   return proskill_this_library.host->skill(run);
 }
 
-/* --- At any time */
+/* --- For any thread, at any time */
 
-/* An event of the program has happened. */
+/* Reports an event of the program. */
 static inline void proskill_report(const char* event) { proskill_this_library.host->report(event); }
 
-/* Somebody wants a skill to end. */
+/* Interrupts a skill. */
 static inline void proskill_interrupt(const char* skill) {
   proskill_this_library.host->interrupt(skill);
 }
 
-/* A line for the recording. */
+/* Writes a line to the recording. */
 static inline void proskill_log(const char* text) { proskill_this_library.host->log(text); }
 
-/* How many times as fast as real time the run's clock goes. */
+/* Speed of the run's clock, relative to real time. */
 static inline double proskill_speed(void) { return proskill_this_library.host->speed(); }
 
 #ifdef __cplusplus

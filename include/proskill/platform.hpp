@@ -1,5 +1,5 @@
-/* platform.h for C++: a run of an action as an object, and an exception that ends one that is asked
- * to stop. */
+/* C++ interface of platform.h: a run of an action as an object, and an exception that ends an
+   action when it is asked to stop. */
 #ifndef PROSKILL_PLATFORM_HPP
 #define PROSKILL_PLATFORM_HPP
 
@@ -10,7 +10,7 @@
 
 namespace proskill {
 
-/* Thrown where an action is asked to stop; it leaves the action. */
+/* Thrown by functions of Run when the action is asked to stop. Let it leave the action. */
 struct Stopped {};
 
 class Run {
@@ -19,16 +19,18 @@ public:
 
   proskill_run number() const { return number_; }
   bool stopRequested() const { return proskill_stop_requested(number_); }
-  /* Waits so many seconds of the run's clock. \return whether the action is asked to stop */
+  /* Waits up to this many seconds of the run's clock. \return whether the action is asked to stop
+   */
   bool wait(double seconds) const { return proskill_wait(number_, seconds); }
-  /* The same; throws Stopped where it is. */
+  /* Waits likewise, and throws Stopped if the action is asked to stop. */
   void sleep(double seconds) const {
     if (wait(seconds)) throw Stopped();
   }
   void check() const {
     if (stopRequested()) throw Stopped();
   }
-  /* For poll and select: it can be read from when the action is asked to stop. */
+  /* File descriptor for poll and select, which becomes readable when the action is asked to stop.
+   */
   int stopDescriptor() const { return proskill_stop_descriptor(number_); }
 
 private:
@@ -37,7 +39,8 @@ private:
 
 inline void log(const std::string& text) { proskill_log(text.c_str()); }
 
-/* Calls an action, which gives the name of a result. What it throws ends the run without one. */
+/* Calls an action, which returns the name of a result. An exception ends the run without a result.
+ */
 template <class Action> const char* perform(proskill_run run, Action action) {
   try {
     return action();

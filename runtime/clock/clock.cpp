@@ -62,7 +62,7 @@ public:
 private:
   double factor;
   Nanoseconds begin = 0;
-  std::vector<pollfd> watched; ///< kept, so that nothing is allocated
+  std::vector<pollfd> watched; ///< a member, to avoid allocations
 };
 
 } // namespace

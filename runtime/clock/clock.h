@@ -8,24 +8,26 @@
 
 namespace proskill::runtime {
 
-/// The time of a run. It begins with 0 when the clock is started.
+/// Clock of a run. Its time is 0 when it starts.
 class Clock {
 public:
   virtual ~Clock() = default;
   virtual void start() = 0;
   [[nodiscard]] virtual Nanoseconds now() = 0;
-  /// Waits until a date, or until one of the descriptors can be read. A date that has gone by is
-  /// not waited for. Nothing: as long as it takes.
+  /// Waits until a date, or until one of the descriptors is readable. Returns at once if the date
+  /// has passed.
+  /// \param date nullopt: no time limit
   virtual void wait(std::optional<Nanoseconds> date, const std::vector<int>& descriptors) = 0;
-  /// Whether a wait takes as long as it says.
+  /// Whether waiting takes real time.
   [[nodiscard]] virtual bool isReal() const = 0;
 };
 
-/// Jumps to the date that is waited for.
+/// Clock that jumps to the date of each wait.
 [[nodiscard]] std::unique_ptr<Clock> simulatedClock();
 
-/// The machine's monotonic clock, which does not jump when its date is set and stands still while
-/// it is suspended. \param factor how many times as fast as that it is
+/// The machine's monotonic clock, which ignores changes of the date and stops while the machine is
+/// suspended.
+/// \param factor speed relative to real time
 [[nodiscard]] std::unique_ptr<Clock> realClock(double factor = 1);
 
 } // namespace proskill::runtime

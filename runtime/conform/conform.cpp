@@ -24,10 +24,10 @@ std::string secondsText(Nanoseconds date) {
   return text + " s";
 }
 
-/// Too many states to follow.
+/// Thrown if there are too many states to follow.
 struct TooMany {};
 
-/// All states that the model can be in after what was recorded.
+/// Keeps the set of states that the model can be in after the recorded steps.
 class Follower {
 public:
   Follower(const OfflineModel& of, Nanoseconds by)
@@ -58,14 +58,14 @@ public:
 private:
   using States = std::set<Concrete>;
 
-  /// That an action is asked to stop is not in the model, which has it stop at once.
+  /// In the model an action stops as soon as it is asked to, so a stop request is no step of it.
   bool noteStop(const RecordedStep& step) {
     if (step.stops.empty()) return false;
     asked[step.stops] = step.date;
     return true;
   }
 
-  /// An interrupt from outside might as well have come later: only the request tells when it came.
+  /// An interrupt from outside might have come later: the recorded request gives its date.
   bool stoppedLate(ConformResult& result, const RecordedStep& step) const {
     const auto stop = asked.find(step.what.actor);
     if (stop == asked.end() || step.date - stop->second <= tolerance) return false;
@@ -76,7 +76,8 @@ private:
     return true;
   }
 
-  /// The states with which the model may come to a date: what is not recorded may happen before.
+  /// The states in which the model can reach a date. Steps that recordings do not contain may be
+  /// taken before it.
   States waitUntil(Nanoseconds until) {
     States reached;
     States seen = now;
@@ -100,8 +101,8 @@ private:
     return reached;
   }
 
-  /// When something that is not recorded may happen: now, when it becomes possible, when it has to,
-  /// and at the end.
+  /// Dates at which a step that recordings do not contain may be taken: now, when it becomes
+  /// enabled, at its deadline, and at the end.
   [[nodiscard]] std::set<Nanoseconds> momentsOf(const Concrete& state, Nanoseconds at,
                                                 Nanoseconds until) const {
     std::set<Nanoseconds> all;
@@ -109,7 +110,7 @@ private:
       if (!model.isHidden[id]) continue;
       const auto& interval = model.system.transitions[id].interval;
       const bool isLazy = !interval.upper && !model.environmentIsHidden;
-      if (isLazy) continue; // the error states of watchdogs change nothing
+      if (isLazy) continue; // error states of watchdogs change nothing
       const auto add = [&](Nanoseconds moment) {
         if (moment >= at && moment <= until) all.insert(moment);
       };
@@ -121,7 +122,7 @@ private:
     return all;
   }
 
-  /// After the step, from all of these states that it is possible in.
+  /// Successors of all these states by a recorded step.
   States taken(const States& states, const RecordedStep& step) {
     States after;
     for (const auto& state : states)
@@ -134,7 +135,7 @@ private:
     return after;
   }
 
-  /// Whether what `log` has, between these states, is what was recorded.
+  /// Whether the logged step between these states is the recorded one.
   [[nodiscard]] bool isThis(const RecordedStep& step, const Concrete& before,
                             const Concrete& after) const {
     const auto& origins = model.model.provenance.origins;
@@ -154,7 +155,7 @@ private:
     });
   }
 
-  // --- Why not
+  // --- Reasons for a deviation
 
   ConformResult explained(ConformResult result, const States& before, const RecordedStep& step) {
     result.verdict = model.environmentIsHidden ? Conformance::Unknown : Conformance::Deviates;
@@ -167,7 +168,7 @@ private:
     return result;
   }
 
-  /// Something has to happen before the date of the step.
+  /// Reports that some step must happen before the date of the recorded one.
   void explainLate(ConformResult& result, const RecordedStep& step) {
     result.why = "something else has to happen before";
     for (const auto& state : blocked)
@@ -234,9 +235,9 @@ private:
   Nanoseconds tolerance;
   verify::Simulator simulator;
   States now;
-  States blocked; ///< those that cannot wait for the last date that was waited for
+  States blocked; ///< states that could not wait until the last date
   Nanoseconds date = 0;
-  std::map<std::string, Nanoseconds> asked; ///< to stop: by actor, when
+  std::map<std::string, Nanoseconds> asked; ///< by actor: when it was asked to stop
   verify::StepLog log;
 };
 

@@ -65,7 +65,7 @@ private:
     return made.system.instances[path.instance].locations[path.location] == "run";
   }
 
-  /// Being asked to stop and guards test something before anything else; results do not.
+  /// Whether it is a stop request or a failed guard. Those start with a test; results do not.
   [[nodiscard]] bool isBreak(const verify::Transition& transition) const {
     const auto& path = made.system.paths[transition.parts.front()];
     return path.guardReads.count() > 1;

@@ -8,15 +8,15 @@
 
 namespace proskill::runtime {
 
-/// The model that is verified, as a recorded run is followed through it. Dates are in nanoseconds.
+/// The verified model, prepared for following recorded runs. Dates are in nanoseconds.
 struct OfflineModel {
   codegen::Model model;
   verify::System system;
-  std::vector<bool> isHidden;   ///< by transition: recordings do not have it
-  std::vector<bool> isOfAction; ///< by transition: an action's result
-  std::vector<bool> isOfEvent;  ///< by transition: an event that comes by itself
+  std::vector<bool> isHidden;   ///< by transition: recordings do not contain it
+  std::vector<bool> isOfAction; ///< by transition: the result of an action
+  std::vector<bool> isOfEvent;  ///< by transition: an event with `:every`
   bool environmentIsHidden = false;
-  /// Transitions that may pass an origin, by its words.
+  /// Transitions that may have an origin, by the origin's key.
   std::map<std::string, std::vector<verify::TransitionId>> byOrigin;
 
   [[nodiscard]] const std::vector<verify::TransitionId>& candidates(const RecordedStep& step) const;
@@ -27,7 +27,7 @@ struct OfflineModel {
 offlineModel(const analysis::Program& program, const std::string& mainSkill, bool environment,
              Nanoseconds tolerance);
 
-/// The same for origins that say the same of the same actor.
+/// Key of an origin: origins with the same actor and description share it.
 [[nodiscard]] std::string keyOf(const fiacre::Origin& origin);
 
 } // namespace proskill::runtime

@@ -8,21 +8,21 @@
 
 namespace proskill::runtime {
 
-/// A step as it was recorded: what happened, where the program says it, and what it changed.
+/// A recorded step: what happened, its place in the program, and the changes.
 struct RecordedStep {
   Nanoseconds date = 0;
   fiacre::Origin what;
   std::vector<verify::Change> changes;
-  std::string stops; ///< the skill that asks its action to stop in this step
+  std::string stops; ///< the skill whose action is asked to stop in this step
 };
 
-/// A run as it was recorded, without remarks.
+/// A recorded run, without remarks.
 struct RecordedRun {
-  bool environment = false; ///< the program's own environment was executed, too
+  bool environment = false; ///< the environment of the program was executed, too
   std::vector<RecordedStep> steps;
 };
 
-/// The machine's last step.
+/// The machine's last step in this form.
 [[nodiscard]] RecordedStep recorded(const Executable& executable, const Machine& machine,
                                     verify::TransitionId step, Nanoseconds date);
 

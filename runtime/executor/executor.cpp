@@ -45,7 +45,8 @@ private:
     Nanoseconds askedAt = 0;
   };
 
-  /// Steps that cannot wait; then what was due first; then what is reported now.
+  /// Takes the next step: an urgent one, else the first that is due, else what the platform
+  /// reports.
   void step() {
     if (stopRequests() > 0) return shutDown();
     if (const auto urgent = machine.urgent()) {
@@ -76,7 +77,7 @@ private:
     watch.tellOvershoots(date, [&](const Remark& remark) { tell(remark); });
   }
 
-  /// A machine that was suspended, or a process that was stopped, makes a run late.
+  /// Reports that a run is late, because the machine was suspended or the process was stopped.
   void tellHeldUp() {
     const bool is = lag > kSecond;
     if (is && !std::exchange(isHeldUp, is))
@@ -86,7 +87,7 @@ private:
     isHeldUp = is;
   }
 
-  /// Waits for whatever comes first.
+  /// Waits for the next due date, time limit or report.
   void await(const std::optional<Machine::Due>& due) {
     auto first = platform.next();
     const auto limit = [&](std::optional<Nanoseconds> other) {
@@ -116,7 +117,7 @@ private:
     if (handling.action != verify::kNone) follow(handling.action);
   }
 
-  /// What a step of a basic skill asks of the platform.
+  /// Starts or stops the action of a basic skill after one of its steps.
   void follow(std::uint32_t action) {
     const auto& of = executable.actions[action];
     const auto from = machine.locationBefore(of.instance);
@@ -174,7 +175,7 @@ private:
     returned(report.action, report.result);
   }
 
-  /// An action has ended: its skill ends with that, or as it was told to.
+  /// Ends an action: its skill gets the result, or the outcome of its interruption.
   void returned(std::uint32_t action, std::uint32_t result) {
     auto& run = runs[action];
     const auto& of = executable.actions[action];
@@ -201,8 +202,6 @@ private:
                                 : "the program's environment says when it comes"});
   }
 
-  // --- The end
-
   [[nodiscard]] bool missionIsOver() const {
     if (executable.mission == verify::kNone) return false;
     return machine.location(executable.mission) == executable.missionEnded &&
@@ -222,8 +221,8 @@ private:
     return options.stopRequests ? options.stopRequests->load(std::memory_order_relaxed) : 0;
   }
 
-  /// The program is left where it is. Every running action is asked to stop, the last started
-  /// first, and is waited for.
+  /// Ends the run before the program does. Asks every running action to stop, the latest first, and
+  /// waits for their ends.
   void shutDown() {
     tell({.kind = RemarkKind::Note, .date = date, .text = "asked to end: actions are stopped"});
     std::vector<std::uint32_t> running;
@@ -265,9 +264,10 @@ private:
           .text = "the platform's program did not end in time; it is killed"});
   }
 
-  /// What a platform says when the program takes no more steps. False where that is all.
+  /// Processes a report after the program's last step.
+  /// \return false if there is none
   bool hearLastWord() {
-    date = std::max(clock.now(), date); // a platform may have words without end
+    date = std::max(clock.now(), date); // a platform may never stop reporting
     if (!platform.poll(date, report)) return false;
     if (report.kind == ReportKind::Fault || report.kind == ReportKind::Note) tellRun(report.kind);
     if (report.kind == ReportKind::Result && runs[report.action].number == report.run)
@@ -280,8 +280,8 @@ private:
     date = std::max(clock.now(), date);
   }
 
-  /// Whether somebody has asked for the end a second time. What wakes us is read before: else the
-  /// first request would wake every wait.
+  /// Whether a second request to end has come. Reads the descriptor first; otherwise the first
+  /// request would wake every wait.
   [[nodiscard]] bool isUrged() const {
     std::uint64_t times = 0;
     if (options.stopDescriptor >= 0)
@@ -289,7 +289,7 @@ private:
     return stopRequests() >= 2;
   }
 
-  /// The date at which the platform has not stopped an action in time.
+  /// The date by which the platform must have stopped an action.
   [[nodiscard]] std::optional<Nanoseconds> graceEnd() const {
     std::optional<Nanoseconds> first;
     for (const auto& run : runs)
@@ -298,8 +298,8 @@ private:
     return first;
   }
 
-  /// A skill whose action does not stop is ended all the same: what it holds must come free, and
-  /// who waits for it must hear of it.
+  /// Ends a skill whose action does not stop in time, to free its resources and to wake those who
+  /// wait for it.
   bool giveUpSlowStop() {
     for (std::uint32_t i = 0; i < runs.size(); ++i) {
       auto& run = runs[i];
@@ -319,8 +319,6 @@ private:
     result.end = how;
     ended = true;
   }
-
-  // --- What is told
 
   void tell(const Remark& remark) {
     if (isBad(remark.kind)) ++result.bad;
@@ -361,7 +359,7 @@ private:
   Nanoseconds date = 0;
   Nanoseconds lag = 0;
   std::uint64_t stepsAtOnce = 0;
-  bool isLost = false; ///< the platform
+  bool isLost = false; ///< the platform has ended
   bool isHeldUp = false;
   bool ended = false;
   RunResult result;

@@ -8,34 +8,34 @@
 namespace proskill::runtime {
 
 enum class RemarkKind : std::uint8_t {
-  Started,     ///< an action was given to the platform
+  Started,     ///< the platform was asked to perform an action
   Asked,       ///< an action was asked to stop
-  GuardFailed, ///< an invariant was broken, and its skill ends with that
-  Note,        ///< something that changes nothing
-  // What should not be:
-  Undershoot, ///< it took less than its interval says
-  Overshoot,  ///< it takes more
-  Alarm,      ///< a step passed one of codegen::Model::alarms
-  Fault,      ///< the platform does not do what it should
+  GuardFailed, ///< an invariant was violated, and its skill ends
+  Note,        ///< a remark without effect on the run
+  // Faults:
+  Undershoot, ///< it took less time than its interval allows
+  Overshoot,  ///< it takes more time than its interval allows
+  Alarm,      ///< a step has an origin in codegen::Model::alarms
+  Fault,      ///< the platform violates the protocol
 };
 
-/// Something that is to be told beside the steps.
+/// A remark on the run, which is not a step.
 struct Remark {
   RemarkKind kind = RemarkKind::Note;
   Nanoseconds date = 0;
   std::string_view subject; ///< a skill or an event; empty: the run
   std::string_view text;
-  fiacre::OriginId origin = 0;  ///< its place in the program, where it has one
-  const Start* start = nullptr; ///< Started
+  fiacre::OriginId origin = 0;  ///< its place in the program, if any
+  const Start* start = nullptr; ///< Started: the action and its arguments
 };
 
 [[nodiscard]] inline bool isBad(RemarkKind kind) { return kind >= RemarkKind::Undershoot; }
 
-/// Hears of a run what happens, when it happens.
+/// Observes a run while it happens.
 class Observer {
 public:
   virtual ~Observer() = default;
-  /// \param lag how much later than its date the step was taken
+  /// \param lag time between the step's date and when it was taken
   virtual void onStep(const Machine& machine, verify::TransitionId step, Nanoseconds date,
                       Nanoseconds lag) = 0;
   virtual void onRemark(const Remark& remark) = 0;

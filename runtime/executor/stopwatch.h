@@ -4,21 +4,20 @@
 
 namespace proskill::runtime {
 
-/// Measures what has a time interval: actions, runs of composite skills, and events that somebody
-/// reports.
+/// Measures the duration of actions and of composite skills, and the time between reported events.
 class Stopwatch {
 public:
   explicit Stopwatch(const Executable& of);
 
   void start(std::uint32_t action, Nanoseconds date);
-  /// Its action ends by itself: was it early or late?
+  /// An action has ended by itself: reports whether it took too little or too much time.
   template <class Tell> void finish(std::uint32_t action, Nanoseconds date, Tell&& tell) {
     finish(actions[action], ofAction(action), date, tell);
   }
-  /// It is not measured any more.
+  /// Stops measuring an action.
   void end(std::uint32_t action) { actions[action].isRunning = false; }
 
-  /// A composite skill may have started or ended by the machine's last step.
+  /// Starts or ends the measurement of a composite skill, depending on the machine's last step.
   template <class Tell>
   void follow(std::uint32_t stretch, const Machine& machine, Nanoseconds date, Tell&& tell) {
     const bool ran = runs(stretch, machine.locationBefore(executable.stretches[stretch].instance));
@@ -27,9 +26,9 @@ public:
     if (ran && !isRunning) finish(stretches[stretch], ofStretch(stretch), date, tell);
   }
 
-  /// The first date at which something has taken too long.
+  /// The first date at which something takes too long.
   [[nodiscard]] std::optional<Nanoseconds> nextOvershoot() const;
-  /// Somebody reports an event: has it come too early, or late? It is measured to the next one.
+  /// An event was reported: checks the time since the last one, and measures until the next one.
   template <class Tell> void occur(std::uint32_t signal, Nanoseconds date, Tell&& tell) {
     if (!events[signal].isRunning) return;
     finish(events[signal], ofEvent(signal), date, tell);
@@ -47,7 +46,7 @@ public:
 private:
   struct Measure {
     bool isRunning = false;
-    bool isLate = false; ///< and that was told
+    bool isLate = false; ///< and this was reported
     Nanoseconds begin = 0;
   };
   struct Subject {

@@ -14,7 +14,8 @@ namespace {
 
 using verify::kNone;
 
-/// Model time that no nanosecond falls into, or the like.
+/// Thrown if a program cannot be executed, for example if its unit of time is not a whole number of
+/// nanoseconds.
 struct Refused {
   NotExecutable error;
 };
@@ -56,7 +57,7 @@ private:
     made.unit = unit.numerator * (kSecond / unit.denominator);
   }
 
-  /// Each process has one instance.
+  /// Each process has exactly one instance.
   [[nodiscard]] verify::InstanceId instanceOf(const std::string& process) const {
     const auto& all = made.system.instances;
     for (verify::InstanceId i = 0; i < all.size(); ++i)

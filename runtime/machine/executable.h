@@ -11,85 +11,85 @@
 #include <string>
 #include <vector>
 
-/// A program as it is executed: the transition system of the edition `Executed` of its model, and
-/// what its transitions mean to whoever runs it.
+/// A program in executable form: the transition system of its model's edition `Executed`, and how
+/// the executor handles each transition.
 namespace proskill::runtime {
 
-/// Time since the start of a run, or a length of it.
+/// Time since the start of a run, or a duration.
 using Nanoseconds = std::int64_t;
 
 inline constexpr Nanoseconds kSecond = 1'000'000'000;
 
-/// An interval in whole nanoseconds, both ends included.
+/// A closed interval in nanoseconds.
 struct Span {
   Nanoseconds first = 0;
-  std::optional<Nanoseconds> last; ///< nothing: unbounded
+  std::optional<Nanoseconds> last; ///< nullopt: unbounded
 };
 
 /// A basic skill.
 struct Action {
   verify::InstanceId instance = 0;
-  verify::CellId number = 0; ///< of its arguments
-  std::int64_t idle = 0;     ///< locations of its process
+  verify::CellId number = 0; ///< the number of the current arguments
+  std::int64_t idle = 0;     ///< idle, run: locations of its process
   std::int64_t run = 0;
-  std::vector<std::uint32_t> resultPorts; ///< by the results of codegen::Performed
+  std::vector<std::uint32_t> resultPorts; ///< by codegen::Performed::results
   std::uint32_t unknownPort = verify::kNone;
   std::uint32_t stoppedPort = verify::kNone;
   Span span;
-  /// By the number of its arguments: the place in Model::actionCalls.
+  /// By the number of its arguments: index into Model::actionCalls.
   std::vector<std::size_t> calls;
 };
 
-/// A composite skill whose run is measured.
+/// A composite skill whose duration is measured.
 struct Stretch {
   verify::InstanceId instance = 0;
-  std::int64_t idle = verify::kNone; ///< its locations where it does not run
+  std::int64_t idle = verify::kNone; ///< idle, ended: locations in which it does not run
   std::int64_t ended = verify::kNone;
   Span span;
 };
 
 enum class Role : std::uint8_t {
-  Urgent,   ///< happens as soon as it can
-  Timed,    ///< of the program: at the first moment that it may
-  Drawn,    ///< of the environment or the general caller: at some moment of its interval
-  External, ///< when somebody says so
+  Urgent,   ///< is taken as soon as possible
+  Timed,    ///< of the program: is taken as early as possible
+  Drawn,    ///< of the environment or the general caller: the date is drawn from the interval
+  External, ///< is taken when the platform reports it
 };
 
-/// What executing a transition takes.
+/// How the executor handles a transition.
 struct Handling {
   Role role = Role::Urgent;
-  Span span;                            ///< Timed, Drawn: since it is enabled
-  std::uint32_t action = verify::kNone; ///< it moves this action's process
+  Span span;                            ///< Timed, Drawn: time since it was enabled
+  std::uint32_t action = verify::kNone; ///< the action whose process it moves
   std::uint32_t stretch = verify::kNone;
 };
 
 struct Executable {
   codegen::Model model;
   verify::System system;
-  std::optional<verify::Enabling> enabling;    ///< of the system; there once this is made
-  Nanoseconds unit = 0;                        ///< of the model's time
+  std::optional<verify::Enabling> enabling;    ///< enabled transitions; set once the rest is complete
+  Nanoseconds unit = 0;                        ///< a unit of the model's time
   std::vector<Action> actions;                 ///< by Model::performed
   std::vector<Stretch> stretches;              ///< by Model::measured
   std::vector<std::uint32_t> signalPorts;      ///< by Model::signals
-  std::vector<std::optional<Span>> everySpans; ///< by Model::signals, of those that are measured
+  std::vector<std::optional<Span>> everySpans; ///< by Model::signals; nullopt: not measured
   std::vector<Handling> handling;              ///< by transition
-  std::vector<std::vector<verify::TransitionId>> atPort; ///< those that are external, by port
+  std::vector<std::vector<verify::TransitionId>> atPort; ///< external transitions, by port
   std::vector<bool> isAlarm;                             ///< by origin
-  /// The mission's process and the location in which it has ended; kNone where there is none.
+  /// The mission's process and the location in which it has ended; kNone if there is no mission.
   verify::InstanceId mission = verify::kNone;
   std::int64_t missionEnded = 0;
-  /// Of the watched variables: the others are numbers of arguments.
+  /// Number of watched variables that users see; the rest are numbers of arguments.
   std::size_t shownVariables = 0;
 
-  /// The call that a started action makes. \pre state has its number
+  /// The call that a started action makes. \pre the state contains the number of its arguments
   [[nodiscard]] const codegen::ActionCall* callOf(std::uint32_t action,
                                                   const verify::Word* state) const;
 };
 
-/// Why a program cannot be executed, with the place where there is one.
+/// Why a program cannot be executed, with a place if there is one.
 using NotExecutable = codegen::GenerationError;
 
-/// \param environment whether what the program says of its environment happens by itself
+/// \param environment whether the environment that the program declares is executed, too
 /// \pre the program has no errors
 [[nodiscard]] std::expected<std::unique_ptr<const Executable>, NotExecutable>
 makeExecutable(const analysis::Program& program, const std::string& mainSkill, bool environment);

@@ -10,7 +10,7 @@ using verify::TransitionId;
 
 namespace {
 
-/// How long what has no upper bound is put off at most, when it is drawn.
+/// Maximum random delay of a step without an upper bound.
 constexpr Nanoseconds kLongest = 10 * kSecond;
 
 verify::TransitionSet emptySet(const verify::System& system) {

@@ -4,8 +4,8 @@
 
 namespace proskill::runtime {
 
-/// Numbers that a seed determines, the same on every machine. Steele, Lea, Flood, "Fast splittable
-/// pseudorandom number generators", OOPSLA 2014.
+/// Pseudorandom numbers from a seed, the same on every machine. Steele, Lea, Flood, "Fast
+/// splittable pseudorandom number generators", OOPSLA 2014.
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state(seed) {}
@@ -18,10 +18,10 @@ public:
     return mixed ^ (mixed >> 31);
   }
 
-  /// One of 0 … count - 1. \pre count > 0
+  /// A number from 0 to count - 1. \pre count > 0
   std::uint64_t below(std::uint64_t count) { return next() % count; }
 
-  /// From `first` to `last`, both included. \pre first <= last
+  /// A number from `first` to `last`, inclusive. \pre first <= last
   std::int64_t between(std::int64_t first, std::int64_t last) {
     return first + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(last - first) + 1));
   }

@@ -9,7 +9,7 @@
 
 namespace proskill::runtime {
 
-/// A file descriptor that is closed with its object.
+/// File descriptor, closed by the destructor.
 class Descriptor {
 public:
   explicit Descriptor(int opened) : number(opened) {}
@@ -24,7 +24,7 @@ private:
   int number;
 };
 
-/// Goes off once, after a time of the machine's monotonic clock.
+/// One-shot timer on the monotonic clock.
 class Timer {
 public:
   Timer() : descriptor(timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)) {}
@@ -35,7 +35,7 @@ public:
     time.it_value = {delay.count() / kUnit, delay.count() % kUnit};
     timerfd_settime(descriptor.get(), 0, &time, nullptr);
   }
-  /// Whether it has gone off since it was set or asked.
+  /// Whether it has expired since it was last set or asked.
   [[nodiscard]] bool wentOff() {
     std::uint64_t times = 0;
     return ::read(descriptor.get(), &times, sizeof times) > 0;
@@ -46,7 +46,7 @@ private:
   Descriptor descriptor;
 };
 
-/// Several descriptors as one, which can be read when one of them is ready.
+/// Several descriptors as one, which is readable when any of them is.
 class Watch {
 public:
   Watch() : descriptor(epoll_create1(EPOLL_CLOEXEC)) {}

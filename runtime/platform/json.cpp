@@ -14,7 +14,7 @@ struct Place {
   std::size_t column = 1;
 };
 
-/// Where what follows these bytes is, as people count: both from 1.
+/// Line and column, both from 1, of the position after these bytes.
 Place placeBehind(std::string_view before) {
   return {static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1,
           before.size() - (before.rfind('\n') + 1) + 1};
@@ -25,7 +25,7 @@ std::string placeOf(std::string_view text, std::size_t byte) {
   return "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
 }
 
-/// The end of a string that begins here, behind its quote.
+/// The end of a string, from the position after its opening quote.
 std::size_t endOfString(std::string_view text, std::size_t begin) {
   auto at = begin + 1;
   while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-/// Reading what users and platforms write as JSON. What is wrong is thrown, and caught where the
-/// file or the message is read.
+/// Reads JSON that users and platforms write. Errors are thrown as `Wrong`, and caught where the
+/// file or message is read.
 namespace proskill::runtime {
 
 using Json = nlohmann::ordered_json;
 
-/// What is wrong, in words.
+/// An error, as a message for users.
 struct Wrong {
   std::string why;
 };
@@ -22,22 +22,23 @@ struct Wrong {
 /// \return an object
 [[nodiscard]] Json parsedFile(std::string_view text);
 
-/// Where the value of a member of the whole object is: `3:14`. \pre it is JSON and has the member
+/// Line and column of a member's value in the whole object, as `3:14`. \pre it is JSON and has the
+/// member
 [[nodiscard]] std::string placeOfMember(std::string_view text, std::string_view name);
 
-/// That an object has no members but these.
+/// Throws unless these are the only members of an object.
 void allowMembers(const Json& value, const std::vector<std::string>& known,
                   const std::string& where);
 [[nodiscard]] const Json& listOf(const Json& value, const std::string& of);
-/// The members of an object that may be missing.
+/// An optional member whose value is an object.
 [[nodiscard]] const Json::object_t& objectAt(const Json& file, const std::string& key);
-/// A string that has to be there.
+/// A required member whose value is a string.
 [[nodiscard]] const std::string& stringAt(const Json& value, const std::string& key);
 [[nodiscard]] Nanoseconds secondsOf(const Json& value, const std::string& of);
 /// `[LEAST, MOST]`, in seconds
 [[nodiscard]] Span spanOf(const Json& value, const std::string& of);
 
-/// There is no such name; what it might be is said too.
+/// Throws an error for an unknown name, with a suggestion.
 [[noreturn]] void throwUnknown(const std::string& what, const std::string& name,
                                const std::vector<std::string>& names);
 

@@ -7,7 +7,7 @@
 
 namespace proskill::runtime {
 
-/// Cuts a stream of bytes into lines. A line that is too long is dropped, and that is said once.
+/// Splits a stream of bytes into lines. A line that is too long is dropped, and reported once.
 class LineBuffer {
 public:
   enum class Next : std::uint8_t { Nothing, Line, TooLong };
@@ -20,7 +20,7 @@ public:
     held += bytes;
   }
 
-  /// \param line without its end; good until more is added
+  /// \param line without its end; valid until more bytes are added
   Next next(std::string_view& line) {
     const auto end = held.find('\n', begin + searched);
     if (end == std::string::npos) return unfinished();
@@ -46,14 +46,14 @@ private:
     if (searched <= longest) return Next::Nothing;
     const bool isNew = !isSkipping;
     clear();
-    isSkipping = true; // what follows up to the next end of a line belongs to it
+    isSkipping = true; // the rest of the line is still to come
     return isNew ? Next::TooLong : Next::Nothing;
   }
 
   std::size_t longest;
   std::string held;
   std::size_t begin = 0;    ///< of the next line
-  std::size_t searched = 0; ///< bytes of it without an end
+  std::size_t searched = 0; ///< number of its bytes that were searched for a line end
   bool isSkipping = false;
 };
 

@@ -35,7 +35,7 @@ std::string unescaped(std::string_view literal) {
   return text;
 }
 
-/// An argument as written in the program. A value of a state variable is a string.
+/// An argument as JSON. A value of a state variable becomes a string.
 Json valueOf(const std::string& literal) {
   if (literal.empty()) return nullptr;
   if (literal == "true" || literal == "false") return literal == "true";

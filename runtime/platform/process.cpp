@@ -19,17 +19,17 @@ namespace {
 
 using Kind = Message::Kind;
 
-/// A program that says more in a line makes a mistake.
+/// A longer line is a fault of the program.
 constexpr std::size_t kLongestLine = std::size_t{1} << 20;
-/// A program that reads so little of what it is told hangs.
+/// A program that leaves more bytes unread is considered hung.
 constexpr std::size_t kMostUnread = std::size_t{4} << 20;
-/// How long a program may take to end after its connection is lost.
+/// Time that a program has to end after its connection is lost.
 constexpr Nanoseconds kLastMoment = kSecond;
 
 enum class State : std::uint8_t {
-  Starting, ///< it was started and is not ready
+  Starting, ///< started, but not ready
   Ready,
-  Ending,  ///< the connection is lost; the process is about to end
+  Ending,  ///< the connection is lost, and the process is about to end
   Waiting, ///< for the next start
   Gone,    ///< for good
 };
@@ -49,7 +49,7 @@ public:
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// \return why it could not be started; empty: it was
+  /// \return why it could not be started; empty on success
   std::string begin() {
     auto started = process::Child::startGroup(settings.command, settings.directory);
     if (!started)
@@ -65,9 +65,10 @@ public:
     return "";
   }
 
-  /// Waits until it is ready. \return why it is not; empty: it is
+  /// Waits until it is ready. \return why it is not; empty on success
   std::string awaitReady(const std::function<bool()>& givenUp) {
-    restartsLeft = 0; // what does not start at first is an error of the user
+    restartsLeft = 0; // a program that fails at first is an error of the user, so it is not
+                      // restarted
     while (state == State::Starting || state == State::Ending) {
       if (givenUp()) return "asked to end before " + settings.name + " was ready";
       constexpr int kMilliseconds = 100;
@@ -83,10 +84,8 @@ public:
     return last->text;
   }
 
-  /// The skill that it does not suit, where it said so when it gave up.
+  /// The skill that it cannot perform, if it named one when it failed.
   [[nodiscard]] const std::string& unsuited() const { return unsuitedSkill; }
-
-  // --- What the executor asks for
 
   void start(const Start& start, Nanoseconds date) override {
     runs[start.action] = {.number = start.run, .isRunning = true};
@@ -108,7 +107,7 @@ public:
   }
 
   [[nodiscard]] std::optional<Nanoseconds> next() const override {
-    // What was found and not yet reported must not wait for the next word.
+    // pending reports must not wait for the next message
     return reports.empty() ? std::nullopt : std::optional<Nanoseconds>(0);
   }
   [[nodiscard]] bool mayReport() const override { return state != State::Gone; }
@@ -135,10 +134,11 @@ private:
   struct Run {
     RunNumber number = 0;
     bool isRunning = false;
-    bool isAsked = false; ///< to stop
+    bool isAsked = false; ///< was asked to stop
   };
 
-  /// Takes in what has come. False where there is nothing more.
+  /// Processes what was received.
+  /// \return false if there was nothing
   bool proceed() {
     if (timer.wentOff()) return onTimer();
     switch (state) {
@@ -198,7 +198,8 @@ private:
     return true;
   }
 
-  /// Sends what it takes, and receives. False where nothing has come.
+  /// Sends what the pipe accepts, and receives.
+  /// \return false if nothing was received
   bool exchange() {
     const auto done = child->exchange(outgoing, std::chrono::milliseconds(0));
     sent(done.sent);
@@ -207,7 +208,7 @@ private:
     return done.ended || !done.received.empty();
   }
 
-  // --- What it says
+  // --- Messages received
 
   void obey(const Message& message) {
     if (message.kind == Kind::Ready) return onReady(message);
@@ -246,7 +247,6 @@ private:
         {.kind = ReportKind::Signal, .signal = static_cast<std::uint32_t>(found - all.begin())});
   }
 
-  /// An action has ended.
   void onEnd(const Message& message) {
     const auto found = std::ranges::find(runs, message.run, &Run::number);
     if (found == runs.end() || message.run == 0)
@@ -274,7 +274,7 @@ private:
 
   // --- The connection
 
-  /// While the program is not ready, what it is told waits.
+  /// Sends a line; before the program is ready, lines are queued.
   void say(std::string line) {
     if (state == State::Gone || line.empty()) return;
     if (state != State::Ready && !isClosing) {
@@ -303,11 +303,12 @@ private:
     if (isClosing && !waits) child->endInput();
   }
 
-  /// Nothing comes any more. An action that it performed has ended for sure only when the process
-  /// has. \param why empty: as the process ended
+  /// Handles the loss of the connection. Actions are reported as ended only when the process has
+  /// ended.
+  /// \param why empty: as the process ended
   void lose(const std::string& why) {
     while (why.empty() && state != State::Ending && readLine()) {
-    } // what it has said before
+    } // messages that were sent before
     if (state == State::Ending) return;
     lossReason = why;
     watch.remove(child->descriptor());
@@ -320,7 +321,7 @@ private:
   bool endIfOver() {
     const auto ending = child->endingIfOver();
     if (!ending) return false;
-    child.reset(); // leaves the watch by being closed
+    child.reset(); // closing removes it from the watch
     setTimer(0);
     if (isClosing && *ending == "it ended with exit code 0") {
       giveUp();
@@ -329,7 +330,7 @@ private:
     fault(!lossReason.empty() ? lossReason
                               : "the connection to " + settings.name + " is lost: " + *ending);
     const bool isLast = isClosing || restartsLeft == 0;
-    if (isLast) giveUp(); // before its actions end: what would start next must not
+    if (isLast) giveUp(); // first, so that no further action starts
     failRuns();
     if (isLast) return true;
     --restartsLeft;
@@ -338,7 +339,7 @@ private:
     return true;
   }
 
-  /// What it performed has ended with it, and so has what it was to be told.
+  /// Reports the failure of all its actions, and drops the messages that it was to get.
   void failRuns() {
     waiting.clear();
     outgoing.clear();
@@ -369,16 +370,16 @@ private:
 
   const Executable& executable;
   ProcessSettings settings;
-  std::vector<Run> runs; ///< by action: its last one
+  std::vector<Run> runs; ///< by action: its latest run
   unsigned restartsLeft;
   Watch watch;
   Timer timer;
   std::optional<process::Child> child;
   State state = State::Gone;
   LineBuffer lines{kLongestLine};
-  std::string outgoing;     ///< on its way to the program
-  std::string waiting;      ///< until it is ready
-  bool waitsToSend = false; ///< and the watch knows that
+  std::string outgoing;     ///< bytes being sent to the program
+  std::string waiting;      ///< messages queued until it is ready
+  bool waitsToSend = false; ///< and the watch was asked to report writability
   bool isClosing = false;
   std::string lossReason;
   std::string unsuitedSkill;

@@ -28,7 +28,7 @@ public:
       for (const auto& ending : listOf(value, name))
         settings.endings[actionNamed(name)].push_back(endingOf(name, ending));
     if (file.contains("signals")) {
-      // The script is what happens; nothing else comes.
+      // with a script, nothing else happens
       std::ranges::fill(settings.signals, std::nullopt);
       for (const auto& said : listOf(file["signals"], "signals"))
         settings.script.push_back(saidOf(said));
@@ -120,7 +120,7 @@ private:
   SimulationSettings& settings;
 };
 
-/// What processes of any kind have: `startup`, `restarts`, `restart_delay`.
+/// Reads what all kinds of processes have: `startup`, `restarts`, `restart_delay`.
 void lifeSettings(const Json& file, ProcessSettings& settings) {
   if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
   if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s"};

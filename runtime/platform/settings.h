@@ -12,29 +12,32 @@
 /// The files of `--platform` and `--script`, both JSON.
 namespace proskill::runtime {
 
-/// Takes over what the file of a simulated platform says. What is wrong with it is in words.
+/// Reads the file of a simulated platform into the settings.
+/// \return an error message
 [[nodiscard]] std::optional<std::string>
 readPlatform(std::string_view text, const Executable& executable, SimulationSettings& settings);
-/// Takes over what the file of a platform of kind `process` says.
+/// Reads the file of a platform of kind `process` into the settings.
+/// \return an error message
 [[nodiscard]] std::optional<std::string> readProcessPlatform(std::string_view text,
                                                              ProcessSettings& settings);
-/// What the file of a platform of kind `library` says.
+/// Contents of the file of a platform of kind `library`.
 struct LibrarySettings {
   std::string library;                          ///< a path, relative to the file's directory
-  std::map<std::string, std::string> functions; ///< by skill: those not called after it
+  std::map<std::string, std::string> functions; ///< by skill: functions whose names differ from the
+                                                ///< skill's
   ProcessSettings process;                      ///< without its command
 };
 [[nodiscard]] std::optional<std::string>
 readLibraryPlatform(std::string_view text, const Executable& executable, LibrarySettings& settings);
-/// Takes over a script.
+/// Reads a script into the settings.
+/// \return an error message
 [[nodiscard]] std::optional<std::string>
 readScript(std::string_view text, const Executable& executable, SimulationSettings& settings);
 
-/// Whether the file says itself when events come, so that the program's environment does not.
+/// Whether the file says when events come; the program's environment is then not executed.
 [[nodiscard]] bool speaksForEnvironment(std::string_view text);
 
-/// What a platform file says of its kind: `simulated` where it says nothing. The error says what is
-/// wrong with the file, and where.
+/// The kind of a platform file; `simulated` if it names none. The error has a message and a place.
 [[nodiscard]] std::expected<std::string, std::string> platformKind(std::string_view text);
 
 } // namespace proskill::runtime

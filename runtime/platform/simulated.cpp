@@ -52,7 +52,7 @@ public:
 
 private:
   struct Run {
-    Nanoseconds date = kNever; ///< when it ends
+    Nanoseconds date = kNever; ///< of its end
     RunNumber run = 0;
     std::uint32_t result = 0;
   };
@@ -114,9 +114,9 @@ private:
   SimulationSettings settings;
   Random random;
   std::vector<Run> pending;        ///< by action
-  std::vector<std::size_t> runs;   ///< by action: how many scripted ones there were
+  std::vector<std::size_t> runs;   ///< by action: number of scripted runs so far
   std::vector<Nanoseconds> coming; ///< by signal
-  std::size_t scripted = 0;        ///< how much of the script is over
+  std::size_t scripted = 0;        ///< number of script entries that are over
 };
 
 } // namespace

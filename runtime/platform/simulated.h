@@ -7,15 +7,15 @@
 
 namespace proskill::runtime {
 
-/// How a simulated platform behaves, where the program does not say it.
+/// Behaviour of a simulated platform, as far as the program does not define it.
 struct SimulationSettings {
   struct OfAction {
     Span duration;                 ///< from `:time_interval`
-    Span stops;                    ///< how long it takes to stop
-    std::vector<unsigned> weights; ///< of its results, how often each is drawn
+    Span stops;                    ///< time that it takes to stop
+    std::vector<unsigned> weights; ///< of its results: relative frequencies
   };
   struct Ending {
-    std::optional<Nanoseconds> after; ///< nothing: drawn
+    std::optional<Nanoseconds> after; ///< nullopt: drawn
     std::optional<std::uint32_t> result;
   };
   struct Said {
@@ -24,14 +24,13 @@ struct SimulationSettings {
   };
   std::vector<OfAction> actions;
   std::vector<std::vector<Ending>> endings; ///< by action: of its first runs
-  std::vector<std::optional<Span>>
-      signals;              ///< how long after the last one it comes; nothing: never
-  std::vector<Said> script; ///< by date
+  std::vector<std::optional<Span>> signals; ///< time since the last one; nullopt: never
+  std::vector<Said> script;                 ///< by date
 };
 
-/// Actions take what their intervals say, or up to 10 s more than the least; successes are more
-/// likely than failures. Events come as their `:every` says, else every 5 to 60 s, where the
-/// program has no environment of its own, and nothing is interrupted.
+/// Actions take a time from their intervals, or up to 10 s more than the least; successes are more
+/// likely than failures. Events come as their `:every` says, else every 5 to 60 s if the program
+/// has no environment of its own. Nothing is interrupted.
 [[nodiscard]] SimulationSettings defaultSettings(const Executable& executable);
 
 [[nodiscard]] std::unique_ptr<Platform> simulatedPlatform(SimulationSettings settings,

@@ -8,14 +8,14 @@ namespace proskill::runtime {
 
 namespace {
 
-/// An enumeration of C, and the words of the program that its members stand for.
+/// A C enumeration, and the name in the program for each of its members.
 struct Enumeration {
   std::string type;
   std::vector<std::string> members;
   std::vector<std::string> words;
 };
 
-/// The words of a program as C has them.
+/// Writes the stubs in C.
 class CStubs {
 public:
   explicit CStubs(const StubProgram& of) : program(of), names(reservedInC()) {
@@ -127,7 +127,7 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
     return valuesOf(type).type + " ";
   }
 
-  /// How the argument of this place is passed on.
+  /// Expression that passes on the argument at this position.
   [[nodiscard]] std::string passed(const StubType& type, std::size_t place) const {
     const auto argument = fmt::format("arguments[{}].", place);
     switch (type.kind) {
@@ -149,7 +149,7 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
     return text + ")";
   }
 
-  /// A value from its word. Of the last one there is no need to ask.
+  /// Function that converts a name to a value. The last name needs no comparison.
   [[nodiscard]] static std::string reader(const Enumeration& of) {
     auto text = fmt::format("\nstatic {0} read_{0}(const char *word) {{\n", of.type);
     for (std::size_t i = 0; i + 1 < of.words.size(); ++i)
@@ -188,7 +188,7 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
   const StubProgram& program;
   StubNames names;
   std::vector<Enumeration> values;  ///< by variable
-  std::vector<Enumeration> results; ///< by action, as what follows
+  std::vector<Enumeration> results; ///< by action
   std::vector<std::string> stopped;
   std::vector<std::string> functions;
   Enumeration events;

@@ -8,7 +8,7 @@ namespace proskill::runtime {
 
 namespace {
 
-/// The words of a program as C++ has them.
+/// Writes the stubs in C++.
 class CppStubs {
 public:
   explicit CppStubs(const StubProgram& of)
@@ -96,7 +96,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
 }
 )";
 
-  /// The members of an enumeration, each for a word.
+  /// Members of an enumeration, one for each name.
   static std::vector<std::string> members(const std::vector<std::string>& words) {
     StubNames own(reservedInC());
     std::vector<std::string> all;
@@ -149,7 +149,8 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
     return text + ")";
   }
 
-  /// The class that a user derives from: what it lacks, or has otherwise, does not compile.
+  /// The base class of the user's class: what the user omits or declares differently does not
+  /// compile.
   [[nodiscard]] std::string base() const {
     std::string text = "\nclass Actions {\npublic:\n  Actions() = default;\n"
                        "  Actions(const Actions &) = delete;\n"
@@ -166,7 +167,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
                   "std::unique_ptr<Actions> makeActions();\n";
   }
 
-  /// A value from its word. Of the last one there is no need to ask.
+  /// Function that converts a name to a value. The last name needs no comparison.
   [[nodiscard]] std::string reader(std::size_t variable) const {
     const auto& name = variables[variable];
     const auto& words = program.variables[variable].values;
@@ -210,7 +211,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
   const StubProgram& program;
   StubNames types;
   StubNames methods;
-  std::vector<std::string> variables; ///< the names of their enumerations
+  std::vector<std::string> variables; ///< names of their enumerations
   std::vector<std::string> results;   ///< by action
   std::vector<std::string> functions;
 };

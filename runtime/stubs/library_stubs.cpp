@@ -136,7 +136,7 @@ std::vector<std::string> parameterNames(const StubAction& action) {
 
 std::string actionLine(const StubAction& action) {
   auto line = action.action.substr(0, action.action.find('\n'));
-  // A backslash at its end would join the next line to the comment.
+  // a backslash at the end of a comment would extend it to the next line
   while (!line.empty() && line.back() == '\\') line.pop_back();
   return line;
 }

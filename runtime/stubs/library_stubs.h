@@ -6,13 +6,13 @@
 /// What stubs in C and in C++ share.
 namespace proskill::runtime {
 
-/// Words that neither language lets one use, and what the generated text uses itself.
+/// Keywords of C or C++, and names that the generated text uses itself.
 [[nodiscard]] std::span<const std::string_view> reservedInC();
 
-/// The names of an action's parameters, in their order.
+/// The names of an action's parameters, in order.
 [[nodiscard]] std::vector<std::string> parameterNames(const StubAction& action);
 
-/// The first line of `:action`, as a comment may have it; empty where there is none.
+/// The first line of `:action`, safe in a comment; empty if there is none.
 [[nodiscard]] std::string actionLine(const StubAction& action);
 
 /// `platform.json`, the makefile and copies of the headers.

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The headers that libraries include, as texts: stubs come with a copy.
+/// Texts of the headers that libraries include; stubs come with a copy.
 namespace proskill::runtime::header {
 
 extern const std::string_view platformH;

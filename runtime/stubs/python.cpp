@@ -10,7 +10,7 @@ namespace proskill::runtime {
 
 namespace {
 
-/// Python's keywords, and what the generated text uses itself.
+/// Python's keywords, and names that the generated text uses itself.
 constexpr auto kReserved = std::to_array<std::string_view>(
     {"False", "None",     "True",  "and",         "as",    "assert", "async",  "await",    "break",
      "class", "continue", "def",   "del",         "elif",  "else",   "except", "finally",  "for",
@@ -19,7 +19,7 @@ constexpr auto kReserved = std::to_array<std::string_view>(
      "stop",  "abc",      "enum",  "bool",        "float", "int",    "str",    "Actions",  "Event",
      "Stop",  "Platform", "Skill", "platform_of", "mro",   "name",   "value"});
 
-/// A class whose members have the words of the program as values.
+/// An Enum class whose members have the program's names as values.
 std::string enumeration(const std::string& name, const std::string& about,
                         const std::vector<std::string>& words) {
   std::string text = fmt::format("\n\nclass {}(enum.Enum):\n    \"\"\"{}\"\"\"\n\n", name, about);
@@ -29,7 +29,7 @@ std::string enumeration(const std::string& name, const std::string& about,
   return text;
 }
 
-/// The words of a program as Python has them.
+/// Writes the stubs in Python.
 class PythonStubs {
 public:
   explicit PythonStubs(const StubProgram& of) : program(of), names(kReserved), methods(kReserved) {
@@ -125,7 +125,8 @@ private:
     return text + fmt::format(", stop: Stop) -> {}:", results[action]);
   }
 
-  /// The class that a user derives from: what it lacks, or has otherwise, is a type error.
+  /// The base class of the user's class: what the user omits or declares differently is a type
+  /// error.
   [[nodiscard]] std::string base() const {
     std::string text = "\n\nclass Actions(abc.ABC):\n"
                        "    \"\"\"A method for each basic skill. One that is asked to stop lets "
@@ -169,7 +170,7 @@ private:
   const StubProgram& program;
   StubNames names;
   StubNames methods;
-  std::vector<std::string> variables; ///< the names of their classes
+  std::vector<std::string> variables; ///< names of their classes
   std::vector<std::string> results;   ///< by action
   std::vector<std::string> functions;
   std::vector<std::vector<Parameter>> parameters;

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// What stubs of all languages need: names, and the mark of what is generated.
+/// What stubs of all languages need: names, and the mark of generated files.
 namespace proskill::runtime {
 
 /// `goto_waypoint` as `GotoWaypoint`.
@@ -13,13 +13,13 @@ namespace proskill::runtime {
 /// `at_altitude` as `AT_ALTITUDE`, `InAir` as `IN_AIR`.
 [[nodiscard]] std::string upperSnake(std::string_view name);
 
-/// Names that may not be given twice, nor be words of a language.
+/// Unique names, none of which is a reserved word.
 class StubNames {
 public:
   explicit StubNames(std::span<const std::string_view> reserved)
       : taken(reserved.begin(), reserved.end()) {}
 
-  /// The name, with `_` where it is taken.
+  /// The name, with `_` appended if it is taken.
   std::string unique(std::string name) {
     while (!taken.insert(name).second) name += '_';
     return name;
@@ -29,8 +29,8 @@ private:
   std::set<std::string> taken;
 };
 
-/// Puts the mark before a generated text: it says that the file is generated, and of what bytes.
-/// \param comment what begins a comment: `#`
+/// Puts the mark of generated files before a text. It contains a hash of the text.
+/// \param comment start of a comment: `#`
 [[nodiscard]] std::string withStubMark(std::string_view comment, std::string_view text);
 
 } // namespace proskill::runtime

@@ -10,7 +10,7 @@ namespace proskill::runtime {
 
 namespace {
 
-/// Reads actions and their types off a program.
+/// Finds the actions of a program and their types.
 class StubReader {
 public:
   StubReader(const analysis::Program& of, StubProgram& to) : program(of), symbols(of), made(to) {}

@@ -7,37 +7,37 @@
 #include <string>
 #include <vector>
 
-/// Source text for whoever performs the actions of a program: a typed function for each.
+/// Source text for those who implement the actions of a program: a typed function for each.
 namespace proskill::runtime {
 
-/// What an argument of an action is.
+/// Type of an argument of an action.
 struct StubType {
   enum class Kind : std::uint8_t { Integer, Natural, Float, Boolean, String, Value };
   Kind kind = Kind::String;
-  std::string variable; ///< Value: whose values
+  std::string variable; ///< Value: the variable
 };
 
-/// What somebody has to write for a basic skill.
+/// What a user has to implement for a basic skill.
 struct StubAction {
   struct Parameter {
     std::string name; ///< of the parameter of `:input`, without `$`; empty: a literal
     StubType type;
   };
   std::string skill;
-  std::string action; ///< `(navigate $x $y "office")`, as written; empty where there is none
+  std::string action; ///< `(navigate $x $y "office")`, as written; empty if there is none
   std::vector<Parameter> parameters;
-  std::vector<std::string> results; ///< as the protocol calls them
+  std::vector<std::string> results; ///< as the protocol names them
 };
 
-/// What there is to know of a program. In the order of its text.
+/// What stubs need to know of a program, in the order of its text.
 struct StubProgram {
   struct Variable {
     std::string name;
     std::vector<std::string> values;
   };
-  std::string file; ///< its root's name, without folders
+  std::string file; ///< name of the root file, without directories
   std::vector<StubAction> actions;
-  std::vector<Variable> variables; ///< whose values are arguments
+  std::vector<Variable> variables; ///< those whose values are arguments
   std::vector<std::string> events;
   std::vector<std::string> interrupts; ///< skills that can be interrupted
 };
@@ -49,16 +49,16 @@ stubProgram(const analysis::Program& program, const std::string& mainSkill);
 struct StubFile {
   std::string name;
   std::string text;
-  bool isUsers = false; ///< to be filled in: written only where there is no such file
+  bool isUsers = false; ///< for users to fill in: written only if there is no such file
 };
 
-/// The files of a platform in Python.
+/// Files of a platform in Python.
 [[nodiscard]] std::vector<StubFile> pythonStubs(const StubProgram& program);
-/// The files of a library in C, or in C++, which performs the actions.
+/// Files of a library in C or in C++ that performs the actions.
 [[nodiscard]] std::vector<StubFile> cStubs(const StubProgram& program);
 [[nodiscard]] std::vector<StubFile> cppStubs(const StubProgram& program);
 
-/// Whether a generated file is as it was generated: a user has written nothing into it.
+/// Whether a generated file is unchanged: users have written nothing into it.
 [[nodiscard]] bool isUnchangedStub(std::string_view text);
 
 } // namespace proskill::runtime
