@@ -66,11 +66,11 @@ struct Handling {
 struct Executable {
   codegen::Model model;
   verify::System system;
-  std::optional<verify::Enabling> enabling;    ///< enabled transitions; set once the rest is complete
-  Nanoseconds unit = 0;                        ///< a unit of the model's time
-  std::vector<Action> actions;                 ///< by Model::performed
-  std::vector<Stretch> stretches;              ///< by Model::measured
-  std::vector<std::uint32_t> signalPorts;      ///< by Model::signals
+  std::optional<verify::Enabling> enabling; ///< enabled transitions; set once the rest is complete
+  Nanoseconds unit = 0;                     ///< a unit of the model's time
+  std::vector<Action> actions;              ///< by Model::performed
+  std::vector<Stretch> stretches;           ///< by Model::measured
+  std::vector<std::uint32_t> signalPorts;   ///< by Model::signals
   std::vector<std::optional<Span>> everySpans; ///< by Model::signals; nullopt: not measured
   std::vector<Handling> handling;              ///< by transition
   std::vector<std::vector<verify::TransitionId>> atPort; ///< external transitions, by port

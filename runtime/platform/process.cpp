@@ -137,8 +137,7 @@ private:
     bool isAsked = false; ///< was asked to stop
   };
 
-  /// Processes what was received.
-  /// \return false if there was nothing
+  /// Processes what was received; returns false if there was nothing.
   bool proceed() {
     if (timer.wentOff()) return onTimer();
     switch (state) {
