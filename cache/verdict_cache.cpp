@@ -25,7 +25,7 @@ using verify::MonitorMove;
 constexpr std::string_view kExtension = ".verdicts";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 constexpr std::uintmax_t kBytesAfterPruning = std::uintmax_t{48} << 20;
-/// What is larger would drive out all the others.
+/// A larger file would displace all others.
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr std::size_t kDigits = 32;
 constexpr std::chrono::seconds kBetweenSaves{1};
@@ -71,7 +71,7 @@ Evidence evidenceIn(const Json& json) {
   return made;
 }
 
-/// The text without its comments, which say where in the program it comes from.
+/// The text without comments, which contain the provenance.
 std::string withoutComments(std::string_view text) {
   std::string kept;
   while (!text.empty()) {
@@ -82,13 +82,13 @@ std::string withoutComments(std::string_view text) {
   return kept;
 }
 
-/// What properties ask is not part of it, but those that others refer to by name are.
+/// The text of the program without its properties, but with those that others refer to by name.
 std::string textOf(fiacre::Program program) {
   std::erase_if(program.properties, [](const auto& property) { return property.asserted; });
   return withoutComments(fiacre::print(program));
 }
 
-/// The kind by its number, too: not every kind has a text of Fiacre.
+/// Includes the number of the kind, since some kinds have no text in Fiacre.
 std::string textOf(const fiacre::Pattern& pattern, const std::string& main) {
   return fmt::format("{} {}", static_cast<int>(pattern.kind), fiacre::printPattern(pattern, main));
 }
@@ -99,7 +99,7 @@ std::string keyOf(const codegen::Model& model) {
                               textOf(model.fiacre)));
 }
 
-/// Takes away the files that were used least lately. Others may do the same at the same time.
+/// Removes the least recently used files. Other processes may do so at the same time.
 void prune(const std::filesystem::path& directory) {
   struct File {
     std::filesystem::path path;
@@ -135,7 +135,7 @@ VerdictCache::VerdictCache(std::filesystem::path in, const codegen::Model& model
   for (const auto& property : model.fiacre.properties)
     properties.push_back(digestOf(textOf(property.pattern, model.fiacre.main)));
   answers = read();
-  std::error_code error; // a file that is used is kept
+  std::error_code error; // mark the file as used, so that it is kept
   if (!answers.empty())
     std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), error);
 }
@@ -160,7 +160,7 @@ void VerdictCache::keep(const verify::Question& question, const KnownAnswer& ans
   if (std::chrono::steady_clock::now() - savedAt >= kBetweenSaves) (void)save();
 }
 
-/// The digest of the rest comes first.
+/// The file begins with the digest of its rest.
 VerdictCache::Answers VerdictCache::read() const {
   const auto bytes = disk::DiskFileSystem().read(file);
   if (!bytes || bytes->size() < kDigits) return {};

@@ -25,7 +25,7 @@ bool endsAll(const Json& message) {
   return command == "disconnect" || command == "terminate";
 }
 
-/// What may come before there is something to step through.
+/// Requests that are allowed before a session has begun.
 bool needsNothing(std::string_view command) {
   constexpr std::array<std::string_view, 6> kAny{"initialize",        "launch",
                                                  "disconnect",        "terminate",
@@ -68,7 +68,7 @@ void Adapter::readStream() {
     while (auto next = frames.next()) {
       const auto* body = std::get_if<std::string>(&*next);
       auto message = body ? Json::parse(*body, nullptr, false) : Json();
-      if (!message.is_object()) continue; // the protocol has no answer to what is no message
+      if (!message.is_object()) continue; // the protocol defines no answer to an invalid message
       if (endsAll(message)) cancellation.cancel();
       const std::lock_guard lock(mutex);
       queue.push_back(std::move(message));
@@ -150,7 +150,7 @@ void Adapter::handle(const Json& message) {
   if (answer) afterwards(command);
 }
 
-/// Events follow the answer to what caused them.
+/// Sends the events that follow a response.
 void Adapter::afterwards(const std::string& command) {
   if (command == "launch") event("initialized", Json::object());
   if (command == "terminate") event("terminated", Json::object());

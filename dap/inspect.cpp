@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-/// The requests that look at a stop: threads, stacks, variables.
+/// Requests about the current stop: threads, stacks, variables.
 namespace proskill::dap {
 
 namespace {
 
-/// What a frame's identifier says: whose it is, how many steps had been taken, and whether it shows
-/// the last of these or the one that is about to happen.
+/// Identifies a frame: its actor, the number of steps taken, and whether it shows the last of these
+/// or the next one.
 struct FrameKey {
   long long thread = 0;
   std::size_t position = 0;
@@ -32,7 +32,7 @@ struct FrameKey {
 enum class Scope : std::uint8_t { StateVariables, Skills, Time };
 constexpr long long kScopes = 3;
 
-/// A scope of a frame as a number from 1 on.
+/// The number of a scope of a frame, from 1.
 long long referenceOf(const FrameKey& frame, Scope scope) {
   const auto moment = static_cast<long long>(frame.position) * 2 + (frame.isPast ? 1 : 0);
   return moment * kScopes + static_cast<long long>(scope) + 1;
@@ -93,7 +93,7 @@ Json Adapter::frame(long long id, const std::string& name,
   return json;
 }
 
-/// What the actor is about to do, and below it what it did, the last first.
+/// The actor's next step, and below it its past steps, the latest first.
 Adapter::Answer Adapter::stackTrace(const Json& arguments) {
   const auto* actor = actorOf(arguments);
   if (!actor) {

@@ -30,7 +30,7 @@ bool isBad(const OrderedJson& property) {
   return property.at("good") == false && property.at("verdict") != "inconclusive";
 }
 
-/// The property of that name; of several, or where no name is given, the first that is bad.
+/// The property with this name. If several have it, or no name is given: the first violated one.
 std::expected<const OrderedJson*, std::string> chosen(const OrderedJson& report,
                                                       const std::string& wanted) {
   const OrderedJson* first = nullptr;
@@ -69,7 +69,7 @@ Source sourceIn(const OrderedJson& report, const std::string& wanted,
   }
 }
 
-/// A trace alone, or a report with many.
+/// Reads a single trace, or a report with many.
 Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& disk) {
   auto text = disk.read(arguments.trace);
   if (!text)

@@ -6,7 +6,7 @@ namespace proskill::dap {
 
 namespace {
 
-/// A simulation may go on forever: after so many steps its user is asked.
+/// A simulation may be endless, so it pauses after this many steps.
 constexpr std::size_t kLongRun = 10'000;
 
 } // namespace
@@ -17,7 +17,7 @@ Player::Player(std::unique_ptr<StepSource> from) : source(std::move(from)) {
   look();
 }
 
-/// What comes next, after the position has changed.
+/// Finds the possible next steps after the position has changed.
 void Player::look() {
   next = source->choices();
   for (const auto& step : next)

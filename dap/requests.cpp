@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
-/// The requests that begin a session, set breakpoints and move through the steps.
+/// Requests that start a session, set breakpoints and move through the steps.
 namespace proskill::dap {
 
 namespace {
@@ -74,7 +74,7 @@ Adapter::Answer Adapter::disconnect(const Json&) {
   return Json();
 }
 
-/// For what has nothing to be set: it is taken note of.
+/// Answers requests that need no action.
 Adapter::Answer Adapter::setNothing(const Json&) { return Json(); }
 
 Adapter::Answer Adapter::setBreakpoints(const Json& arguments) {
@@ -151,7 +151,7 @@ Adapter::Answer Adapter::reverseContinue(const Json&) {
   return Json();
 }
 
-/// Nothing runs between two requests.
+/// Nothing runs between two requests, so there is nothing to pause.
 Adapter::Answer Adapter::pause(const Json&) {
   stop = Stop::Step;
   return Json();

@@ -63,7 +63,7 @@ private:
   std::unique_ptr<const analysis::Program> program;
   ide::SimulatedRun run;
   Trace whole;
-  std::vector<std::filesystem::path> paths; ///< canonical, by file
+  std::vector<std::filesystem::path> paths; ///< by file, canonical
 };
 
 } // namespace

@@ -8,7 +8,7 @@ namespace proskill::dap {
 
 namespace {
 
-/// As the reports have places: file, begin and end, counted from 1.
+/// Place in the form of reports: file, begin and end, counted from 1.
 Place placeInReport(const OrderedJson& json, const std::filesystem::path& base) {
   const auto& begin = json.at("begin");
   const auto& end = json.at("end");
@@ -17,7 +17,7 @@ Place placeInReport(const OrderedJson& json, const std::filesystem::path& base) 
           end.at("column").get<unsigned>()};
 }
 
-/// As the language server has them, counted from 0.
+/// Place in the form of the language server, counted from 0.
 std::optional<Place> placeOfProtocol(const OrderedJson& json) {
   const auto path = report::toPath(json.at("uri").get<std::string>());
   if (!path) return std::nullopt;
@@ -57,7 +57,7 @@ Step stepOf(const OrderedJson& json, const std::filesystem::path& base) {
   return step;
 }
 
-/// The language server gives the order of the variables beside their values.
+/// The language server sends the order of the variables separately from their values.
 std::vector<verify::Change> initialOf(const OrderedJson& json) {
   std::vector<verify::Change> initial;
   const auto& values = json.at("initial");

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// In bytes. No person writes as much; a larger file is of another kind, or a mistake.
+/// In bytes. A larger file was not written by a person.
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr std::string_view kTooLarge = "it is larger than 256 MiB";
 
@@ -26,7 +26,7 @@ std::string reason(int error) {
   return words;
 }
 
-/// Why nothing is read from what is at a path, or nothing where it is a file.
+/// Why the file at a path cannot be read; nullopt if it is a regular file.
 std::optional<std::string> unreadable(const struct stat& found) {
   switch (found.st_mode & S_IFMT) {
   case S_IFREG: break;
@@ -39,10 +39,10 @@ std::optional<std::string> unreadable(const struct stat& found) {
   return std::nullopt;
 }
 
-/// A descriptor of a file that is read, or none.
+/// Descriptor of a file opened for reading, or none.
 class OpenFile {
 public:
-  /// Some files below /proc have nothing to say yet; they keep nobody waiting.
+  /// Non-blocking, since some files below /proc would block.
   explicit OpenFile(const fs::path& path)
       : descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
   ~OpenFile() {
@@ -53,7 +53,7 @@ public:
 
   [[nodiscard]] bool isOpen() const { return descriptor >= 0; }
   [[nodiscard]] bool look(struct stat& found) const { return fstat(descriptor, &found) == 0; }
-  /// Bytes that were read; 0 at the end, -1 with `errno` where it cannot be read.
+  /// \return number of bytes read; 0 at the end, -1 with `errno` on an error
   ssize_t next(std::span<char> into) const {
     ssize_t count = 0;
     do count = ::read(descriptor, into.data(), into.size());
@@ -65,7 +65,7 @@ private:
   int descriptor;
 };
 
-/// All bytes of an open file, which may grow while it is read.
+/// Reads a whole file, which may grow meanwhile.
 std::expected<std::string, std::string> readAll(const OpenFile& file, std::size_t expected) {
   std::string text;
   text.reserve(expected);
@@ -81,8 +81,8 @@ std::expected<std::string, std::string> readAll(const OpenFile& file, std::size_
 
 } // namespace
 
-/// Looks before it opens, as opening alone can wake a device or a pipe's other end; and behind it,
-/// as the path may lead elsewhere by then.
+/// Checks the type of the file before it opens it, since opening alone can wake a device or the
+/// other end of a pipe. Checks again afterwards, since the path may have changed meanwhile.
 std::expected<std::string, std::string> DiskFileSystem::read(const fs::path& path) const {
   struct stat found {};
   if (stat(path.c_str(), &found) != 0) return std::unexpected(reason(errno));

@@ -14,7 +14,7 @@ std::string notWritten(const std::string& path, int error) {
   return path + " cannot be written: " + std::generic_category().message(error);
 }
 
-/// \return the system's number of what went wrong, or 0
+/// \return an error number of the system, or 0
 int writeAt(int descriptor, std::string_view bytes, std::int64_t at) {
   while (!bytes.empty()) {
     const auto count = pwrite(descriptor, bytes.data(), bytes.size(), at);
@@ -47,7 +47,7 @@ std::optional<std::string> GrowingFile::add(std::string_view bytes, std::string_
   buffer.assign(bytes);
   buffer += end;
   if (const int error = writeAt(descriptor, buffer, length)) {
-    // The end as it was: the room for it is there.
+    // restore the previous end, which needs no new space
     (void)writeAt(descriptor, end, length);
     (void)ftruncate(descriptor, length + static_cast<std::int64_t>(end.size()));
     return notWritten(path, error);

@@ -19,21 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// No system follows more.
+/// Linux follows no more than this many.
 constexpr int kMostLinks = 40;
 
 std::string failure(std::string_view where, int error) {
   return fmt::format("{} cannot be written: {}", where, std::generic_category().message(error));
 }
 
-/// \return the system's number of what went wrong, or 0
+/// \return an error number of the system, or 0
 int writeThrough(Descriptor& to, const WriteTo& write) {
   std::ostream out(&to);
   if (to.error() == 0) write(out);
   return to.finish();
 }
 
-/// The descriptor of this process that a path names, as `/dev/stdout` does.
+/// The descriptor of this process that a path such as `/dev/stdout` names.
 std::optional<int> ownDescriptor(const fs::path& path) {
   const auto name = path.filename().native();
   if (path == "/dev/stdout") return STDOUT_FILENO;
@@ -44,7 +44,7 @@ std::optional<int> ownDescriptor(const fs::path& path) {
   return read.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-/// Where symbolic links lead, even where there is nothing yet.
+/// Follows symbolic links, even to a file that does not exist.
 fs::path followLinks(fs::path path) {
   std::error_code error;
   for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i)
@@ -52,7 +52,7 @@ fs::path followLinks(fs::path path) {
   return path;
 }
 
-/// A name that no file beside it has.
+/// An unused name in the same directory.
 fs::path nameBeside(const fs::path& target) {
   fs::path name;
   std::error_code error;
@@ -61,14 +61,14 @@ fs::path nameBeside(const fs::path& target) {
   return name;
 }
 
-/// Whether a new file got the owner, group and permissions of an earlier one.
+/// Gives a new file the owner, group and permissions of an earlier one. \return whether it could
 bool giveTo(int file, const struct stat& earlier) {
   return fchown(file, earlier.st_uid, earlier.st_gid) == 0 &&
          fchmod(file, earlier.st_mode & 07777) == 0;
 }
 
-/// The new content is written beside the file and renamed.
-/// \return the system's number of what went wrong, or 0
+/// Writes the new content to a file in the same directory, and renames it.
+/// \return an error number of the system, or 0
 int replaceFile(const fs::path& target, const struct stat* earlier, const WriteTo& write) {
   const auto fresh = nameBeside(target);
   const mode_t mode = earlier ? earlier->st_mode & 0777 : 0666;
@@ -86,8 +86,8 @@ std::string contentOf(const fs::path& path) {
   return content.str();
 }
 
-/// Bytes from the beginning of a file on, and nothing behind them.
-/// \return the system's number of what went wrong, or 0
+/// Writes bytes from the beginning of a file, and truncates the rest.
+/// \return an error number of the system, or 0
 int fill(const fs::path& target, std::string_view bytes) {
   Descriptor file(open(target.c_str(), O_WRONLY | O_CLOEXEC));
   std::ostream(&file) << bytes << std::flush;
@@ -95,16 +95,16 @@ int fill(const fs::path& target, std::string_view bytes) {
   return file.finish();
 }
 
-/// \return the system's number of what went wrong, or 0
+/// \return an error number of the system, or 0
 int reserve(const fs::path& target, off_t size) {
   const Descriptor file(open(target.c_str(), O_WRONLY | O_CLOEXEC));
   if (file.error() != 0 || size == 0) return file.error();
   return posix_fallocate(file.number(), 0, size);
 }
 
-/// The file itself gets the new content. Room for all of it is reserved before a byte of the old
-/// content is lost, which comes back where writing fails all the same.
-/// \return the system's number of what went wrong, or 0
+/// Overwrites a file in place. Reserves the space for all of the new content first, and restores
+/// the old content if writing fails.
+/// \return an error number of the system, or 0
 int overwriteFile(const fs::path& target, const WriteTo& write) {
   std::ostringstream content;
   write(content);
@@ -115,14 +115,14 @@ int overwriteFile(const fs::path& target, const WriteTo& write) {
   return error;
 }
 
-/// Whether a file cannot be replaced by another, though it may be written: its directory or its
-/// owner is another's, or it is mounted by itself.
+/// Whether a file cannot be replaced by another, though it may be writable: somebody else owns it
+/// or its directory, or it is a mount point.
 bool forbidsReplacing(int error) {
   return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
 }
 
-/// A file of several names keeps them all.
-/// \return the system's number of what went wrong, or 0
+/// Overwrites a file with several hard links in place.
+/// \return an error number of the system, or 0
 int writeRegularFile(const fs::path& target, const WriteTo& write) {
   struct stat earlier {};
   if (stat(target.c_str(), &earlier) != 0)

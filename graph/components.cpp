@@ -6,7 +6,7 @@ namespace proskill::graph {
 
 namespace {
 
-/// With a stack of its own: graphs are deep.
+/// Tarjan's algorithm with an explicit stack, since graphs are deep.
 class Tarjan {
 public:
   Tarjan(std::size_t nodes, const Successor& of)

@@ -20,8 +20,8 @@ namespace proskill::process {
 
 namespace {
 
-/// What the child gets: the socket as its input and output, no other of our files, and the usual
-/// effect of all signals.
+/// Environment of the child: the socket as standard input and output, no other open files, and
+/// default signal actions.
 class ChildEnvironment {
 public:
   explicit ChildEnvironment(int socket) {
@@ -73,7 +73,8 @@ struct Started {
   int socket = -1;
 };
 
-/// \param directory where the child leads a group of its own; null: it does not
+/// \param directory working directory of the child, which then leads a process group of its own;
+/// null: this directory and group
 std::expected<Started, std::string> spawned(const std::vector<std::string>& command,
                                             const std::filesystem::path* directory) {
   int ends[2];
@@ -106,7 +107,7 @@ std::expected<Child, std::string> Child::startGroup(const std::vector<std::strin
                                                     const std::filesystem::path& directory) {
   const auto started = spawned(command, &directory);
   if (!started) return std::unexpected(started.error());
-  // Not pidfd_open: the header of glibc 2.36 does not say that it is a function of C.
+  // The header of glibc 2.36 does not declare pidfd_open as a C function.
   const auto end = static_cast<int>(syscall(SYS_pidfd_open, started->pid, 0));
   return Child(started->pid, started->socket, end, true);
 }
@@ -166,7 +167,8 @@ std::optional<std::string> Child::endingIfOver() {
   siginfo_t over{};
   waitid(P_PID, static_cast<id_t>(pid), &over, WEXITED | WNOHANG | WNOWAIT);
   if (over.si_pid != pid) return std::nullopt;
-  signalGroup(SIGKILL); // those it has left behind, while its number is still its own
+  signalGroup(SIGKILL); // kill the processes it left behind, while its process group cannot be
+                        // reused
   int status = 0;
   waitpid(pid, &status, 0);
   pid = -1;
@@ -186,7 +188,7 @@ void Child::signalGroup(int number) const {
 
 bool dieWithParent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  return getppid() == parent; // else the parent ended before we asked
+  return getppid() == parent; // otherwise the parent ended before the request
 }
 
 } // namespace proskill::process

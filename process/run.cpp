@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A pipe whose ends close with it, and in programs that are started.
+/// A pipe. Its ends are closed by the destructor, and in programs that are started.
 class Pipe {
 public:
   Pipe() {
@@ -49,7 +49,7 @@ private:
   std::array<int, 2> ends{-1, -1};
 };
 
-/// While it lives, signals wait that the supervisor waits for.
+/// Blocks the signals that the supervisor waits for.
 class BlockedSignals {
 public:
   BlockedSignals() {
@@ -67,7 +67,7 @@ private:
   sigset_t before{};
 };
 
-/// Takes what is there; false when nothing comes any more.
+/// Reads the available bytes; returns false at the end.
 bool take(int from, std::string& into) {
   char buffer[65536];
   const auto count = read(from, buffer, sizeof buffer);
@@ -81,7 +81,7 @@ std::string_view lastLine(std::string_view text) {
   return start == std::string_view::npos ? text : text.substr(start + 1);
 }
 
-/// A program under its supervisor, until both have ended.
+/// A program and its supervisor, until both have ended.
 class Running {
 public:
   explicit Running(const Job& of) : job(of) {}
@@ -98,7 +98,7 @@ public:
                              out.writing(),    err.writing(),         report.writing()};
     const pid_t self = getpid();
     const BlockedSignals
-        held; // a signal that comes early is for the supervisor, not for handlers of ours
+        held; // blocked, so that an early signal reaches the supervisor, not our handlers
     supervisor = fork();
     if (supervisor == 0) supervise(program, self);
     out.closeWriting();
@@ -110,20 +110,20 @@ public:
   std::expected<Finished, std::string> wait() {
     while (!over()) listen();
     end();
-    listen(); // what was said before the end
+    listen(); // read the rest of the output
     finished.seconds = seconds();
     if (told.error != 0) return std::unexpected(std::string(std::strerror(told.error)));
     return std::move(finished);
   }
 
 private:
-  static constexpr int kPatience = 100; // milliseconds
+  static constexpr int kPatience = 100; // in milliseconds
 
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(Clock::now() - started).count();
   }
 
-  /// Whether it ended, or has to.
+  /// Whether it has ended or must be killed.
   bool over() {
     if (isTold) {
       if (WIFSIGNALED(told.status)) finished.ending = Ending::Signalled;
@@ -142,7 +142,7 @@ private:
     return true;
   }
 
-  /// Waits a moment for whatever comes.
+  /// Waits briefly for output.
   void listen() {
     std::array<pollfd, 3> all{pollfd{out.reading(), POLLIN, 0}, pollfd{err.reading(), POLLIN, 0},
                               pollfd{report.reading(), POLLIN, 0}};
@@ -169,7 +169,7 @@ private:
     return finished.out.size() + finished.err.size() > job.mostOutput;
   }
 
-  /// A supervisor that says nothing was itself killed.
+  /// Reads the supervisor's report. A supervisor without one was itself killed.
   void hear() {
     if (read(report.reading(), &told, sizeof told) != sizeof told) told = {.status = SIGKILL};
     isTold = true;

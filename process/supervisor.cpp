@@ -43,7 +43,7 @@ void forgetSignals() {
   _exit(127);
 }
 
-/// The processes whose parent is this one, as the kernel lists them; -1 at the end.
+/// The first child of this process, as the kernel lists them; -1 if there is none.
 pid_t firstChild() {
   const int list = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
   if (list < 0) return -1;
@@ -53,9 +53,10 @@ pid_t firstChild() {
   return count > 0 ? static_cast<pid_t>(std::strtol(text, nullptr, 10)) : -1;
 }
 
-/// Kills until nothing is left: whose parent is killed becomes a child of this process.
+/// Kills processes until none is left. A process whose parent is killed becomes a child of this
+/// one.
 void sweep(pid_t group) {
-  if (group > 0) kill(-group, SIGKILL); // at once, so that few see others go
+  if (group > 0) kill(-group, SIGKILL); // all at once, so that few can react to the end of others
   while (true) {
     const pid_t child = firstChild();
     if (child <= 0) return;
@@ -68,7 +69,7 @@ void sweep(pid_t group) {
 } // namespace
 
 void supervise(const Supervised& program, pid_t parent) {
-  setpgid(0, 0); // a Ctrl-C on the terminal is for the parent
+  setpgid(0, 0); // a Ctrl-C on the terminal is for the parent only
   sigset_t awaited;
   sigemptyset(&awaited);
   sigaddset(&awaited, SIGTERM);

@@ -46,7 +46,7 @@ OrderedJson resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnosti
   return result;
 }
 
-/// All codes in the order of the table, so that a code's number is its index.
+/// All codes in the order of the table: the number of a code is its index.
 OrderedJson rulesJson() {
   OrderedJson rules = OrderedJson::array();
   for (const syntax::CodeInfo& code : syntax::allCodes())

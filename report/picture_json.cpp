@@ -11,8 +11,7 @@ namespace proskill::report {
 
 namespace {
 
-/// Beyond this many nodes a picture takes more than a moment to lay out, and more than a glance to
-/// read.
+/// A picture with more nodes takes long to lay out and to read, so parts of it are folded.
 constexpr std::size_t kLargestUnfolded = 400;
 
 std::set<std::size_t> clustersToFold(const viz::Graph& graph, const FoldKeys& keys) {
@@ -23,7 +22,7 @@ std::set<std::size_t> clustersToFold(const viz::Graph& graph, const FoldKeys& ke
   return chosen;
 }
 
-/// The text's identifiers, or null.
+/// An identifier, or null.
 Json clusterOf(const std::optional<std::size_t>& cluster) {
   return cluster ? Json(viz::clusterId(*cluster)) : Json();
 }
@@ -69,7 +68,7 @@ Json clustersJson(const viz::Graph& graph, const PlaceJson& place) {
   return all;
 }
 
-/// What can be folded, and where it is now. A key stays the same, whatever is folded.
+/// The parts that can be folded, and where they are now. Folding does not change their keys.
 Json foldableJson(const DrawnPicture& picture) {
   Json all = Json::array();
   for (std::size_t i = 0; i < picture.folded.parts.size(); ++i) {

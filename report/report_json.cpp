@@ -6,7 +6,7 @@ namespace proskill::report {
 
 namespace {
 
-/// Line and column from 1, the column in characters.
+/// Line and column from 1; the column counts characters.
 OrderedJson placeJson(const syntax::Document& document, syntax::Offset at) {
   auto place = syntax::toEditor(document.text(), document.lines(), at, syntax::Encoding::Utf32);
   return {{"line", place.line + 1}, {"column", place.character + 1}};
@@ -20,7 +20,7 @@ OrderedJson rangeJson(const analysis::Program& program, analysis::Location locat
           {"bytes", {location.range.begin, location.range.end}}};
 }
 
-/// Seconds as an exact string and, for programs that plot, as a number.
+/// Seconds as an exact string and as a number.
 OrderedJson secondsJson(syntax::Rational value) {
   return {
       {"exact", syntax::toString(value)},

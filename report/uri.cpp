@@ -17,7 +17,7 @@ int hexDigit(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/// A `%` that begins no escape stands for itself.
+/// Decodes a URI. A `%` without a valid escape is kept.
 std::string decode(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -30,7 +30,7 @@ std::string decode(std::string_view text) {
   return result;
 }
 
-/// What RFC 3986 allows in a path without an escape.
+/// Whether RFC 3986 allows the character in a path without an escape.
 bool isUnescaped(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
          std::string_view("-._~/!$&'()*+,;=@").find(c) != std::string_view::npos;
@@ -44,8 +44,8 @@ std::string encode(std::string_view text) {
   return result;
 }
 
-/// Of a path that begins with one, as no folder's does: "untitled" of `/untitled:Untitled-1`. A
-/// single letter is a drive.
+/// The scheme in a path that `pathOf` made of a URI: "untitled" in `/untitled:Untitled-1`. No
+/// directory has a colon at this place; a single letter is a drive.
 std::string_view schemeIn(std::string_view path) {
   const auto end = path.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.", 1);
   const bool found = end != std::string_view::npos && end > 2 && path[end] == ':';
@@ -62,7 +62,7 @@ std::optional<std::filesystem::path> toPath(std::string_view uri) {
   return std::filesystem::path(decode(rest.substr(slash))).lexically_normal();
 }
 
-/// What `pathOf` made of a URI of another scheme is that URI again.
+/// Restores a URI of another scheme that `pathOf` has made a path of.
 std::string toUri(const std::filesystem::path& path) {
   if (const auto scheme = schemeIn(path.native()); !scheme.empty()) return path.native().substr(1);
   return std::string(kFile) + encode(path.generic_string());

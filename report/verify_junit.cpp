@@ -12,12 +12,12 @@ namespace proskill::report {
 
 namespace {
 
-/// Whether XML 1.0 can write a character at all, escaped or not.
+/// Whether XML 1.0 allows a character, escaped or not.
 bool isXml(char32_t c) {
   return (c >= 0x20 && c != 0xFFFE && c != 0xFFFF) || c == U'\n' || c == U'\t' || c == U'\r';
 }
 
-/// Text for an element or an attribute, where bare white space would become spaces.
+/// Text for an element or an attribute. White space is escaped, since parsers would normalise it.
 std::string escape(std::string_view text) {
   std::string out;
   syntax::forEachCharacter(text, [&](char32_t character, std::string_view bytes) {
@@ -49,7 +49,7 @@ std::vector<Suite> suites(const std::vector<ide::VerdictRow>& rows) {
   return result;
 }
 
-/// A property that is bad with the weight of a warning passes, and says so in its output.
+/// Whether a property counts as failed. A warning passes, and is reported in its output.
 bool fails(const ide::VerdictRow& row) {
   return row.bad() && row.check->weight == codegen::Weight::Error;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kHeaderEnd = "\r\n\r\n";
 constexpr std::string_view kLength = "content-length:";
-/// No client writes a longer header; what is longer is not one.
+/// In bytes. Anything longer is not a header.
 constexpr std::size_t kLongestHeader = 8192;
 
 bool startsWithIgnoringCase(std::string_view text, std::string_view lower) {
@@ -22,7 +22,7 @@ bool startsWithIgnoringCase(std::string_view text, std::string_view lower) {
          });
 }
 
-/// The number after `Content-Length:`, where the line is that and no more.
+/// The number of a `Content-Length:` line; nullopt for any other line.
 std::optional<std::size_t> lengthIn(std::string_view line) {
   if (!startsWithIgnoringCase(line, kLength)) return std::nullopt;
   auto digits = line.substr(kLength.size());
@@ -45,8 +45,8 @@ std::optional<std::size_t> lengthInHeader(std::string_view header) {
   return std::nullopt;
 }
 
-/// Where a header may begin again, were it with its first bytes alone; the whole length where it
-/// may not.
+/// The next position at which a header may begin, possibly with its first bytes only; the length of
+/// the text if there is none.
 std::size_t nextHeader(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     auto here = text.substr(at);
@@ -72,16 +72,16 @@ std::optional<Frame> FrameReader::next() {
   return readHeader();
 }
 
-/// Drops what has come of a body that is too long.
+/// Discards the received bytes of a body that is too long.
 void FrameReader::skip() {
   auto now = std::min(toSkip, buffer.size() - position);
   position += now;
   toSkip -= now;
 }
 
-/// Reads a header, and the body where it is there already.
+/// Reads a header, and its body if it has arrived.
 std::optional<Frame> FrameReader::readHeader() {
-  // Also of what looked like a header when fewer of its bytes had come.
+  // also past what looked like a header when fewer of its bytes had arrived
   if (lost) position += nextHeader(std::string_view(buffer).substr(position));
   auto pending = std::string_view(buffer).substr(position);
   constexpr auto kLongest = kLongestHeader + kHeaderEnd.size();
@@ -111,7 +111,7 @@ std::optional<Frame> FrameReader::readBody() {
   return body;
 }
 
-/// Goes on at the next place that may be a header.
+/// Continues at the next position that may be a header.
 Frame FrameReader::resynchronise(std::string message) {
   ++position;
   lost = true;

@@ -70,7 +70,7 @@ void MovableJson::write(JsonWriter& json, std::uint32_t now) const {
 }
 
 Json written(std::string_view json) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data()); // copied in one go
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data()); // copied as one block
   return Json::binary(Json::binary_t::container_type(bytes, bytes + json.size()));
 }
 

@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  std::unique_ptr<asio::io_context> owner; ///< outlives its socket
+  std::unique_ptr<asio::io_context> owner; ///< declared before its socket, to outlive it
   tcp::socket socket;
 };
 

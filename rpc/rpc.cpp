@@ -40,7 +40,7 @@ std::expected<Message, MalformedMessage> call(const Json& json, Json id) {
   return message;
 }
 
-/// The unit of UTF-16 that an escape such as `\ud83d` writes; nothing where there is none.
+/// The UTF-16 unit of an escape such as `\ud83d`; nullopt if there is none.
 std::optional<unsigned> escapedUnit(std::string_view text) {
   constexpr std::size_t kLength = 6;
   unsigned unit = 0;
@@ -49,8 +49,8 @@ std::optional<unsigned> escapedUnit(std::string_view text) {
   return read.ptr == text.data() + kLength ? std::optional(unit) : std::nullopt;
 }
 
-/// The bytes of the JSON at the start of a text that belong together, and what they become: what
-/// is no whole character becomes U+FFFD.
+/// The first character of a JSON text: number of its bytes, and the text that replaces them. An
+/// invalid or incomplete character becomes U+FFFD.
 std::pair<std::size_t, std::string_view> wholeCharacter(std::string_view text) {
   if (text.front() != '\\') {
     const auto length = syntax::sequenceLength(text);

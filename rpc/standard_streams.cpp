@@ -15,8 +15,8 @@ namespace {
 class StandardStreams : public Connection {
 public:
   StandardStreams() : stop(eventfd(0, EFD_CLOEXEC)) {
-    // A large answer goes out at once instead of in turns with its reader; as much as the system
-    // lets anybody have. No pipe, no room: nothing is lost.
+    // Enlarges the pipe as far as the system allows, so that large answers are written at once. An
+    // error, as for other files than pipes, does no harm.
     constexpr int kRoom = 1 << 20; // bytes
     fcntl(STDOUT_FILENO, F_SETPIPE_SZ, kRoom);
   }

@@ -22,7 +22,7 @@ bool prefers(const fiacre::Statement& statement) {
   return !statement.priorityGroups.empty() || std::ranges::any_of(statement.children, prefers);
 }
 
-/// Where some transitions go before others, only strong classes have just the runs of the model.
+/// With priorities, only strong state classes have exactly the runs of the model.
 bool hasPriorities(const fiacre::Program& program) {
   const auto inProcess = [](const fiacre::Process& process) {
     return std::ranges::any_of(process.transitions,
@@ -34,7 +34,7 @@ bool hasPriorities(const fiacre::Program& program) {
          });
 }
 
-/// frac leaves observers and probes out unless it is told otherwise.
+/// By default frac ignores observers and probes.
 bool isObserved(const fiacre::Program& program) {
   const auto probed = [](const fiacre::Component& component) {
     return std::ranges::any_of(component.ports,
@@ -43,7 +43,7 @@ bool isObserved(const fiacre::Program& program) {
   return !program.observers.empty() || std::ranges::any_of(program.components, probed);
 }
 
-/// The model with the properties that are asked for, and no other: frac would observe those, too.
+/// The model with the requested properties only: frac would also observe the rest.
 fiacre::Program asking(fiacre::Program program, const std::vector<verify::Question>& questions) {
   std::vector<fiacre::Property> asked;
   for (const auto& question : questions) {
@@ -54,7 +54,8 @@ fiacre::Program asking(fiacre::Program program, const std::vector<verify::Questi
   return program;
 }
 
-/// A deadlock where some are allowed: Fiacre can ask only for any.
+/// Whether the property asks for a deadlock while some are allowed. Fiacre can ask only for any
+/// deadlock.
 bool allowsSomeStops(const fiacre::Property& property) {
   return property.pattern.kind == PatternKind::DeadlockFree && !property.pattern.operands.empty();
 }
@@ -100,7 +101,7 @@ private:
     outcome.result.exploration.stopped = reason;
   }
 
-  /// frac writes formulas in the order of the properties in the text.
+  /// Orders the questions like the formulas that frac writes: as in the text.
   void choose() {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       const auto& property = program.properties[questions[i].property];
@@ -117,7 +118,7 @@ private:
     for (auto i : order) asked.push_back(questions[i]);
   }
 
-  /// The state graph, and the formulas.
+  /// Generates the state graph and the formulas.
   std::optional<Stop> build() {
     const auto& tools = options.tools;
     std::vector<std::string> command{tools.frac, "model.fcr", "model.tts"};
@@ -173,11 +174,11 @@ private:
     return std::nullopt;
   }
 
-  /// Traces of what is false. No trace is no reason to doubt a verdict, but where the engine has to
-  /// tell which deadlocks are allowed.
+  /// Finds traces of false formulas. A missing trace does not invalidate a verdict, unless the
+  /// engine has to decide whether the deadlock is allowed.
   std::optional<Stop> trace() {
     auto made = Guide::make(program, provenance, asked);
-    constexpr std::ptrdiff_t kMany = 8; // each costs a run of selt, the graph is read once
+    constexpr std::ptrdiff_t kMany = 8; // each costs a run of selt; the graph is read once
     const bool manyAreFalse =
         std::ranges::count(outcome.result.answers, Truth::False, &Answer::truth) > kMany;
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -219,7 +220,7 @@ private:
     return guide.judges(k) ? searched(guide, k) : std::nullopt;
   }
 
-  /// Looks for the violation in the graph itself.
+  /// Searches the graph itself for the violation.
   std::optional<Stop> searched(const Guide& guide, std::size_t k) {
     if (!graph) {
       if (auto done = session.run("ktzio", {options.tools.ktzio, "model.ktz", "model.txt"}); !done)
@@ -251,14 +252,14 @@ private:
   const Options& options;
   const Workspace& workspace;
   Session session;
-  std::vector<std::size_t> order;      ///< questions that are asked, as the formulas are
-  std::vector<verify::Question> asked; ///< the same
+  std::vector<std::size_t> order;      ///< indices of the questions, in the order of the formulas
+  std::vector<verify::Question> asked; ///< the questions in the same order
   LtlFile formulas;
   std::optional<KtzGraph> graph;
   Outcome outcome;
 };
 
-/// The beginning and the end of what is too long to be shown.
+/// The beginning and the end of a long text.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kMost = 4000;
   if (text.size() <= kMost) return text;

@@ -10,7 +10,7 @@ using verify::StateGraph;
 
 namespace {
 
-/// `  S [n]: 2 properties: a b`, with the plural as ktzio writes it.
+/// Writes `  S [n]: 2 properties: a b`; the plural is that of ktzio.
 void writeSpace(std::ostream& out, std::string_view head, const std::vector<std::string>& names) {
   out << "  " << head << ": " << names.size()
       << (names.size() == 1 ? " property:" : " properties:");

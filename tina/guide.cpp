@@ -17,7 +17,7 @@ using verify::Word;
 
 namespace {
 
-/// With a node that is always true, for `Guide::anything`.
+/// The system with a node that is always true, for `Guide::anything`.
 verify::System withTruth(verify::System system) {
   system.nodes.push_back({.op = verify::NodeOp::Number, .number = 1});
   return withStateLayout(std::move(system));
@@ -48,8 +48,8 @@ Guide::make(const fiacre::Program& program, const fiacre::Provenance& provenance
   return std::unique_ptr<Guide>(new Guide(std::move(*compiled), provenance, program.main));
 }
 
-/// The transitions of these instances that are possible but for time; those of just these numbers
-/// first.
+/// The transitions of these instances that are enabled apart from time. Those with exactly these
+/// numbers come first.
 std::vector<Guide::Taken> Guide::possible(const std::vector<Word>& state,
                                           const std::vector<Names::Part>& parts) const {
   std::vector<Taken> all;
@@ -73,7 +73,7 @@ std::vector<Guide::Taken> Guide::possible(const std::vector<Word>& state,
   return all;
 }
 
-/// Whether it is worth while to have the step replayed.
+/// Whether replaying the step may be useful.
 bool Guide::maySee(const Goal& goal, const std::vector<Word>& before,
                    const std::vector<Word>& after, const Bits& events) const {
   switch (goal.kind) {
@@ -114,12 +114,12 @@ Guide::follow(std::size_t question, const std::vector<std::string>& transitions)
     }
     if (unknown.empty())
       unknown = stepWords(i, transitions[i]) + "is not a transition of the model";
-    // A step of an observer's alone is none of the model's.
+    // a step of an observer alone is not a step of the model
     if (auto some = names.partsWithin(transitions[i]); !some.empty()) steps.push_back(some);
   }
   const bool judged = judges(question);
   const Goal& goal = judged ? goals[question] : anything;
-  // frac may number transitions otherwise than we think: who takes part is tried next.
+  // frac may number transitions differently, so the next attempt compares participants only
   auto strict = follow(goal, steps, !judged, true);
   if (strict) return strict;
   auto lenient = follow(goal, steps, !judged, false);
@@ -130,7 +130,7 @@ Guide::follow(std::size_t question, const std::vector<std::string>& transitions)
 std::expected<verify::Trace, std::string>
 Guide::follow(const Goal& goal, const std::vector<std::vector<Names::Part>>& steps, bool toEnd,
               bool exactly) const {
-  constexpr std::size_t kMost = 64; // readings of one step
+  constexpr std::size_t kMost = 64; // maximum number of interpretations of a step
   std::vector<Node> nodes{{initialState(system)}};
   std::string why = "the steps do not lead to a violation";
   const auto attempt = [&](std::uint32_t node) {
@@ -166,7 +166,7 @@ Guide::follow(const Goal& goal, const std::vector<std::vector<Names::Part>>& ste
   return std::unexpected(why);
 }
 
-/// Whether what is said of a node of the graph is true of the state.
+/// Whether the properties of a node of the graph are true in the state.
 bool Guide::agrees(const std::vector<Word>& state, const KtzGraph& graph,
                    std::uint32_t node) const {
   for (const auto& [property, value] : graph.states[node].has) {

@@ -32,7 +32,7 @@ private:
   std::unordered_map<std::string, std::uint32_t> known;
 };
 
-/// The next word of a line; blanks within braces are part of it.
+/// The next word of a line; blanks within braces belong to it.
 std::string_view next(std::string_view& line) {
   const auto start = line.find_first_not_of(" \t\r");
   if (start == std::string_view::npos) return {};
@@ -60,7 +60,7 @@ public:
     return false;
   }
 
-  /// What is missing, empty where nothing is.
+  /// The missing part; empty if there is none.
   [[nodiscard]] std::string missing() const {
     if (graph.states.empty()) return "it has no states";
     if (nodes && *nodes != graph.states.size()) return "some of its states are missing";
@@ -100,7 +100,7 @@ private:
       value = *read;
       token = token.substr(0, star);
     }
-    if (token.starts_with("L.")) return true; // of the graph, not of the model
+    if (token.starts_with("L.")) return true; // a property of the graph, not of the model
     if (token.starts_with("S.")) token.remove_prefix(2);
     graph.states.back().has.emplace_back(properties.of(token), value);
     return true;

@@ -17,7 +17,7 @@ std::string_view unquoted(std::string_view name) {
   return name;
 }
 
-/// A spelling that two things share means neither.
+/// Adds a spelling. One that two things share is ambiguous, and refers to neither.
 template <class Table, class Thing> void enter(Table& table, std::string spelling, Thing thing) {
   auto [entry, added] = table.try_emplace(std::move(spelling), thing);
   if (!added) entry->second.reset();
@@ -28,7 +28,7 @@ template <class Table> auto find(const Table& table, std::string_view name) {
   return entry == table.end() ? typename Table::mapped_type{} : entry->second;
 }
 
-/// `skill__takeoff_1_vx` with the name of its process as the model has it: `skill_takeoff_1_vx`.
+/// `skill__takeoff_1_vx` with the process's name as in the model: `skill_takeoff_1_vx`.
 std::string withPlainOwner(const std::string& name, const std::string& owner,
                            const std::string& plain) {
   return name.starts_with(owner) ? plain + name.substr(owner.size()) : name;
@@ -71,7 +71,7 @@ std::optional<std::vector<Names::Part>> Names::transition(std::string_view name)
   return found;
 }
 
-/// The part that a name begins with, whose `_t` stands at `mark`.
+/// The prefix of a name whose `_t` is at `mark`.
 std::optional<Names::Prefix> Names::partAt(std::string_view name, std::size_t mark) const {
   const auto instance = instances.find(name.substr(0, mark));
   if (instance == instances.end() || !instance->second) return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<Names::Prefix> Names::partAt(std::string_view name, std::size_t ma
   return Prefix{{*instance->second, leaf}, static_cast<std::size_t>(read.ptr - name.data())};
 }
 
-/// Cuts `A_1_t0_B_2_t3` behind each `_t` and number, where what is before it is an instance.
+/// Splits `A_1_t0_B_2_t3` after each `_t` and number that follows an instance.
 bool Names::parts(std::string_view name, std::vector<Part>& found) const {
   for (auto at = name.find("_t"); at != std::string_view::npos; at = name.find("_t", at + 1)) {
     const auto prefix = partAt(name, at);

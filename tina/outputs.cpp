@@ -39,7 +39,7 @@ bool isDefinition(std::string_view statement) {
   return first == "op" || first == "infix" || first == "prefix" || first == "postfix";
 }
 
-/// `name@3.5` or `name$2` without its date; a name in braces keeps them.
+/// `name@3.5` or `name$2` without its date. A name in braces is kept as it is.
 std::optional<std::string> withoutDate(std::string_view token) {
   const auto quoted = token.front() == '{' ? token.find('}') : 0;
   if (quoted == std::string_view::npos) return std::nullopt;
@@ -55,13 +55,13 @@ std::optional<std::string> withoutDate(std::string_view token) {
   return std::string(name);
 }
 
-/// With the beginnings of the lines: what a search is for stands there, and must not take long.
+/// Passes only the beginning of each line: searches match there, and must stay fast.
 template <class Visit> void eachShortLine(std::string_view text, Visit visit) {
   constexpr std::size_t kMost = 300;
   eachLine(text, [&](std::string_view line) { visit(std::string(line.substr(0, kMost))); });
 }
 
-/// More than fits is as good as the most.
+/// A number; the maximum if it is too large.
 std::uint64_t count(const std::string& digits) {
   std::uint64_t value = 0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);

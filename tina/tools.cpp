@@ -29,7 +29,7 @@ class Finder {
 public:
   explicit Finder(const Environment& of) : environment(of) {}
 
-  /// \param what it is, for whoever has to get it
+  /// \param what description for users who have to install it
   fs::path need(const std::string& name, const std::string& chosen, std::string_view what) {
     auto found = find(name, chosen);
     if (found.empty()) missing.push_back(complaint(name, wish(name, chosen), what));

@@ -12,7 +12,7 @@ std::string firstLine(const std::string& text) {
 }
 
 std::string version(const std::filesystem::path& tool, const std::string& option) {
-  constexpr double kPatience = 5; // seconds
+  constexpr double kPatience = 5; // in seconds
   const auto said = process::run({.command = {tool, option},
                                   .directory = std::filesystem::temp_directory_path(),
                                   .seconds = kPatience});

@@ -6,11 +6,11 @@ namespace proskill::view {
 
 namespace {
 
-/// A page that was asleep for longer sees the newest ones only, which tell the whole state.
+/// A page that was idle for longer receives only the newest events, which contain the whole state.
 constexpr std::size_t kMost = 64;
-/// Then the page asks again, so that no connection is silent for too long.
+/// After this time a request is answered anyway, so that no connection is idle for too long.
 constexpr std::chrono::seconds kLongestWait{20};
-/// Each has a connection, of which a process may have some thousand.
+/// Each waiting page needs a connection, and the number of descriptors is limited.
 constexpr std::size_t kMostWaiting = 128;
 
 } // namespace
@@ -35,7 +35,7 @@ void EventFeed::after(std::size_t after, Tell tell) {
   changed.notify_all();
 }
 
-/// Whom nothing is left to wait for.
+/// Removes those whose wait is over.
 std::vector<EventFeed::Waiting> EventFeed::takeDue(Time now) {
   std::vector<Waiting> due;
   std::erase_if(waiting, [&](Waiting& it) {

@@ -34,7 +34,7 @@ std::string_view reasonPhrase(int status) {
   }
 }
 
-/// The next line, without its end, taken off the text.
+/// Removes the next line from the text, and returns it without its end.
 std::string_view takeLine(std::string_view& text) {
   const auto end = std::min(text.find("\r\n"), text.size());
   const auto line = text.substr(0, end);
@@ -42,7 +42,7 @@ std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
-/// A lone CR or LF would end the line for others who read it.
+/// Other readers of the line would take a lone CR or LF for its end.
 bool hasControls(std::string_view line) {
   return std::ranges::any_of(line, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -62,7 +62,7 @@ bool takeRequestLine(std::string_view line, HttpRequest& request) {
   return request.target.starts_with('/');
 }
 
-/// Two of one name, such as two hosts, are a trick.
+/// Duplicate headers, such as two hosts, are rejected as an attack.
 bool takeHeader(std::string_view line, HttpRequest& request) {
   const auto colon = line.find(':');
   if (hasControls(line) || colon == 0 || colon == line.npos) return false;

@@ -14,13 +14,13 @@ using asio::ip::tcp;
 
 constexpr std::size_t kLargestHead = std::size_t{1} << 14;
 constexpr std::size_t kThreads = 4;
-/// Until a connection is accepted again where there was no descriptor for one.
+/// Delay before accepting connections again after the process ran out of descriptors.
 constexpr std::chrono::milliseconds kPause{200};
-/// For a client to send or take what is due; browsers open connections that they do not use.
+/// Time that a client has to send or receive; browsers open connections that they do not use.
 constexpr std::chrono::seconds kPatience{10};
 
-/// One request and its response; then the connection is closed. Reads and writes on the thread of
-/// its context, where it waits for nobody; the handler runs on a worker.
+/// One request and its response; then the connection is closed. Reading and writing is
+/// asynchronous, on the thread of its context; the handler runs on a worker.
 class Exchange : public std::enable_shared_from_this<Exchange> {
 public:
   Exchange(tcp::socket connection, asio::thread_pool& pool, const HttpServer::Handler& answer)
@@ -130,7 +130,8 @@ private:
     });
   }
 
-  /// Out of descriptors, the connection stays in the queue: to ask for it at once would spin.
+  /// Without free descriptors the connection stays queued. Accepting at once would loop without
+  /// progress.
   void acceptLater(asio::thread_pool& workers, const Handler& handler) {
     pause.expires_after(kPause);
     pause.async_wait([&](const asio::error_code& error) {

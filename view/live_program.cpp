@@ -22,11 +22,11 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kBetweenLooks{250};
 
-/// A program and what it was read from. Never changes.
+/// A program and its source. Immutable.
 struct Loaded {
   analysis::Program program;
-  std::optional<codegen::Model> model; ///< of a model in Fiacre; else generated when it is needed
-  std::string error;                   ///< the first one; empty: the program has none
+  std::optional<codegen::Model> model; ///< of a Fiacre model; otherwise generated on demand
+  std::string error;                   ///< the first error; empty if there is none
   std::vector<std::pair<fs::path, fs::file_time_type>> stamps;
 };
 
@@ -50,7 +50,7 @@ std::string firstError(const analysis::Program& program,
 std::shared_ptr<const Loaded> load(const std::string& file) {
   auto loaded = std::make_shared<Loaded>();
   const disk::DiskFileSystem disk;
-  // Before the texts are read: what is written in between is then seen as a change.
+  // taken before the texts are read, so that writes in between count as changes
   const auto before = stampOf(file);
   if (ide::isFiacre(file)) {
     auto read = ide::readFiacre(file, disk.read(file).value_or(""));
@@ -143,13 +143,14 @@ public:
   [[nodiscard]] bool canVerify() const override { return true; }
 
 private:
-  /// A run of what was loaded; it goes on as long as the text is this one.
+  /// A simulation of a loaded program; it is valid while the text is unchanged.
   struct Simulated {
     std::shared_ptr<const Loaded> loaded;
     ide::SimulatedRun run;
   };
 
-  /// Why there is no run; empty: there is one. \pre `simulating` is held
+  /// \return why the program cannot be simulated; empty on success
+  /// \pre `simulating` is held
   std::string begin(const std::shared_ptr<const Loaded>& now) {
     if (simulated && simulated->loaded == now) return "";
     auto model = modelOf(*now);
@@ -219,7 +220,7 @@ private:
     set("checking", "");
     const auto result = ide::verifyModel(*model, {}, engine(now, model->checks.size()));
     if (!result) return set("failed", "this model cannot be explored: " + result.error().message);
-    if (cancelled) return; // what comes next is newer
+    if (cancelled) return; // a newer verification follows
     take(report::reportJson({now->program, *model, *result, model->mainSkill}));
     set("done", "");
   }
@@ -250,7 +251,7 @@ private:
     return engine;
   }
 
-  /// Traces are large and asked for one at a time.
+  /// Stores a report. Traces are large, so pages request them one by one.
   void take(OrderedJson whole) {
     std::map<std::string, OrderedJson> apart;
     for (auto& property : whole["properties"]) {
@@ -271,11 +272,11 @@ private:
 
   ViewOptions options;
   EventFeed& news;
-  std::mutex simulating; ///< of what follows
+  std::mutex simulating; ///< guards the simulation
   std::optional<Simulated> simulated;
-  std::mutex mutex; ///< of what follows, up to `progress`
+  std::mutex mutex; ///< guards the members up to `progress`
   std::shared_ptr<const Loaded> loaded;
-  OrderedJson report; ///< the last one; null: there is none yet
+  OrderedJson report; ///< the latest; null if there is none yet
   std::map<std::string, OrderedJson> traces;
   bool stale = false;
   std::string state = "checking";
@@ -285,7 +286,7 @@ private:
   std::atomic<bool> stopped{false};
   std::atomic<bool> asked{false};
   std::atomic<bool> cancelled{false};
-  std::thread worker; ///< the last: it uses the others
+  std::thread worker; ///< declared last, since it uses the other members
 };
 
 } // namespace

@@ -9,7 +9,7 @@ namespace proskill::view {
 
 namespace {
 
-/// Places of pictures' parts, as docs/verify.schema.json has them.
+/// Places of parts of pictures, in the form of docs/verify.schema.json.
 class Places {
 public:
   explicit Places(const analysis::Program& shown) : places(shown) {

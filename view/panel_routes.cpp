@@ -36,7 +36,7 @@ HttpResponse refuse(int status, std::string why) {
   return {status, "text/plain; charset=utf-8", std::move(why) + "\n", {}};
 }
 
-/// Takes as long for every wrong token.
+/// Compares in constant time, so that a wrong token reveals nothing.
 bool equal(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -45,8 +45,8 @@ bool equal(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// A page elsewhere may have this machine's address under a name of its own (DNS rebinding), or
-/// send requests to it; neither has our host and origin.
+/// Whether the request has our host and origin. Other pages may reach this machine by a name of
+/// their own (DNS rebinding), or send requests to it.
 bool isFromHere(const HttpRequest& request, std::uint16_t port) {
   const std::array hosts{fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)};
   const auto isOurs = [&](std::string_view host) { return std::ranges::count(hosts, host) > 0; };
@@ -90,7 +90,7 @@ HttpResponse jsonResponse(const OrderedJson& reply) {
           {}};
 }
 
-/// Nothing where the request is for news, which are told later.
+/// \return nullopt for a request for events, which is answered later
 std::optional<HttpResponse> callJson(std::string_view method, const HttpRequest& request,
                                      PanelData& data, EventFeed& news, const Reply& reply) {
   if (!request.header("content-type").starts_with("application/json"))

@@ -10,7 +10,7 @@ namespace proskill::view {
 
 namespace {
 
-/// Whether all went as the program says in a recorded run.
+/// Whether a recorded run has no faults.
 bool isGoodRun(const OrderedJson& recording) {
   static const std::set<std::string> kBad{"undershoot", "overshoot", "alarm", "fault"};
   const auto steps = recording.find("steps");
@@ -21,7 +21,7 @@ bool isGoodRun(const OrderedJson& recording) {
          });
 }
 
-/// One trace as a report of one property.
+/// Makes a report of one property from a trace.
 OrderedJson asReport(const std::string& file, OrderedJson trace) {
   const auto text = [&](const char* name, const std::string& otherwise) {
     const auto found = trace.find(name);
@@ -76,7 +76,7 @@ public:
     return std::unexpected("pictures need the program: open it instead");
   }
 
-  /// Only what the traces speak of.
+  /// Serves only files that occur in the traces.
   Answer source(const std::string& uri) override {
     if (!files.contains(uri)) return std::unexpected("the traces do not refer to this file");
     auto text = disk::DiskFileSystem().read(uri);
@@ -100,7 +100,7 @@ private:
     for (const auto& step : trace["steps"]) {
       const auto location = step.find("location");
       if (location == step.end() || !location->is_object()) continue;
-      // The panel's own files name a place as editors do.
+      // files saved by the panel have places in the form of editors
       for (const auto* member : {"file", "uri"})
         if (const auto path = location->find(member); path != location->end() && path->is_string())
           files.insert(path->get<std::string>());

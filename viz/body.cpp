@@ -17,13 +17,13 @@ void append(Exits& exits, Exits more) {
                std::make_move_iterator(more.end()));
 }
 
-/// The statements of a body as a flow chart.
+/// Draws the statements of a body as a flow chart.
 class BodyPicture {
 public:
-  /// \param owner the skill whose outcomes the body may end with; null for an environment
+  /// \param owner the skill whose outcomes may end the body; null for an environment
   BodyPicture(Builder& made, const syntax::Skill* owner) : builder(made), skill(owner) {}
 
-  /// A body or a branch, with its own labels. \return the ways out of its end
+  /// Draws a body or a branch with its own labels. \return the edges that leave its end
   Exits drawScope(const syntax::Block& block, Exits in) {
     scopes.emplace_back();
     auto out = drawBlock(block, std::move(in));
@@ -40,7 +40,7 @@ public:
 private:
   struct Scope {
     std::map<std::string, std::size_t> labels;
-    Exits jumps; ///< their labels are where they go to
+    Exits jumps; ///< labelled with their destination
   };
 
   Exits drawBlock(const syntax::Block& block, Exits in) {
@@ -128,7 +128,7 @@ private:
     return out;
   }
 
-  /// The call, with an edge for each arm.
+  /// Draws a call with an edge for each arm.
   Exits drawCase(const Statement& s, const Exits& in) {
     const auto* call = syntax::callOf(s);
     const auto called = call ? drawCall(*call, in) : in;
@@ -162,7 +162,7 @@ private:
     return std::move(out);
   }
 
-  /// The body of a loop: the ways from its end, and those of its breaks.
+  /// Draws the body of a loop. \return the edges from its end, and those of its breaks
   std::pair<Exits, Exits> drawLoop(const Statement& s, const Exits& in) {
     breaks.emplace_back();
     auto end = s.branches.empty() ? in : drawBlock(s.branches[0], in);
@@ -236,14 +236,14 @@ private:
   std::vector<Exits> breaks;
 };
 
-/// The last byte of a block: where a body runs off its end.
+/// The last byte of a block, where its end is reached.
 syntax::Range endOf(const syntax::Block& block) {
   const auto end = block.range.end;
   return {end == 0 ? 0 : end - 1, end};
 }
 
-/// The process that looks at the time that a composite skill takes. Without a lower bound it is on
-/// time from the start, without an upper one for ever.
+/// Draws the watchdog of a composite skill. Without a lower bound it is in time from the start,
+/// without an upper bound for ever.
 void drawWatchdog(Builder& builder, const syntax::Interval& interval) {
   const auto range = interval.range;
   const auto fails = [&](std::size_t from, std::string when, std::string how) {
@@ -266,7 +266,7 @@ void drawWatchdog(Builder& builder, const syntax::Interval& interval) {
   builder.leaveCluster();
 }
 
-/// What may end a composite skill wherever it is.
+/// Draws what may end a composite skill in any state.
 void drawWatched(Builder& builder, const syntax::Skill& skill) {
   if (skill.invariants.empty() && !skill.interrupt) return;
   builder.enterCluster("at any time", skill.name.range);

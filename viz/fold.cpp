@@ -9,7 +9,7 @@ namespace {
 
 using ClusterSet = std::set<std::size_t>;
 
-/// The outermost cluster of the set that holds this one, itself included.
+/// The outermost cluster in the set that contains this one; possibly itself.
 std::optional<std::size_t> holder(const Graph& graph, const ClusterSet& folded,
                                   std::optional<std::size_t> cluster) {
   std::optional<std::size_t> found;
@@ -22,7 +22,7 @@ std::string countWords(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " node" : " nodes");
 }
 
-/// Of each cluster, how many nodes are within it and within those that it holds.
+/// By cluster: number of nodes in it, including nested clusters.
 std::vector<std::size_t> sizes(const Graph& graph) {
   std::vector<std::size_t> counts(graph.clusters.size());
   for (const auto& node : graph.nodes)
@@ -58,7 +58,7 @@ private:
     return cluster ? result.parts[*cluster].cluster : std::nullopt;
   }
 
-  /// The node of a cluster stands where its first node was.
+  /// Keeps nodes; the node of a cluster takes the place of its first node.
   void keepNodes() {
     const auto counts = sizes(whole);
     for (const auto& node : whole.nodes) {
@@ -101,7 +101,7 @@ private:
   const Graph& whole;
   const ClusterSet& folded;
   Folded result;
-  std::vector<std::size_t> places; ///< of each node of the whole, its node in the result
+  std::vector<std::size_t> places; ///< by node of the whole graph: its node in the result
 };
 
 } // namespace

@@ -8,7 +8,7 @@
 #include <mutex>
 
 #ifdef __SANITIZE_ADDRESS__
-/// Graphviz, and the libraries that it sets text with, lose a kilobyte or so with each picture.
+/// Graphviz and its text libraries leak about a kilobyte per picture.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libgvc\nleak:libgvplugin\nleak:libcgraph\nleak:libpango\nleak:libfontconfig\nleak:"
          "libglib\n";
@@ -18,9 +18,9 @@ extern "C" const char* __lsan_default_suppressions() {
 namespace proskill::viz {
 namespace {
 
-/// One for all that is drawn as pixels, by the fonts of this computer, and one for the rest. They
-/// are never freed: from one picture to the next Graphviz compares fonts with the name of the last
-/// one, which it does not keep itself and which would be gone with the context.
+/// One context for pixel formats, which uses the fonts of this computer, and one for the rest. They
+/// are never freed: Graphviz compares each font with the name of the last one, which belongs to the
+/// context.
 GVC_t* graphviz(bool pixels) {
   constexpr int kLoadOthers = 1;
   if (pixels) {
@@ -31,8 +31,8 @@ GVC_t* graphviz(bool pixels) {
   return context;
 }
 
-/// What Graphviz has to say, kept while this lives. Its callback takes no data of ours, hence the
-/// one place for all, which is safe because one thread at a time is in Graphviz.
+/// Collects Graphviz's messages during its lifetime. The callback takes no user data, hence the
+/// global; only one thread at a time is in Graphviz.
 class Complaints {
 public:
   Complaints() : former(agseterrf(collect)), level(agseterr(AGWARN)) { said.clear(); }
@@ -79,7 +79,7 @@ std::expected<std::string, std::string> renderBytes(Agraph_t* graph, const char*
   return bytes;
 }
 
-/// Sharp on screens of today.
+/// High enough for today's screens.
 void setResolution(Agraph_t* graph) {
   std::string name = "dpi";
   std::string value = "144";
@@ -94,8 +94,8 @@ std::expected<std::string, std::string> render(const Graph& graph, Format format
   const Complaints complaints;
   auto text = writeDot(toCGraph(graph, scheme).get());
   if (format == Format::Dot) return text;
-  // Places depend on the order in which a graph was made. Read back, it is in that of its text, and
-  // the picture is the one that `dot` makes of it.
+  // The layout depends on the order in which a graph was built. Reading it back restores the order
+  // of its text, and the picture equals that of `dot`.
   const auto drawn = readDot(text);
   if (!drawn) return failed("the graph cannot be read back");
   if (format == Format::Png) setResolution(drawn.get());

@@ -42,7 +42,7 @@ void drawOutcomes(Builder& builder, NodeRole role, const syntax::List<syntax::Ou
   }
 }
 
-/// What ends the skill before its action has.
+/// Draws what ends the skill before its action has ended.
 void drawStops(Builder& builder, const SkillDefinition& skill, std::size_t run, std::size_t end) {
   for (const auto& invariant : skill->invariants) {
     auto lines = builder.effects(invariant.effects);

@@ -29,7 +29,7 @@ public:
   }
 
 private:
-  /// All moves within the bounds are allowed, so that one node says it all.
+  /// All moves within the bounds are allowed, so one node is enough.
   void drawNatural(bool forbidden) {
     const auto bound = [&](const std::optional<syntax::Expr>& expr) {
       return expr ? builder.text(expr->range) : std::string("…");
@@ -73,7 +73,7 @@ private:
       builder.graph.note = "every move is allowed";
     for (std::size_t from = 0; from < states.size(); ++from)
       for (std::size_t to = from + 1; to < states.size(); ++to) drawMoves(from, to, forbidden);
-    // A circle shows best who goes where, unless there is a line to be followed.
+    // a circle shows dense moves best, unless the values form a line
     if (states.size() > 2 && builder.graph.edges.size() > states.size())
       builder.graph.layout = Layout::Circular;
   }
@@ -84,7 +84,7 @@ private:
            allowed.contains({states[from].text, states[to].text});
   }
 
-  /// Both ways between two states; one edge with two heads where both are alike.
+  /// Draws the moves between two states, as one edge with two heads if both moves are alike.
   void drawMoves(std::size_t a, std::size_t b, bool forbidden) {
     const bool there = isAllowed(a, b);
     const bool back = isAllowed(b, a);
@@ -101,7 +101,7 @@ private:
     builder.edge({from, to, role, {}, moveSource(from, to), twoWay});
   }
 
-  /// Where a listed move stands.
+  /// The source range of a declared move.
   [[nodiscard]] std::optional<Source> moveSource(std::size_t from, std::size_t to) const {
     for (const auto& listed : variable->transitions)
       if (listed.from.text == variable->states[from].text &&

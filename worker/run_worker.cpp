@@ -13,11 +13,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How often a cancellation is looked for while nothing comes.
+/// Interval at which cancellation is checked while no output comes.
 constexpr std::chrono::milliseconds kPatience{10};
-/// How often the report is handed over while it grows.
+/// Interval at which partial reports are sent.
 constexpr std::chrono::seconds kBetweenReports{1};
-/// Beyond the budget, for all that is no exploration: reading, compiling, making traces.
+/// Time beyond the budget for everything but the exploration: reading, compiling, making traces.
 constexpr double kGraceSeconds = 10;
 
 WorkerProgress progressOf(const OrderedJson& json) {
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  /// With what was told before in place of null.
+  /// Fills in the verdicts that were sent before in place of null.
   OrderedJson completed(OrderedJson report) {
     auto& told = soFar["properties"];
     auto& rows = report["properties"];
@@ -104,7 +104,8 @@ private:
     return report;
   }
 
-  /// What is decided so far, where anything is; what is not is inconclusive, for this reason.
+  /// The verdicts so far, with the rest inconclusive for this reason; only the reason if there are
+  /// none.
   Result soFarOr(std::string reason) {
     if (!anyDecided) return std::unexpected(WorkerFailure{false, std::move(reason)});
     for (auto& row : soFar["properties"])
@@ -121,10 +122,10 @@ private:
   const std::function<void(const WorkerProgress&)>& progress;
   const OnSoFar& onSoFar;
   Clock::time_point nextReport = Clock::now() + kBetweenReports;
-  std::string line;  ///< as far as it has come
-  OrderedJson soFar; ///< the report, as far as it is known
+  std::string line;  ///< received so far
+  OrderedJson soFar; ///< the report so far
   bool anyDecided = false;
-  std::vector<std::size_t> fresh; ///< decided since the report was handed over
+  std::vector<std::size_t> fresh; ///< decided since the last partial report
   std::optional<Result> result;
 };
 

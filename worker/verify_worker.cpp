@@ -27,7 +27,7 @@ enum ExitCode { kDone = 0, kNoJob = 2, kAlone = 3 };
 
 constexpr rlim_t kMegabyte = rlim_t{1} << 20;
 
-/// The texts of a job, and no others, by whatever names they include each other.
+/// Files of a job: exactly its texts, under whatever names they include each other.
 class JobFiles : public analysis::FileSystem {
 public:
   explicit JobFiles(const std::vector<WorkerText>& all) {
@@ -54,10 +54,10 @@ private:
   std::map<std::filesystem::path, const WorkerText*> texts; ///< by their canonical names
 };
 
-/// Reads bytes as they come, up to what is asked for.
+/// Reads available bytes, up to the requested number.
 class Input {
 public:
-  /// Without its end; nothing where the stream ends before.
+  /// The next line without its end; nullopt if the stream ends first.
   std::optional<std::string> line() {
     while (buffer.find('\n') == std::string::npos)
       if (!more()) return std::nullopt;
@@ -103,7 +103,8 @@ std::optional<JobHeader> readJob() {
   return header;
 }
 
-/// Whoever asked closes our standard input when the answer is not wanted any more.
+/// Ends the process when its standard input is closed, which means that the answer is no longer
+/// wanted.
 void endWithInput() {
   std::thread([] {
     char byte;
@@ -114,13 +115,13 @@ void endWithInput() {
   }).detach();
 }
 
-/// What the engine does not see, it cannot keep: these limits hold for all of the process. They are
-/// wider than the budget, within which the engine gives its answer.
+/// Limits the resources of the process. These limits also cover what the engine cannot measure.
+/// They are wider than the budget, within which the engine answers.
 void confine(const Budget& budget) {
   process::limitResource(RLIMIT_CORE, 0);
   process::limitResource(RLIMIT_CPU,
                          static_cast<rlim_t>(std::ceil(std::clamp(budget.seconds, 0.0, 1e8))) + 5);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which map terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers map terabytes
   process::limitResource(RLIMIT_AS, (budget.megabytes + budget.megabytes / 2 + 512) * kMegabyte);
 #endif
   constexpr int kBehindTheEditor = 5;
@@ -159,7 +160,7 @@ verify::Options engineOptions(const Budget& budget) {
   return options;
 }
 
-/// The first name that selects no property.
+/// The first name that selects no property, or null.
 const std::string* unknownName(const codegen::Model& model, const std::vector<std::string>& names) {
   auto found = std::ranges::find_if(names, [&](const std::string& name) {
     return std::ranges::none_of(model.checks,
@@ -168,7 +169,7 @@ const std::string* unknownName(const codegen::Model& model, const std::vector<st
   return found == names.end() ? nullptr : &*found;
 }
 
-/// What is verified: a program with its model, or a model by hand.
+/// What to verify: a program with its model, or a Fiacre model.
 struct Verifiable {
   analysis::Program program;
   codegen::Model model;
@@ -195,7 +196,7 @@ std::expected<Verifiable, std::string> verifiableOf(const WorkerJob& job) {
   return Verifiable{std::move(program), std::move(*model)};
 }
 
-/// Hands over each verdict as soon as there is one, so that none is lost whatever ends the process.
+/// Sends each verdict as soon as it is decided, so that none is lost if the process is killed.
 class Handover {
 public:
   Handover(const Verifiable& of, const std::vector<std::string>& names) : subject(of) {
@@ -212,7 +213,7 @@ public:
           {{"index", index}, {"property", report::propertyJson(subject.program, row)}}}});
   }
 
-  /// The report; null in place of what was handed over and is still so.
+  /// Sends the report, with null for verdicts that were sent and have not changed.
   void end(ide::VerificationReport result) {
     for (std::size_t i = 0; i < told.size(); ++i)
       if (stands(i, result)) result.rows[i].trace.reset();
@@ -229,7 +230,7 @@ private:
   }
 
   const Verifiable& subject;
-  std::vector<std::optional<std::string>> told; ///< by row: the reason that was given with it
+  std::vector<std::optional<std::string>> told; ///< by row: the reason that was sent with it
 };
 
 void work(const WorkerJob& job, const std::string& directory) {
@@ -246,7 +247,9 @@ void work(const WorkerJob& job, const std::string& directory) {
       model, job.names, options,
       [&](std::size_t index, const ide::VerdictRow& row) { handover.decided(index, row); });
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
-  if (known) (void)known->save(); // who gets the report may end this process at once
+  if (known)
+    (void)known->save(); // before the report is sent: its receiver may end this process at
+                         // once
   handover.end(std::move(*result));
 }
 

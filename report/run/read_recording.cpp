@@ -12,7 +12,8 @@ struct Wrong {
   std::string why;
 };
 
-/// A recording has a step a line, so what was cut off is what follows the last whole line.
+/// Parses a recording, which has one step per line. If it was cut off, the incomplete last line is
+/// ignored.
 Json parsed(std::string_view text) {
   auto whole = Json::parse(text, nullptr, false);
   while (whole.is_discarded()) {

@@ -16,7 +16,7 @@ using runtime::RemarkKind;
 
 namespace {
 
-/// A transition with more paths than this is not kept: its model would be an odd one.
+/// A transition with more paths is not cached.
 constexpr std::size_t kMostPaths = 64;
 
 void addNumber(std::string& to, std::int64_t number) {
@@ -25,7 +25,7 @@ void addNumber(std::string& to, std::int64_t number) {
   to.append(digits.data(), end);
 }
 
-/// In seconds, as a decimal without zeros at its end; it is exact, and a number in JSON.
+/// An exact decimal number of seconds without trailing zeros, valid in JSON.
 std::string_view inSeconds(Nanoseconds time, std::array<char, 32>& room) {
   auto* at = std::to_chars(room.data(), room.data() + room.size(), time / runtime::kSecond).ptr;
   auto part = time % runtime::kSecond;

@@ -12,7 +12,8 @@ using runtime::Nanoseconds;
 namespace {
 
 constexpr std::string_view kStatus = ".status";
-constexpr std::uint16_t kSteps = 1; ///< channels, and the schemas of their messages
+constexpr std::uint16_t kSteps = 1; ///< identifiers of channels, and of the schemas of their
+                                    ///< messages
 constexpr std::uint16_t kVariables = 2;
 constexpr std::uint16_t kSkills = 3;
 
@@ -22,7 +23,7 @@ OrderedJson object(OrderedJson properties) {
 
 OrderedJson ofType(const char* type) { return {{"type", type}}; }
 
-/// What is the same in all programs; other members may be there.
+/// The members that all steps have; others are allowed.
 OrderedJson stepSchema() {
   const auto seconds = object({{"exact", ofType("string")}, {"seconds", ofType("number")}});
   auto change = object(
@@ -38,7 +39,7 @@ OrderedJson stepSchema() {
                  {"changes", {{"type", "array"}, {"items", std::move(change)}}}});
 }
 
-/// Variables as a JSON object, words as strings and numbers as numbers.
+/// Writes variables as a JSON object with strings and numbers.
 class VariableWriter {
 public:
   VariableWriter(const runtime::Executable& of, bool statuses) : system(of.system) {
@@ -73,7 +74,7 @@ public:
   }
 
 private:
-  /// A status stands under its skill's name.
+  /// A status has the name of its skill.
   [[nodiscard]] std::string name(std::uint32_t place, bool isStatus) const {
     const auto& display = system.watched[place].display;
     return isStatus ? display.substr(0, display.size() - kStatus.size()) : display;
@@ -84,7 +85,7 @@ private:
   }
 
   const verify::System& system;
-  std::vector<std::uint32_t> places; ///< among the watched variables
+  std::vector<std::uint32_t> places; ///< indices among the watched variables
   std::vector<std::string> keys;
   OrderedJson schema = OrderedJson::object();
   std::string text;

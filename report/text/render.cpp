@@ -26,7 +26,7 @@ Colour colourOf(Severity severity) {
   return Colour::Bold;
 }
 
-/// A diagnostic's marks file by file: its own file, then the others.
+/// The marks of a diagnostic by file; its own file is first.
 std::vector<std::pair<FileId, std::vector<Mark>>> marksByFile(const Diagnostic& diagnostic) {
   std::vector<std::pair<FileId, std::vector<Mark>>> files{
       {diagnostic.location.file, {{diagnostic.location.range, "", true}}}};

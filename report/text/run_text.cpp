@@ -17,12 +17,12 @@ using runtime::RemarkKind;
 
 namespace {
 
-/// `2.5`, with as many decimals as it takes.
+/// Seconds as a decimal: `2.5`.
 std::string secondsText(Nanoseconds date) {
   return syntax::toString(ide::seconds(date, 1, {1, runtime::kSecond}));
 }
 
-/// Dates that were drawn have nine decimals: six are enough to read.
+/// Dates that were drawn have nine decimals; six are shown.
 std::string dateText(Nanoseconds date) {
   auto text = fmt::format("{}.{:06}", date / runtime::kSecond, date % runtime::kSecond / 1000);
   while (text.ends_with('0')) text.pop_back();
@@ -57,7 +57,7 @@ public:
   }
 
   void onRemark(const runtime::Remark& remark) override {
-    if (remark.kind == RemarkKind::GuardFailed) return; // its step says so
+    if (remark.kind == RemarkKind::GuardFailed) return; // already reported with its step
     if (remark.kind == RemarkKind::Started)
       return writeBelow("→ " + runtime::commandText(remark.start->call, remark.subject),
                         Colour::Blue);

@@ -14,17 +14,17 @@ using syntax::Range;
 
 namespace {
 
-/// Longer lines are cut to a window: bytes before a mark, and in all.
+/// Limits of longer lines: bytes shown before a mark, and in all.
 constexpr Offset kBeforeMark = 60;
 constexpr Offset kWindow = 240;
 
-/// Forward to where a character begins.
+/// Moves forward to the start of a character.
 Offset toCharacter(std::string_view text, Offset at) {
   while (at < text.size() && syntax::continuesCharacter(text[at])) ++at;
   return at;
 }
 
-/// Text with a colour for each of its columns; escapes are added when it is done.
+/// Text with a colour for each column; escape sequences are added at the end.
 class Canvas {
 public:
   void put(std::size_t column, std::string_view text, Colour colour) {
@@ -32,7 +32,7 @@ public:
     pieces.push_back({column, std::string(text), colour});
   }
 
-  /// The pieces from left to right; they do not overlap.
+  /// Appends the pieces from left to right. They must not overlap.
   [[nodiscard]] std::string str(const Paint& paint) const {
     auto ordered = pieces;
     std::ranges::stable_sort(ordered, {}, &Piece::column);
@@ -63,8 +63,8 @@ struct Underline {
   bool primary;
 };
 
-/// The rows below a line: the underlines with the label of the last, then the other labels, each
-/// under its own mark, from right to left.
+/// The rows below a line: the underlines with the label of the last one, then the other labels from
+/// right to left, each below its mark.
 class Underlines {
 public:
   Underlines(std::vector<Underline> marks, Colour primary)
@@ -88,7 +88,7 @@ private:
     return mark.primary ? primary : Colour::Blue;
   }
 
-  /// The last mark has its label beside it, if nothing follows.
+  /// The label of the last mark is beside it if nothing follows.
   [[nodiscard]] std::size_t inlineLabel() const {
     const Underline& last = marks.back();
     const bool free = std::ranges::none_of(
@@ -99,7 +99,7 @@ private:
   [[nodiscard]] std::string underlines(const Paint& paint) const {
     std::size_t end = 0;
     for (const Underline& mark : marks) end = std::max(end, mark.end);
-    std::vector<const Underline*> top(end, nullptr); ///< primary marks cover the others
+    std::vector<const Underline*> top(end, nullptr); ///< primary marks hide the others
     for (bool wanted : {false, true})
       for (const Underline& mark : marks)
         if (mark.primary == wanted)
@@ -118,7 +118,7 @@ private:
     return canvas.str(paint);
   }
 
-  /// Bars down from the labelled marks before `count`, then the label of `mark`.
+  /// Vertical bars below the labelled marks before `count`, then the label of `mark`.
   [[nodiscard]] std::string connectors(std::size_t count, const Underline* mark,
                                        const Paint& paint) const {
     Canvas canvas;
@@ -150,7 +150,7 @@ void Snippet::add(const Mark& mark) {
   const std::string_view text = document.text();
   const auto first = index.position(mark.range.begin).line;
   auto last = index.position(mark.range.end).line;
-  // A range that ends with its line ends there, not at the start of the next.
+  // a range that includes the line end ends there, not at the start of the next line
   if (last > first && index.offset({last, 0}) == mark.range.end) --last;
   if (first == last) return addPiece(first, {mark.range, mark.label, mark.primary});
   const Range begin = index.line(first, text), end = index.line(last, text);

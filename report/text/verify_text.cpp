@@ -28,13 +28,13 @@ Mark markOf(const ide::VerdictRow& row) {
   return {"✗", Colour::Red};
 }
 
-/// `12.5 s`, with `>` or `<` before a date that is approached but not reached.
+/// `12.5 s`, with `>` or `<` if the date is approached but not reached.
 std::string momentText(const ide::Moment& moment, bool latest) {
   return fmt::format("{}{}", moment.strict ? (latest ? "<" : ">") : "",
                      syntax::toString(moment.seconds));
 }
 
-/// The window of dates in which the step can happen, over all runs that go this way.
+/// The interval of dates at which the step can happen, over all runs with the same steps.
 std::string windowText(const ide::TraceStep& step) {
   auto earliest = momentText(step.earliest, false);
   if (!step.latest) return earliest + " s …";
@@ -58,7 +58,7 @@ std::string changesText(const std::vector<verify::Change>& changes) {
   return text;
 }
 
-/// The state variables at the start; skills have no status then, which need not be said.
+/// The initial values of the state variables. Skills have no status then, so it is omitted.
 std::string initialText(const std::vector<verify::Change>& initial) {
   std::string text;
   for (const auto& variable : initial)
@@ -67,7 +67,7 @@ std::string initialText(const std::vector<verify::Change>& initial) {
   return text;
 }
 
-/// The widths of the columns of a trace, and whether it says which of its steps matter.
+/// The widths of the columns of a trace, and whether steps are marked as relevant.
 struct Layout {
   std::size_t number = 1;
   std::size_t window = 0;
@@ -113,8 +113,7 @@ bool isReachedStatement(const ide::VerdictRow& row) {
   return row.check->kind == "reachable" && row.good();
 }
 
-/// The rows of one subject. Statements that can be reached are what everybody expects: they are
-/// counted.
+/// Writes the rows of one subject. Reachable statements are only counted, since they are expected.
 void writeSubject(std::ostream& out, std::span<const ide::VerdictRow> rows, const Paint& paint) {
   out << paint(Colour::Bold, rows.front().check->subject) << '\n';
   auto reached = std::ranges::count_if(rows, isReachedStatement);
@@ -150,7 +149,7 @@ std::string bytesText(std::uint64_t bytes) {
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024 * 1024));
 }
 
-/// Why the exploration stopped, and how it goes further.
+/// Why the exploration stopped, with the option that raises the limit.
 std::string withOption(const std::string& stopped) {
   for (const auto& [limit, option] : {std::pair{"time limit", "--time-limit"},
                                       {"memory limit", "--memory-limit"},

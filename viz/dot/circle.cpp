@@ -7,7 +7,7 @@
 namespace proskill::viz {
 namespace {
 
-constexpr double kCharacter = 0.1; ///< inches, about as wide as one of a label
+constexpr double kCharacter = 0.1; ///< in inches; about the width of a character of a label
 constexpr double kNodeHeight = 0.4;
 
 class Circle {
@@ -36,8 +36,8 @@ public:
   }
 
 private:
-  /// On the ellipse, or outside of it by `right` and `up`. Wide labels make it wide, many nodes
-  /// high.
+  /// A point on the ellipse, or outside by `right` and `up`. Wide labels make the ellipse wide,
+  /// many nodes make it high.
   [[nodiscard]] Point at(double angle, double right, double up) const {
     const double x = std::max(0.55 * widest, 0.27 * count * widest * 0.75) + 0.2;
     const double y = 0.28 * count + 0.2;

@@ -13,10 +13,10 @@
 namespace proskill::viz {
 namespace {
 
-/// cgraph takes writable strings everywhere and changes none of those that are passed here.
+/// cgraph takes non-const strings, but does not change those that are passed here.
 char* text(std::string& value) { return value.data(); }
 
-/// A name in a URL: everything but letters, digits and what paths are made of as %XX.
+/// A name in a URL. All bytes but letters, digits and punctuation of paths become %XX.
 std::string urlOf(const Source& source) {
   std::string out;
   for (char c : source.file) {
@@ -27,7 +27,7 @@ std::string urlOf(const Source& source) {
   return fmt::format("{}#{}-{}", out, source.range.begin, source.range.end);
 }
 
-/// Sets attributes of one object, declaring each where it is new.
+/// Sets attributes of an object, and declares new ones.
 class Attributes {
 public:
   Attributes(Agraph_t* within, void* what) : graph(within), object(what) {}
@@ -97,7 +97,7 @@ private:
     attributes.setHtml("label", titleAndLegend(graph, scheme));
   }
 
-  /// What holds for all nodes and edges, so that it is written once.
+  /// Sets what holds for all nodes and edges once.
   void setDefaults() {
     const auto set = [&](int kind, std::string name, std::string value) {
       agattr(root.get(), kind, text(name), text(value));
@@ -149,7 +149,7 @@ private:
     attributes.set("fillcolor", std::string(style.fill));
     attributes.set("color", std::string(style.line));
     attributes.setSource(node.source);
-    // These shapes leave room around their text by themselves.
+    // these shapes have margins of their own
     if (style.shape == "hexagon" || style.shape == "octagon" || style.shape == "ellipse" ||
         style.shape == "parallelogram")
       attributes.set("margin", "0.04,0.03");
@@ -166,7 +166,7 @@ private:
           .set("pos", fmt::format("{:.3f},{:.3f}!", points[i].x, points[i].y));
   }
 
-  /// A node without words: a dot, or the bar of a fork.
+  /// Draws a node without text: a dot, or the bar of a fork.
   void drawSign(Attributes& attributes, NodeRole role) {
     const bool bar = role == NodeRole::Fork || role == NodeRole::Join;
     const auto* height = bar ? "0.07" : role == NodeRole::Junction ? "0.09" : "0.18";
@@ -192,20 +192,21 @@ private:
     if (edge.source) attributes.setSource(*edge.source);
   }
 
-  /// With a little room on both sides of each line.
+  /// Puts a little space on both sides of each line.
   static std::string edgeLabel(std::string_view words) {
     std::string out;
     for (const auto& line : wrap(clean(words), 18)) out += (out.empty() ? " " : "\n ") + line + " ";
     return out;
   }
 
-  /// An edge within a cluster belongs to it, so that the frame goes around its label too.
+  /// The cluster that contains an edge, so that the frame also encloses the edge's label.
   [[nodiscard]] Agraph_t* clusterOf(const Edge& edge) const {
     const auto from = graph.nodes[edge.from].cluster;
     return from && from == graph.nodes[edge.to].cluster ? clusters[*from] : root.get();
   }
 
-  /// What a reader follows first is drawn straight; where ways part or meet, none comes first.
+  /// Whether to draw an edge straight: the main path is straight; branches and joins have no main
+  /// path.
   [[nodiscard]] bool isMainWay(const Edge& edge) const {
     const auto from = graph.nodes[edge.from].role;
     const auto to = graph.nodes[edge.to].role;
@@ -221,12 +222,12 @@ private:
   std::vector<Agnode_t*> nodes;
 };
 
-/// A text that is being read.
+/// Position in a text for reading.
 struct Reader {
   std::string_view rest;
 };
 
-/// Up to the end of a line, as fgets does, which cgraph's own reading is made for.
+/// Reads to the end of a line, as fgets does. cgraph's own reader expects that.
 int readLine(void* from, char* buffer, int size) {
   auto& rest = static_cast<Reader*>(from)->rest;
   const auto line = std::min(rest.find('\n'), rest.size() - 1) + 1;

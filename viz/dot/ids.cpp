@@ -8,8 +8,8 @@
 namespace proskill::viz {
 namespace {
 
-/// The names of one graph and their numbers, apart for graphs, nodes and edges. Names are strings
-/// of cgraph's own: it looks at what it keeps with them.
+/// Maps names of one graph to numbers, separately for graphs, nodes and edges. Names are strings of
+/// cgraph, since cgraph uses what it stores with them.
 class Ids {
 public:
   explicit Ids(Agraph_t* named) : graph(named) {}
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  /// Both ends of an edge are one edge.
+  /// cgraph's two half-edges are one edge.
   static int kindOf(int kind) { return kind == AGINEDGE ? AGOUTEDGE : kind; }
 
   Agraph_t* graph;
@@ -60,7 +60,7 @@ void close(void* state) { const std::unique_ptr<Ids> ids(static_cast<Ids*>(state
 long map(void* state, int kind, char* name, IDTYPE* id, int create) {
   return idsOf(state).find(kind, name, *id, create != 0) ? 1 : 0;
 }
-/// Nobody chooses numbers here.
+/// Not supported: identifiers are always names.
 long allocate(void*, int, IDTYPE) { return 0; }
 void release(void* state, int kind, IDTYPE id) { idsOf(state).forget(kind, id); }
 char* print(void* state, int, IDTYPE id) { return idsOf(state).name(id); }

@@ -13,12 +13,11 @@
 namespace proskill::viz {
 namespace {
 
-constexpr std::size_t kPerRow = 4; ///< entries of the legend
+constexpr std::size_t kPerRow = 4; ///< entries of the legend per row
 
 using syntax::countCharacters;
 
-/// What should stay on one line: a word, or all that is between parentheses where it is short
-/// enough.
+/// The length of the next unbreakable unit: a word, or a short parenthesised expression.
 std::size_t unitLength(std::string_view text, std::size_t width) {
   const auto word = std::min(text.find(' '), text.size());
   std::size_t depth = 0;
@@ -31,7 +30,7 @@ std::size_t unitLength(std::string_view text, std::size_t width) {
   return countCharacters(text) <= width ? text.size() : word;
 }
 
-/// Each meaning once, in the order of the roles.
+/// An entry of the legend. Each meaning is shown once, in the order of the roles.
 struct LegendEntry {
   std::string_view meaning;
   std::string cell;
@@ -69,8 +68,9 @@ std::string headLine(std::string_view text, std::size_t columns, std::string_vie
       font, tag, escape(text));
 }
 
-/// What the title is wider than a short legend goes into a cell of its own: the table would spread
-/// it over all. Widths are guessed, in points, since the font is not known here.
+/// An extra cell that fills the space between a short legend and a wider title; otherwise the table
+/// would distribute it over all cells. Widths are estimated in points, since the font is unknown
+/// here.
 std::string filler(const Graph& graph, const std::vector<LegendEntry>& entries) {
   constexpr std::size_t kTitleCharacter = 10;
   constexpr std::size_t kLegendCharacter = 5;

@@ -11,7 +11,7 @@ extern "C" {
 namespace proskill::viz {
 namespace {
 
-/// The height of a line, and what of it lies below the middle that text is centred at.
+/// The height of a line, and the part of it below the middle, on which text is centred.
 constexpr double kHeight = 1.164;
 constexpr double kBelowMiddle = 0.1;
 

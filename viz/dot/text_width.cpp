@@ -10,7 +10,7 @@ namespace {
 using Widths = std::array<std::uint16_t, 127 - ' '>;
 
 // clang-format off
-/// Of the characters from the space to the tilde in DejaVu Sans, in thousandths of the size.
+/// Widths of the characters from space to tilde in DejaVu Sans, in thousandths of the font size.
 constexpr Widths kPlain{
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337, 636, 636, 636,
     636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632,
@@ -27,8 +27,8 @@ constexpr Widths kBold{
 };
 // clang-format on
 
-/// What is not in the tables is as wide as most letters, and from here on, in the scripts of East
-/// Asia and among pictures, twice that.
+/// Other characters have the width of most letters. From this code point on, East Asian characters
+/// and pictographs have twice that.
 constexpr char32_t kFirstWide = 0x1100;
 constexpr int kOther = 640;
 constexpr int kOtherBold = 700;
