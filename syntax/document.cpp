@@ -14,7 +14,7 @@
 namespace proskill::syntax {
 namespace {
 
-/// A region at its place in a document.
+/// A region with its position in a document.
 struct PlacedRegion {
   Range range;
   std::shared_ptr<const ParsedRegion> content;
@@ -43,13 +43,13 @@ struct Document::State {
     return std::string_view(text).substr(range.begin, range.length());
   }
 
-  /// Where a region begins; the end of the text for what is behind the last one.
+  /// Start of a region; the end of the text for the region after the last.
   [[nodiscard]] Offset beginOf(std::size_t region) const {
     return region < regions.size() ? regions[region].range.begin : static_cast<Offset>(text.size());
   }
 
-  /// How many regions an edit leaves as they are, as far as its lines tell: a region begins with a
-  /// line, by the first word of that.
+  /// The numbers of regions before and after an edit that remain unchanged as far as lines show: a
+  /// region begins with the first word of a line.
   [[nodiscard]] CommonEnds around(Range edit) const {
     const Offset line = edit.begin - lines.position(edit.begin).column;
     const auto end = [](const PlacedRegion& region) { return region.range.end; };
@@ -60,7 +60,7 @@ struct Document::State {
             static_cast<std::size_t>(regions.end() - back)};
   }
 
-  /// Whether what stands there is what was read: nothing was put in or left out.
+  /// Whether the region was parsed without recovery: no character was added or removed.
   [[nodiscard]] bool isReadAsIs(const PlacedRegion& region) const {
     const auto& parsed = *region.content->parsed;
     return !parsed.recovered && parsed.text == textOf(region.range);
@@ -69,7 +69,7 @@ struct Document::State {
     return region.content->diagnostics.empty() && isReadAsIs(region);
   }
 
-  /// Makes room for what an edit of the other document leaves of it, and a bit.
+  /// Reserves memory for what an edit of the other document keeps of it, and a little more.
   void reserveAs(const State& other) {
     constexpr std::size_t kMore = 16;
     regions.reserve(other.regions.size() + kMore);
@@ -78,7 +78,7 @@ struct Document::State {
     diagnostics.reserve(other.diagnostics.size() + kMore);
   }
 
-  /// Reads what stands in `ranges`, which follow each other.
+  /// Parses the text in `ranges`, which are in order.
   void read(std::span<const Range> ranges) {
     std::vector<std::string_view> texts;
     for (Range range : ranges) texts.push_back(textOf(range));
@@ -93,7 +93,7 @@ struct Document::State {
     add(range, content);
   }
 
-  /// Takes regions over from another document, in which their forms begin at `form`.
+  /// Reuses regions of another document, whose forms begin at `form`.
   void reuse(const State& other, std::span<const PlacedRegion> those, std::size_t form, Offset by) {
     for (const auto& [range, content] : those) {
       for (const auto end = form + content->forms.size(); form != end; ++form)
@@ -102,7 +102,7 @@ struct Document::State {
     }
   }
 
-  /// All of a region but its forms.
+  /// Adds everything of a region but its forms.
   void add(Range range, const std::shared_ptr<const ParsedRegion>& content) {
     regions.push_back({range, content});
     append(content->comments, range.begin, comments);
@@ -113,7 +113,7 @@ struct Document::State {
     for (const Item& item : from) shift(to.emplace_back(item), by);
   }
 
-  /// Gives the forms of a part of them the comment that ends in the line above each.
+  /// Gives each of these forms the comment that ends on the line above it.
   void attachComments(std::size_t begin, std::size_t end) {
     if (begin == end) return;
     auto comment = std::ranges::upper_bound(comments, forms[begin].range.begin, {}, &Range::end);
@@ -124,7 +124,7 @@ struct Document::State {
     }
   }
 
-  /// Of several forms in a line the first has it.
+  /// If several forms begin on a line, the first one has the comment.
   [[nodiscard]] Range commentAbove(Offset at, std::vector<Range>::const_iterator next) const {
     Range found;
     auto [line, column] = lines.position(at);
@@ -186,8 +186,8 @@ Document Document::edit(Range range, std::string_view text) const {
   const auto firstMoved = next->forms.size();
   next->reuse(*state, regions.last(back), state->forms.size() - countOfForms(regions.last(back)),
               by);
-  // The comment above a form begins behind the form before it: of those that were taken over only
-  // the first one behind the edit may have another.
+  // The comment above a form begins after the previous form. So among the reused forms, only the
+  // first one after the edit may have a different comment.
   next->attachComments(firstRead, std::min(firstMoved + 1, next->forms.size()));
   Document document;
   document.state = std::move(next);

@@ -14,16 +14,14 @@
 namespace proskill::syntax {
 namespace {
 
-// What is larger or deeper is no program that a person wrote, and would take memory and stack
-// out of proportion.
+// People do not write larger or deeper programs; these would take too much memory and stack.
 constexpr std::size_t kLargest = 1 << 20;
 constexpr std::size_t kDeepest = 256;
 constexpr std::size_t kMostDiagnostics = 200;
-// tree-sitter 0.20 counts the children of a node in 16 bits, and comments in a row are such
-// children.
+// tree-sitter 0.20 counts the children of a node in 16 bits, and consecutive comments are children.
 constexpr std::size_t kMostComments = 1 << 14;
 
-/// The parenthesis that opens one level too many; null where none does.
+/// The parenthesis that exceeds the maximum depth, or null.
 const Parenthesis* tooDeep(const Scan& scan) {
   std::size_t depth = 0;
   for (const Parenthesis& parenthesis : scan.parentheses) {
@@ -79,8 +77,7 @@ std::size_t problemsOf(Parser& parser, std::string_view text) {
   return diagnostics.size();
 }
 
-/// Lists that grow while they are read leave much behind: that is elsewhere, and what is kept is a
-/// copy without gaps.
+/// Copies the forms to memory without gaps: lists that grow during parsing leave many.
 std::vector<ReadForm> compactForms(Builder& builder, ParsedText& parsed) {
   std::pmr::monotonic_buffer_resource scratch;
   const auto grown = [&] {
@@ -125,7 +122,7 @@ ParsedRegion readRegion(Parser& parser, std::string_view text) {
   parsed->tree = parser.parse(parsed->text);
   parsed->tree.shrink_to_fit();
   checkWords(parsed->text, parsed->tree, region.diagnostics);
-  // What else seems to be wrong with recovered forms may come from the same mistake.
+  // further errors in recovered forms may be consequences of the same one
   std::vector<Diagnostic> ignored;
   Builder forms{parsed->text, recovered ? ignored : region.diagnostics};
   region.forms = compactForms(forms, *parsed);
@@ -153,7 +150,7 @@ std::vector<ParsedRegion> readRegions(const std::vector<std::string_view>& texts
   std::vector<std::jthread> helpers(std::min(cores - 1, bytes / kWorthAThread));
   for (std::jthread& helper : helpers) helper = std::jthread(work);
   work();
-  helpers.clear(); // waits for them
+  helpers.clear(); // joins them
   return regions;
 }
 

@@ -21,7 +21,7 @@ std::vector<Problem> check(const Program& program) {
   for (const auto& component : program.components)
     for (const auto& port : component.ports)
       checkProbe(port, program, known, report.at("component " + component.name, port.origin));
-  if (program.main.empty()) return problems; // what paths lead to is not here
+  if (program.main.empty()) return problems; // paths cannot be resolved without a main component
   for (const auto& property : program.properties)
     checkProperty(property, program, known,
                   report.at("property " + property.name, property.origin));

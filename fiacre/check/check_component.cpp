@@ -9,7 +9,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// What an instance must be given.
+/// The ports and arguments that an instance needs.
 struct Interface {
   const std::vector<Port>& ports;
   const std::vector<Parameter>& parameters;
@@ -77,7 +77,7 @@ private:
 
 using Order = std::map<std::string_view, std::set<std::string_view>>;
 
-/// Whether the one goes before the other by what is said, or by what follows from it.
+/// Whether one port has priority over the other, directly or by transitivity.
 bool comesBefore(std::string_view high, std::string_view low, const Order& below,
                  std::set<std::string_view>& seen) {
   const auto next = below.find(high);
@@ -133,7 +133,7 @@ void checkInstances(const std::vector<Instance>& parts, const CheckContext& arou
   }
 }
 
-/// The model or an observer: on its own, it is given nothing.
+/// Checks the main component or an observer, which must need no ports and arguments.
 void checkAlone(const std::string& name, std::string_view what, const Declarations& known,
                 const Report& report) {
   const auto made = interfaceOf(name, known);

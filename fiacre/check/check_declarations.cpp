@@ -8,7 +8,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Constants, constructors and functions are all named in expressions.
+/// Constants, constructors and functions share one namespace.
 void checkValueNames(const Program& program, const Report& report) {
   Names values(report);
   for (const auto& constant : program.constants) values.add(constant.name, "the constant");
@@ -32,7 +32,7 @@ void checkOtherNames(const Program& program, const Report& report) {
   for (const auto& property : program.properties) properties.add(property.name, "the property");
 }
 
-/// Whether the type `name` can be reached from a type.
+/// Whether a type refers to the type `name`, directly or not.
 bool uses(const Type& type, std::string_view name, const Declarations& known,
           std::set<std::string_view>& seen) {
   const auto within = [&](const Type& inner) { return uses(inner, name, known, seen); };

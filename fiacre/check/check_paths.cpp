@@ -12,8 +12,7 @@ namespace {
 /// What a path has done so far.
 enum Done : unsigned { kNothing = 0, kWaited = 1, kCommunicated = 2 };
 
-/// The paths that are still going on, as the set of what each has done: bit `done` is one such
-/// path.
+/// The open paths, as the set of what each has done; a bit for each value of `Done`.
 using Paths = std::uint8_t;
 constexpr Paths kNone = 0;
 constexpr Paths kStart = 1U << kNothing;
@@ -44,7 +43,7 @@ bool hasCommunication(const Statement& s) {
   return isCommunication(s) || std::ranges::any_of(s.children, hasCommunication);
 }
 
-/// Statements that only compute: all that loops, functions and `init` may hold.
+/// Statements that only compute; loops, functions and `init` may contain no others.
 bool isPlain(StatementKind kind) {
   switch (kind) {
   case StatementKind::Null:

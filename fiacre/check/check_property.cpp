@@ -8,11 +8,11 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Where a path leads: to a process, a component, or a composition within one.
+/// Target of a path: a process, a component, or a composition within one.
 struct Target {
   const Process* process = nullptr;
   const Component* component = nullptr;
-  const std::vector<Instance>* parts = nullptr; ///< but of a process
+  const std::vector<Instance>* parts = nullptr; ///< null for a process
 };
 
 std::optional<Target> find(const std::string& name, const Declarations& known) {
@@ -75,7 +75,7 @@ private:
   void operands(const Pattern& pattern) const {
     std::size_t wanted = 1;
     switch (pattern.kind) {
-    case PatternKind::DeadlockFree: // where it may stop, if anywhere
+    case PatternKind::DeadlockFree: // its observable says where the model may stop
       wanted = pattern.operands.empty() ? 0 : 1;
       break;
     case PatternKind::Progress:
@@ -98,7 +98,7 @@ private:
     for (const auto& operand : ltl.operands) check(operand);
   }
 
-  /// From the main component or an observer down, by places in `par`.
+  /// Resolves a path from the main component or an observer, by positions in `par`.
   [[nodiscard]] std::optional<Target> follow(const Observable& o) const {
     const auto& begin = o.observer.empty() ? program.main : o.observer;
     auto target = find(begin, known);

@@ -8,7 +8,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Checks one kind of statement each; what is within is checked by `checkNames`.
+/// Checks one statement; `checkNames` checks the statements in it.
 class StatementCheck {
 public:
   StatementCheck(const Statement& checked, const CheckContext& near, const Report& to)

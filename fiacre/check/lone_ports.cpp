@@ -10,15 +10,16 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Who has a port, within an instance.
+/// The users of a port within an instance.
 struct Holders {
-  std::size_t count = 0;    ///< instances of processes
-  std::size_t together = 0; ///< of them, the most that pass it in one step; 0: nobody can pass it
-  bool sends = false;       ///< one can pass it without getting a value from another
-  std::string process;      ///< of one of them
+  std::size_t count = 0;    ///< number of instances of processes
+  std::size_t together = 0; ///< the largest number of them that synchronise in one step; 0: none
+                            ///< can
+  bool sends = false;       ///< one can synchronise without receiving a value
+  std::string process;      ///< the name of one of them
 };
 
-/// What one port is called in a component or a process.
+/// The names of one port in a component or a process.
 using PortNames = std::set<std::string>;
 
 bool communicates(const Statement& statement, StatementKind how, const PortNames& port) {
@@ -39,7 +40,7 @@ Holders holder(const Process& process, const PortNames& port) {
   return {.count = 1, .together = passes ? 1U : 0U, .sends = sends, .process = process.name};
 }
 
-/// What the ports that an instance is given are called within it.
+/// The names within an instance of the ports that it is given.
 PortNames namesWithin(const Instance& instance, const std::vector<Port>& formal,
                       const PortNames& port) {
   PortNames names;
@@ -48,7 +49,8 @@ PortNames namesWithin(const Instance& instance, const std::vector<Port>& formal,
   return names;
 }
 
-/// As one composition has them: who waits passes with all others that wait, or not at all.
+/// The users of a port in one composition: those that synchronise do so with all others that do, or
+/// not at all.
 class Composed {
 public:
   void add(const Holders& part, bool waits) {

@@ -22,7 +22,7 @@ bool sameMembers(const Type& a, const Type& b, const Declarations& declarations)
 
 Type canonical(const Type& type, const Declarations& declarations) {
   auto found = type;
-  // A type that is declared by itself is reported with the declarations; here it must only end.
+  // a type that contains itself is reported elsewhere; here the loop only has to end
   for (std::size_t depth = 0; depth <= declarations.types.size(); ++depth) {
     if (found.kind != TypeKind::Named) return found;
     const auto* declaration = lookUp(declarations.types, found.name);

@@ -68,7 +68,7 @@ void Typing::expectRecord(const Expr& expr, const Type& type) const {
           fmt::format("`{}` must give the field `{}` exactly once", printExpr(expr), member.name));
 }
 
-/// A literal of a structured type, whose parts say more than its whole.
+/// Checks the parts of a literal of a structured type, since errors there are more precise.
 bool Typing::expectParts(const Expr& expr, const Type& type) const {
   if (expr.kind == ExprKind::Conditional) {
     expectBool(expr.operands[0]);
@@ -299,7 +299,7 @@ std::optional<Type> Typing::inferArray(const Expr& expr) const {
               .element = {*first}};
 }
 
-/// Without a type that is expected, a record is of the type that has its fields.
+/// If no type is expected, a record has the type with its fields.
 std::optional<Type> Typing::inferRecord(const Expr& expr) const {
   for (const auto& [name, declaration] : declarations->types) {
     const auto& type = declaration->type;

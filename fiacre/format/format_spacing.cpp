@@ -14,7 +14,7 @@ bool isOneOf(const Token& token, const std::array<std::string_view, N>& texts) {
          std::ranges::find(texts, token.text) != texts.end();
 }
 
-/// Words that mean something and end an expression or a type all the same.
+/// Keywords that may end an expression or a type.
 constexpr auto kOperands =
     std::to_array<std::string_view>({"true", "false", "any", "end", "nat", "int", "bool", "sync"});
 constexpr auto kClosing = std::to_array<std::string_view>({")", "]", "}", "|}"});
@@ -22,7 +22,7 @@ constexpr auto kTouchingBefore =
     std::to_array<std::string_view>({",", ";", ")", "]", "}", "|}", "..", "..."});
 constexpr auto kBeforeInterval =
     std::to_array<std::string_view>({"wait", "in", "within", "interval"});
-/// What ends the expression behind `value` in a path.
+/// Keywords that end the expression after `value` in a path.
 constexpr auto kAfterValue =
     std::to_array<std::string_view>({"and", "or", "=>", "until", "leadsto", "precedes", "after",
                                      "before", "within", "lasting", "for"});
@@ -68,7 +68,7 @@ bool Spacing::closesInterval(const Token& token) {
   return interval == Interval::Upper && inner == 0 && (is(token, "[") || is(token, "]"));
 }
 
-/// Whether a token stands close to the one before it, whatever that is.
+/// Whether no space comes before a token, whatever token precedes it.
 bool Spacing::touches(const Token& token, Role role) const {
   if (role == Role::Joint || is(token, ".")) return true;
   if (role == Role::Open && opensInterval(token)) return false;
@@ -87,7 +87,7 @@ bool Spacing::spaced(const Token& token, Role role) {
   if (interval != Interval::Outside && (is(previous, ",") || closesInterval(token))) return false;
   if (isOneOf(previous, std::to_array<std::string_view>({".", ".."}))) return false;
   if (is(token, ":")) return conditionals > 0;
-  // A formula behind `[]` or `()` stands apart from it; all other groups follow a name or a sign.
+  // a formula after `[]` or `()` is separated by a space; all other groups follow a name or a sign
   if (is(token, "(") && is(previous, ")")) return true;
   if (is(token, "(") && is(previous, "]") && kind == LineKind::Property && !inValue) return true;
   return !touches(token, role);
@@ -111,7 +111,7 @@ void Spacing::follow(const Token& token, Role role) {
     if (is(token, "=")) groups.back() = Group::FieldValue;
     if (is(token, ",")) groups.back() = Group::Field;
   }
-  if (is(token, ":") && conditionals == 0) inProbe = inValue = false; // of the next port
+  if (is(token, ":") && conditionals == 0) inProbe = inValue = false; // the colon of the next port
   if (is(token, "?")) ++conditionals;
   if (is(token, ":") && conditionals > 0) --conditionals;
   if (is(token, "is") && kind == LineKind::Ports) inProbe = true;

@@ -7,12 +7,12 @@ namespace {
 
 using Shape = FormatLine::Shape;
 
-/// What stands before an expression, so that `[]` behind it is an empty array.
+/// Tokens before an expression: `[]` after them is an empty array.
 constexpr auto kBeforeExpression =
     std::to_array<std::string_view>({":=", ",", "=", "<>", "!", "?", ":", "return", "on", "where",
                                      "not", "and", "or", "case", "if", "while", "elsif"});
 
-/// Ends lines where the structure of a model does.
+/// Breaks lines according to the structure of a model.
 class Splitter final : LineBuilder {
 public:
   Splitter(std::string_view read, const std::vector<Token>& tokens) : LineBuilder(read, tokens) {}
@@ -47,7 +47,7 @@ private:
     take();
   }
 
-  // Declarations and their parts.
+  // --- Declarations and their parts
   [[nodiscard]] bool isAtDeclaration() const {
     return peek().kind == TokenKind::Name && beginsDeclaration(peek(), peek(1), peek(2)) &&
            !(previous() && previous()->text == "/");
@@ -84,7 +84,7 @@ private:
     take();
   }
 
-  /// The model's name, or `observer > model`: of these there may be several in a row.
+  /// The model's name, or `observer > model`; several of these may follow each other.
   void entry() {
     const bool attaches = isAt(">", 1);
     frames.clear();
@@ -127,7 +127,7 @@ private:
     frames.push_back({Block::Body, 0});
   }
 
-  // Compositions.
+  // --- Compositions
   void openComposition() {
     const auto indent = compositions * Writer::kStep;
     if (compositions == 0) start(0);
@@ -167,7 +167,7 @@ private:
     ended = compositions == 0;
   }
 
-  // Statements.
+  // --- Statements
   void statement() {
     const Frame frame = frames.back();
     if (isAt("[") && isAt("]", 1) && peek().end() == peek(1).begin && isSeparator())
@@ -200,7 +200,7 @@ private:
     return previous() && !isAmong(previous()->text, kBeforeExpression);
   }
 
-  /// Behind an `end`, the word may stand again that the block begins with.
+  /// Whether the word begins a block. The same keyword may follow the block's `end`.
   [[nodiscard]] bool isAtBlock(std::size_t ahead = 0) const {
     constexpr auto kBlocks =
         std::to_array<std::string_view>({"if", "case", "select", "while", "foreach"});
@@ -241,7 +241,7 @@ private:
     frames.pop_back();
   }
 
-  /// One statement on the line of its pattern.
+  /// Whether a single statement fits on the line of its pattern.
   [[nodiscard]] bool simpleBeside() const {
     if (!besidePrevious()) return false;
     for (std::size_t ahead = 0;; ++ahead) {
@@ -254,7 +254,7 @@ private:
     }
   }
 
-  /// Tokens up to the `end` of the block at hand, with the word behind it.
+  /// Number of tokens up to the `end` of the current block, including a keyword after it.
   [[nodiscard]] std::size_t blockLength() const {
     std::size_t open = 0;
     for (std::size_t ahead = 0; peek(ahead).kind != TokenKind::End; ++ahead) {
@@ -268,7 +268,8 @@ private:
     return 0;
   }
 
-  /// The user has it on one line, there is one thing in each branch, and it fits.
+  /// Whether the block stays on one line: the user wrote it so, each branch has one statement, and
+  /// it fits.
   [[nodiscard]] bool staysOnOneLine(std::size_t indent) const {
     const auto length = blockLength();
     std::vector<Token> tokens;
@@ -289,7 +290,8 @@ private:
     for (auto left = blockLength(); left > 0; --left) take();
   }
 
-  /// A comment belongs to what it touches; to what follows where it touches both or neither.
+  /// The indentation of a comment: that of the line it touches, or of the next one if it touches
+  /// both or neither.
   [[nodiscard]] std::size_t commentIndent(std::size_t i) override {
     const Token& next = peek();
     const auto inComposition = compositions * Writer::kStep;
@@ -306,8 +308,8 @@ private:
 
   bool head = false;
   bool inFunction = false;
-  bool attached = false;        ///< the line before is `observer > model`
-  std::size_t compositions = 0; ///< `par`s that are open
+  bool attached = false;        ///< the previous line is `observer > model`
+  std::size_t compositions = 0; ///< number of open `par`s
   std::vector<Frame> frames;
 };
 

@@ -6,7 +6,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Instead of white space where no line may end: within strings and comments.
+/// Replaces white space at which no line may end: in strings and comments.
 constexpr char kSpace = '\x01';
 constexpr char kNewline = '\x02';
 
@@ -26,7 +26,7 @@ std::string unmasked(std::string text) {
 
 bool endsItsLine(const Token& token) { return isComment(token) && token.text.starts_with("//"); }
 
-/// How many parentheses and records are open, those of intervals of time among them.
+/// Counts open parentheses, records and intervals of time.
 class Nesting {
 public:
   void read(const Token& token) {
@@ -52,13 +52,13 @@ private:
   std::string_view previous;
 };
 
-/// Part of a line: its tokens with their spaces, and what is behind it.
+/// Part of a line: its tokens with their spaces, and what follows them.
 struct Piece {
   std::string text;
   std::string comment;
 };
 
-/// A line's tokens, cut behind comments and where its shape says so.
+/// The tokens of a line, cut after comments and where the line's shape requires it.
 class Pieces {
 public:
   Pieces(std::string_view read, const FormatLine& of) : text(read), line(of) {
@@ -75,8 +75,8 @@ public:
           spacing.before(token, i + 1 < line.tokens.size() ? line.tokens[i + 1] : end);
       if (!pieces.back().text.empty() && cutBefore(i)) pieces.emplace_back();
       const bool isLast = i + 1 == line.tokens.size();
-      // One that ends the line stays there, however long: alone on a line it would be no part of
-      // it.
+      // a comment at the end of a line stays there, however long: alone on a line it would be a
+      // separate item
       if (endsItsLine(token) || (isComment(token) && isLast && !pieces.back().text.empty())) {
         pieces.back().comment = token.text;
         if (!isLast) pieces.emplace_back();
@@ -92,7 +92,8 @@ public:
   [[nodiscard]] bool hasComments() const { return commented; }
 
 private:
-  /// A comment on a line of its own; the next item where each has a line.
+  /// Whether a line must break before a token: a comment on a line of its own, or the next item if
+  /// each has its line.
   bool cutBefore(std::size_t i) {
     if (i > 0 && endsItsLine(line.tokens[i]) &&
         isLineBreak(text, line.tokens[i - 1], line.tokens[i]))
@@ -114,7 +115,8 @@ private:
   bool commented = false;
   std::vector<Piece> pieces;
   Nesting nesting;
-  bool typed = false; ///< the item at hand has its type: a comma is behind all of it
+  bool typed = false; ///< the type of the current item was written: a comma then follows the whole
+                      ///< item
 };
 
 class Lines {
@@ -160,7 +162,8 @@ private:
 
   void writePieces(const FormatLine& line, std::size_t indent, std::size_t hang) {
     const auto pieces = Pieces(source, line).cut();
-    // The items' own lines go on as any; they stand below the first one.
+    // the first item's continuation lines are indented normally; the next items are aligned below
+    // the first
     const bool items = line.shape == FormatLine::Shape::Items && pieces.size() > 1;
     const auto lead = line.lead + std::string(line.leadWidth - line.lead.size(), ' ');
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -180,7 +183,7 @@ private:
     return line.indent + onOneLine(line.kind, line.tokens).size() <= Writer::kWidth;
   }
 
-  /// A line each for name, ports and parameters.
+  /// Writes the name, the ports and the parameters on a line each.
   bool writeHead(const FormatLine& line) {
     if (fits(line) || std::ranges::any_of(line.tokens, isComment)) return false;
     std::vector<std::vector<Token>> parts(1);
@@ -197,7 +200,7 @@ private:
     return true;
   }
 
-  /// `type NAME is record`, the members, `end`.
+  /// Writes `type NAME is record`, the members, and `end`.
   bool writeType(const FormatLine& line) {
     const auto& tokens = line.tokens;
     const bool commented = std::ranges::any_of(tokens, isComment);
@@ -225,7 +228,7 @@ private:
 
   using Tokens = std::vector<Token>;
 
-  /// Behind a member's separator, and behind the comment that trails it.
+  /// The position after a member's separator and the comment that trails it.
   Tokens::const_iterator memberEnd(Tokens::const_iterator from, Tokens::const_iterator last) const {
     std::size_t depth = 0;
     bool typed = false;

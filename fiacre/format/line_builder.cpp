@@ -62,7 +62,7 @@ std::size_t LineBuilder::column(const Token& token) const {
   constexpr std::size_t kFar = 1000;
   const auto before = text.substr(token.begin - std::min<std::size_t>(token.begin, kFar),
                                   std::min<std::size_t>(token.begin, kFar));
-  return before.size() - (before.rfind('\n') + 1); // npos + 1 is 0
+  return before.size() - (before.rfind('\n') + 1); // if there is no line end, npos + 1 is 0
 }
 
 void LineBuilder::takeComments() {

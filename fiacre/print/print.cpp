@@ -25,7 +25,7 @@ std::string join(const std::vector<std::string>& parts, std::string_view between
 
 namespace {
 
-/// One range for each place that wrote something; those from nowhere are of no use to anybody.
+/// Keeps one range for each origin that wrote something, and removes those without an origin.
 void dropEmpty(std::vector<PrintedRange>& ranges) {
   std::erase_if(ranges, [](const PrintedRange& range) { return range.origin == 0; });
 }

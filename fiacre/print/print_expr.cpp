@@ -43,7 +43,7 @@ bool isCompound(const Expr& expr) {
   return expr.kind == ExprKind::Binary && expr.op != Op::Enqueue && expr.op != Op::Append;
 }
 
-/// `a and b and c` of any nesting: both connectives are associative.
+/// Prints nested `and` or `or` as one chain: both are associative.
 void printChain(const Expr& expr, Op op, std::string& out) {
   if (expr.kind == ExprKind::Binary && expr.op == op) {
     printChain(expr.operands[0], op, out);

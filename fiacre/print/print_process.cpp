@@ -15,14 +15,14 @@ std::string printPorts(const std::vector<Port>& ports) {
   return join(parts, ", ");
 }
 
-/// The comments of ports, which have no line of their own in a head.
+/// Prints the comments of ports, which have no line of their own in a head.
 void printPortComments(Output& out, const std::vector<Port>& ports) {
   for (const auto& port : ports)
     if (!port.comment.empty()) out.writer.comment(0, port.name + ": " + port.comment);
 }
 
 /// `process NAME [ports] (parameters) is`, on one line or on one for each part.
-/// \return whether it took several.
+/// \return whether it took several
 bool printHead(Output& out, std::string_view keyword, const std::string& name,
                const std::vector<Port>& ports, const std::vector<Parameter>& parameters) {
   const auto first = fmt::format("{} {}", keyword, name);
@@ -40,7 +40,7 @@ bool printHead(Output& out, std::string_view keyword, const std::string& name,
   return true;
 }
 
-/// `keyword item, item, …`: an item a line where one has a comment, else as many as fit.
+/// `keyword item, item, …`: one item per line if one has a comment, otherwise as many as fit.
 template <class Item, class Print>
 void printItems(Output& out, std::size_t indent, std::string_view keyword,
                 const std::vector<Item>& items, Print print) {
@@ -94,13 +94,14 @@ std::string printInstance(const Instance& instance) {
 
 bool synchronisesOnAll(const Instance& instance) { return !instance.synchronised; }
 
-/// `a, b -> ` before an instance; nothing where it synchronises on nothing.
+/// `a, b -> ` before an instance; empty if it synchronises on nothing.
 std::string printSynchronised(const Instance& instance) {
   if (!instance.synchronised) return "* -> ";
   return instance.synchronised->empty() ? "" : join(*instance.synchronised, ", ") + " -> ";
 }
 
-/// `par * in` where that is so for all of them. \param lead what stands before it on its line
+/// Prints a composition, with `par * in` if all instances synchronise on all ports. \param lead
+/// text before it on its line
 void printComposition(Output& out, const std::vector<Instance>& parts, const std::string& lead,
                       std::size_t indent) {
   const bool onAll = std::ranges::all_of(parts, synchronisesOnAll);

@@ -18,14 +18,14 @@ std::string operand(const Observable& observable, const std::string& main) {
   return "(" + printObservable(observable, main) + ")";
 }
 
-/// A lone atom needs no parentheses.
+/// A single atom needs no parentheses.
 std::string plain(const Observable& observable, const std::string& main) {
   return isAtom(observable) ? printObservable(observable, main) : operand(observable, main);
 }
 
 std::string printAtom(const Observable& observable, const std::string& main) {
   std::string path = observable.observer.empty() ? main : observable.observer;
-  path = (path.empty() ? "model" : path) + "/"; // without a model: as `--properties` calls it
+  path = (path.empty() ? "model" : path) + "/"; // without a model, in the form of `--properties`
   for (auto place : observable.path) path += fmt::format("{}/", place);
   switch (observable.kind) {
   case ObservableKind::State: return path + "state " + observable.name;
@@ -91,7 +91,7 @@ std::string printLtl(const Ltl& ltl, const std::string& main) {
   return {};
 }
 
-/// When the pattern is looked at: `after …`, `before …`, and its times.
+/// The scope of a pattern: `after …`, `before …`, and its times.
 std::string printScope(const Pattern& pattern, const std::string& main) {
   std::string out;
   if (pattern.after)

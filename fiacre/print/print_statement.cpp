@@ -9,7 +9,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// What stands behind a statement: `;` where another follows, else nothing.
+/// Text after a statement: `;` if another one follows, otherwise empty.
 using Suffix = std::string_view;
 
 void print(Output& out, const Statement& statement, std::size_t indent, Suffix suffix);
@@ -20,8 +20,8 @@ bool isSilent(const Statement& statement) {
   return statement.kind == StatementKind::Comment;
 }
 
-/// The body of a branch, a level further in; Fiacre wants a statement even where there is nothing
-/// to do.
+/// Prints the body of a branch, one level deeper. Fiacre requires a statement even in an empty
+/// branch.
 void printBody(Output& out, const Statement& body, std::size_t indent) {
   print(out, body, indent + Writer::kStep, {});
 }
@@ -38,7 +38,7 @@ std::string withArguments(std::string_view name, std::string_view sign,
   return fmt::format("{} {} {}", name, sign, join(parts, ", "));
 }
 
-/// A statement of one line.
+/// A statement that fits on one line.
 std::string simpleText(const Statement& s) {
   switch (s.kind) {
   case StatementKind::Null: return "null";
@@ -68,7 +68,7 @@ std::string simpleText(const Statement& s) {
   std::unreachable();
 }
 
-/// The `if` that an else-part consists of, for `elsif`.
+/// The `if` that is the whole else-part, to print `elsif`.
 const Statement* nestedIf(const Statement& otherwise) {
   if (otherwise.kind == StatementKind::If) return &otherwise;
   const bool wrapped = otherwise.kind == StatementKind::Sequence &&
@@ -129,7 +129,7 @@ void printSilent(Output& out, const Statement& statement, std::size_t indent) {
   for (const auto& child : statement.children) printSilent(out, child, indent);
 }
 
-/// The last statement that is no comment bears the suffix of the whole.
+/// Puts the suffix after the last statement that is not a comment.
 void printSequence(Output& out, const Statement& s, std::size_t indent, Suffix suffix) {
   out.writer.comment(indent, s.comment);
   const auto& children = s.children;

@@ -31,7 +31,7 @@ std::string printTypes(const std::vector<Type>& types) {
   return out;
 }
 
-/// A record or a union over several lines: one member a line where one has something to say.
+/// Prints a record or a union over several lines, one member per line if one has a comment.
 void printLongType(Output& out, const TypeDeclaration& declaration) {
   const auto& type = declaration.type;
   const bool isUnion = type.kind == TypeKind::Union;

@@ -7,7 +7,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Where a line may end, from best to worst.
+/// How suitable a position is for a line break.
 enum class Break : std::uint8_t { Good, Poor, None };
 
 Break breakAt(std::string_view text, std::size_t space) {
@@ -18,8 +18,8 @@ Break breakAt(std::string_view text, std::size_t space) {
   return Break::Poor;
 }
 
-/// The last good place to end a line of at most `room` bytes, or the last poor one, or the first
-/// that there is after them.
+/// The position of a line break: the last good one within `room` bytes, else the last poor one,
+/// else the first one after them.
 std::optional<std::size_t> chooseBreak(std::string_view text, std::size_t room) {
   std::optional<std::size_t> good;
   std::optional<std::size_t> poor;
@@ -32,7 +32,7 @@ std::optional<std::size_t> chooseBreak(std::string_view text, std::size_t room) 
   return good ? good : poor;
 }
 
-/// The columns behind the parentheses that are open at the end of a text.
+/// The columns after the parentheses that are open at the end of a text.
 class OpenParentheses {
 public:
   explicit OpenParentheses(std::size_t hang) : base(hang) {}
@@ -44,7 +44,7 @@ public:
       if ((c == ')' || c == '}') && !columns.empty()) columns.pop_back();
     }
   }
-  /// Where the next line starts: never so far right that little would fit on it.
+  /// The column of the next line, limited so that enough space remains on it.
   [[nodiscard]] std::size_t column() const {
     constexpr std::size_t kFurthest = 60;
     return columns.empty() || columns.back() > kFurthest ? base : columns.back();

@@ -32,7 +32,7 @@ std::optional<Ltl> asFormula(const Pattern& pattern) {
   case PatternKind::InfinitelyOften: return of(Globally, {of(Finally, {atom(0)})});
   case PatternKind::Mortal: return of(Finally, {of(Globally, {negated(atom(0))})});
   case PatternKind::LeadsTo: return of(Globally, {of(Implies, {atom(0), of(Finally, {atom(1)})})});
-  case PatternKind::Precedes: // no second before the first
+  case PatternKind::Precedes: // there is no second before the first
     return of(LtlKind::Or,
               {of(Until, {negated(atom(1)), atom(0)}), of(Globally, {negated(atom(1))})});
   case PatternKind::DeadlockFree:

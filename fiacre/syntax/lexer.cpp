@@ -8,7 +8,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// Longer ones before those that they begin with.
+/// Longer symbols come before their prefixes.
 constexpr auto kSymbols = std::to_array<std::string_view>(
     {"...", "..", ":=", "->", "<>", "<=", ">=", "=>", "||", "{|", "|}", "<",
      ">",   "=",  "+",  "-",  "*",  "/",  "%",  "(",  ")",  "[",  "]",  "{",
@@ -34,7 +34,7 @@ public:
 private:
   static std::uint32_t offset(std::size_t at) { return static_cast<std::uint32_t>(at); }
 
-  /// White space and comments. \return something follows
+  /// Skips white space and comments. \return whether a token follows
   bool skipBlank() {
     for (;;) {
       while (at < text.size() && isSpace(text[at])) ++at;

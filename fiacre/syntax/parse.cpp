@@ -10,7 +10,7 @@
 namespace proskill::fiacre {
 namespace {
 
-/// What is no Fiacre at all has as many problems as words: nobody reads them all.
+/// Limits the number of problems: a text that is not Fiacre has one per word.
 void shorten(std::vector<SyntaxProblem>& problems) {
   constexpr std::size_t most = 1000;
   if (problems.size() <= most) return;
@@ -49,7 +49,7 @@ bool Parser::isAtDeclaration(std::size_t ahead) const {
   return beginsDeclaration(peek(ahead), peek(ahead + 1), peek(ahead + 2));
 }
 
-/// What the declaration at hand declares; nothing of one that only asks for something.
+/// The kind of name that the current declaration declares; nullopt if it declares none.
 std::optional<NameKind> Parser::declared() const {
   constexpr auto kKinds =
       std::to_array<std::pair<std::string_view, NameKind>>({{"const", NameKind::Constant},
@@ -66,7 +66,7 @@ std::optional<NameKind> Parser::declared() const {
   return found == kKinds.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Whether what lies ahead ends a name that stands alone, or attaches it to a model.
+/// Whether the next tokens end an entry point, or attach it to a model.
 bool Parser::endsEntry(std::size_t ahead) const {
   return isAtDeclaration(ahead) || isAt(">", ahead) || isAt(">", ahead + 1);
 }
@@ -83,7 +83,7 @@ Parsed Parser::program() {
       resume();
     }
     if (kind) parsed.blocks.push_back({*kind, begin, lastEnd()});
-    if (at == before) ++at; // an unreadable word that the next declaration begins with
+    if (at == before) ++at; // skip an unreadable word at which the next declaration begins
   }
   finish();
   return std::move(parsed);
@@ -105,7 +105,7 @@ void Parser::declaration() {
   fail("a declaration is missing, such as `process` or `property`");
 }
 
-/// Goes on at the next declaration. `type` and the like are no words of statements.
+/// Continues at the next declaration. Keywords such as `type` cannot occur in statements.
 void Parser::resume() {
   while (!isAtDeclaration()) ++at;
 }
@@ -172,7 +172,7 @@ void Parser::entry() {
   parsed.program.main = name("the name of a component", NameKind::Component);
 }
 
-/// `observer > model`
+/// Reads `observer > model`.
 void Parser::attachment() {
   const auto begin = peek().begin;
   Attachment result{.observer = name("the name of a component", NameKind::Component)};
@@ -183,7 +183,7 @@ void Parser::attachment() {
   parsed.program.observers.push_back(std::move(result));
 }
 
-/// Paths begin with the model, which goes without saying, or with an observer.
+/// Resolves paths, which begin with an observer or, implicitly, with the model.
 void Parser::finish() {
   auto& program = parsed.program;
   const auto observes = [&](const std::string& name) {

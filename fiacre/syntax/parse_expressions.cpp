@@ -13,7 +13,7 @@ namespace {
 
 using Operator = std::pair<std::string_view, Op>;
 
-/// From the loosest to the tightest; all of them associate to the left.
+/// From the lowest precedence to the highest; all are left-associative.
 const std::array<std::vector<Operator>, 6> kLevels{{
     {{"or", Op::Or}},
     {{"and", Op::And}},
@@ -72,7 +72,7 @@ Expr Parser::binary(std::size_t level) {
 
 Expr Parser::prefix() {
   const Deeper deeper(*this);
-  if (accept("+")) return prefix(); // of a number, and of no effect
+  if (accept("+")) return prefix(); // a sign of a number, without effect
   for (const auto& [word, op] : kPrefixes) {
     if (!accept(word)) continue;
     Expr operand = prefix();
@@ -165,7 +165,7 @@ Expr Parser::call(const std::string& callee) {
   return {.kind = ExprKind::Construct, .name = callee, .operands = exprs(")")};
 }
 
-/// The operands of a node, up to the closing sign; none is fine.
+/// The operands of a node, up to the closing sign; there may be none.
 std::vector<Expr> Parser::exprs(std::string_view close) {
   if (accept(close)) return {};
   Height height(*this);

@@ -4,7 +4,7 @@
 
 namespace proskill::fiacre {
 
-/// A word that begins a pattern; others stand between two formulas.
+/// Whether the next word begins a pattern. The keywords of other patterns are between two formulas.
 bool Parser::isAtPattern(std::size_t ahead) const {
   constexpr std::string_view kWords[] = {"deadlockfree", "ltl",    "infinitelyoften", "mortal",
                                          "present",      "absent", "always"};
@@ -26,15 +26,15 @@ Pattern Parser::pattern() {
   return result;
 }
 
-/// A pattern as a formula of runs, which others are joined to. \param begun the formula before
-/// `leadsto` or `precedes`, if it is one of these
+/// Translates a pattern into a formula, so that it can be combined with others.
+/// \param begun the formula before `leadsto` or `precedes`, if it was read
 Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
   const bool outside = std::exchange(joinsPatterns, false);
   const Pattern read = begun ? betweenTwo(momentary(std::move(*begun), first)) : pattern();
   joinsPatterns = outside;
   hasPatterns = true;
   if (auto formula = asFormula(read)) {
-    height += 3; // which it has at most above its operands
+    height += 3; // the translation adds at most this height
     return *formula;
   }
   report("this pattern cannot be combined with others: assert it by itself, or write it as `ltl`",
@@ -42,7 +42,7 @@ Ltl Parser::joinedPattern(const Token& first, std::optional<Ltl> begun) {
   throw CannotRead();
 }
 
-/// After the first formula.
+/// Reads the rest of a pattern after its first formula.
 Pattern Parser::betweenTwo(Observable first) {
   Pattern result{.kind = isAt("leadsto") ? PatternKind::LeadsTo : PatternKind::Precedes};
   ++at;
@@ -53,14 +53,14 @@ Pattern Parser::betweenTwo(Observable first) {
   return result;
 }
 
-/// Behind a word of a pattern that may come but once.
+/// Reports a keyword that was given twice.
 void Parser::once(bool known) {
   if (!known) return;
   --at;
   fail(fmt::format("duplicate `{}` in one pattern", peek().text));
 }
 
-/// `after`, with `until`, and `between` are one.
+/// Reads scopes and times. `after`, possibly with `until`, and `between` exclude each other.
 void Parser::scopes(Pattern& pattern) {
   for (;;) {
     if (accept("after")) {
@@ -82,7 +82,7 @@ void Parser::scopes(Pattern& pattern) {
   }
 }
 
-/// Whether a time came.
+/// Reads a time limit. \return whether there was one
 bool Parser::times(Pattern& pattern) {
   if (accept("within")) {
     once(pattern.within.has_value());

@@ -16,7 +16,7 @@ void Parser::function() {
   parsed.program.functions.push_back(std::move(result));
 }
 
-/// `begin … end`, or a lone `return`.
+/// Reads `begin … end`, or a single `return`.
 Statement Parser::functionBody() {
   if (isAt("return")) return statement();
   expect("begin");
@@ -48,7 +48,7 @@ void Parser::process() {
   parsed.program.processes.push_back(std::move(result));
 }
 
-/// A transition that cannot be read is left out, and the next one read.
+/// Reads a transition. One with an error is skipped.
 void Parser::from(Process& process) try {
   const auto begin = peek().begin;
   expect("from");
@@ -56,7 +56,7 @@ void Parser::from(Process& process) try {
   result.statement = statements();
   result.origin = origin(begin);
   process.transitions.push_back(std::move(result));
-  // The entry point's name is alone.
+  // the name of the entry point is on its own
   if (!isAt("from") && !isAtDeclaration() && !(isAtName() && endsEntry(1)))
     fail(fmt::format("`;` is missing before `{}`, or it closes nothing", peek().text));
 } catch (const CannotRead&) {
@@ -89,7 +89,9 @@ void Parser::component() {
   parsed.program.components.push_back(std::move(result));
 }
 
-/// `a | b > c > d` is `a | b > c` and `c > d`.
+/// `a
+/// b > c > d` means `a
+/// b > c` and `c > d`.
 std::vector<Priority> Parser::priorities() {
   std::vector<Priority> all;
   const auto group = [&] {
@@ -107,7 +109,7 @@ std::vector<Priority> Parser::priorities() {
   return all;
 }
 
-/// `*` or names, up to `in` or `->`. Nothing is read where it is something else.
+/// Reads `*` or names, up to `in` or `->`. Reads nothing if something else follows.
 bool Parser::acceptPortSet(std::string_view closing, PortSet& ports) {
   if (isAt("*") && isAt(closing, 1)) {
     at += 2;
@@ -122,7 +124,8 @@ bool Parser::acceptPortSet(std::string_view closing, PortSet& ports) {
   return true;
 }
 
-/// Behind `par`. An instance synchronises on the ports of the whole, if it has none of its own.
+/// Reads a composition after `par`. An instance without ports of its own synchronises on those of
+/// the composition.
 std::vector<Instance> Parser::composition() {
   const Deeper deeper(*this);
   std::vector<Instance> all;

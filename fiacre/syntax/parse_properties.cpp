@@ -14,14 +14,14 @@ struct Connective {
   ObservableKind observable;
 };
 
-/// From the loosest to the tightest.
+/// From the lowest precedence to the highest.
 constexpr auto kConnectives = std::to_array<Connective>({
     {"=>", LtlKind::Implies, ObservableKind::Implies},
     {"or", LtlKind::Or, ObservableKind::Or},
     {"and", LtlKind::And, ObservableKind::And},
 });
 
-/// What joins formulas of one moment is itself one of a moment.
+/// A combination of state formulas is a state formula.
 Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
   if (!std::ranges::all_of(operands, isAtom))
     return {.kind = connective.ltl, .operands = std::move(operands)};
@@ -30,7 +30,7 @@ Ltl joined(const Connective& connective, std::vector<Ltl> operands) {
   return result;
 }
 
-/// The levels and the nodes of a tree of formulas.
+/// Height and size of a tree of formulas.
 struct Extent {
   std::size_t height = 0;
   std::size_t nodes = 1;
@@ -53,8 +53,8 @@ Extent extentOf(const Ltl& formula) {
   return result;
 }
 
-/// Nodes of formulas that stand in a text by their names. Each use is a copy, and names of names
-/// could make it grow without end.
+/// Limit on nodes of formulas that are used by name. Each use is a copy, and nested names could
+/// make it grow exponentially.
 constexpr std::size_t kMostNamed = 200'000;
 
 } // namespace
@@ -64,7 +64,7 @@ Ltl Parser::formula() {
   return formulaChain(0);
 }
 
-/// `a => b => c` is `a => (b => c)`; the others are joined as many as there are.
+/// `a => b => c` is `a => (b => c)`; operands of other connectives form one list.
 Ltl Parser::formulaChain(std::size_t level) {
   if (level == kConnectives.size()) return formulaUntil();
   const auto& connective = kConnectives[level];
@@ -152,7 +152,7 @@ Ltl Parser::formulaPrimary() {
   return {.kind = LtlKind::Atom, .atom = atom()};
 }
 
-/// \pre a name is at hand; it is read, too
+/// Reads a name. \pre the next token is one
 Ltl Parser::namedFormula(const Ltl& formula) {
   const auto [levels, nodes] = extentOf(formula);
   copied += nodes;
@@ -162,13 +162,13 @@ Ltl Parser::namedFormula(const Ltl& formula) {
   return formula;
 }
 
-/// A formula of one moment.
+/// Reads a state formula.
 Observable Parser::observable() {
   const Token first = peek();
   return momentary(formula(), first);
 }
 
-/// One that ends at a word which would join it to what follows.
+/// Reads a state formula that ends before a keyword which could also continue it.
 Observable Parser::observableUpTo(std::string_view word) {
   separator = word;
   const Token first = peek();
@@ -183,7 +183,7 @@ Observable Parser::momentary(Ltl result, const Token& first) {
   throw CannotRead();
 }
 
-/// A place in `par`, or the name of what is there.
+/// Reads a position in `par`, or the name of an instance.
 std::optional<std::uint32_t> Parser::step() {
   if (isAtName() && isAt("/", 1)) {
     const auto known = steps.find(peek().text);
@@ -197,7 +197,7 @@ std::optional<std::uint32_t> Parser::step() {
   return static_cast<std::uint32_t>(place);
 }
 
-/// `main/1/2/state idle`
+/// Reads an atom such as `main/1/2/state idle`.
 Observable Parser::atom() {
   height = 0;
   const Token first = peek();
@@ -232,8 +232,8 @@ Observable Parser::atom() {
   fail("`state`, `value`, `tag` or `event` is missing in the path");
 }
 
-/// Where patterns may stand in parentheses, joined by `and`, `or`, `not` and `=>`: `hasPatterns`
-/// tells.
+/// Patterns may be combined in parentheses by `and`, `or`, `not` and `=>`; `hasPatterns` says
+/// whether there are any.
 Ltl Parser::formulaOrPatterns() {
   joinsPatterns = true;
   hasPatterns = false;
@@ -247,7 +247,7 @@ Ltl Parser::formulaOrPatterns() {
   }
 }
 
-/// A property that is a formula of its own has a name that later ones use.
+/// Reads a property. One that is a formula has a name that later ones may use.
 void Parser::property() {
   const auto begin = peek().begin;
   Property result{.name = name("the name of a property", NameKind::Property, true),
@@ -274,7 +274,7 @@ void Parser::property() {
   parsed.program.properties.push_back(std::move(result));
 }
 
-/// `assert p`, with texts for its verdicts, which are not kept.
+/// Reads `assert p`. The texts for its verdicts are dropped.
 void Parser::assertion() {
   const Token token = peek();
   auto asked = name("the name of a property", NameKind::Property);

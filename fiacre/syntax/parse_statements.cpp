@@ -6,7 +6,7 @@
 
 namespace proskill::fiacre {
 
-/// One statement after the other; a lone one is itself.
+/// Reads a sequence; a single statement is returned as it is.
 Statement Parser::statements() {
   const Deeper deeper(*this);
   const auto begin = peek().begin;
@@ -55,7 +55,7 @@ Statement Parser::plain() {
   return startingWithName();
 }
 
-/// An assignment, or a communication.
+/// Reads an assignment or a communication.
 Statement Parser::startingWithName() {
   if (isAt("!", 1) || isAt("?", 1)) {
     Statement result{.name = name("a port", NameKind::Port)};
@@ -88,7 +88,7 @@ Statement Parser::assignment(std::vector<Expr> targets) {
   return result;
 }
 
-/// After `if` or `elsif`.
+/// Reads a conditional after `if` or `elsif`.
 Statement Parser::conditional() {
   const Deeper deeper(*this);
   Statement result{.kind = StatementKind::If, .values = {expr()}};
@@ -154,7 +154,7 @@ Statement Parser::loop() {
   return result;
 }
 
-/// `start` is a name, too: of a port that is passed, or of a variable.
+/// `start` is also a name: of a port, or of a variable.
 bool Parser::isAtStart() const {
   return isAt("start") && peek(1).kind == TokenKind::Name && !isKeyword(peek(1).text);
 }

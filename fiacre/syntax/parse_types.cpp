@@ -7,7 +7,7 @@
 
 namespace proskill::fiacre {
 
-/// Of an expression of numbers and constants that are declared above.
+/// The value of an expression of numbers and of constants declared above.
 std::optional<std::int64_t> Parser::value(const Expr& expr) const {
   if (expr.kind == ExprKind::Number) return expr.number;
   if (expr.kind == ExprKind::Name) {
@@ -25,7 +25,7 @@ std::optional<std::int64_t> Parser::value(const Expr& expr) const {
   return a && b ? compute(expr.op, *a, *b) : std::nullopt;
 }
 
-/// Without indices and fields: a `[` ends an interval, and indexes nothing.
+/// Reads an expression without indices and fields: a `[` here ends an interval.
 Expr Parser::constantExpr(std::size_t level) {
   const bool before = std::exchange(constantsOnly, true);
   try {
@@ -39,7 +39,7 @@ Expr Parser::constantExpr(std::size_t level) {
 }
 
 std::int64_t Parser::natural(std::string_view what) {
-  constexpr std::size_t kSum = 4; // a comparison would take the `=` of what follows
+  constexpr std::size_t kSum = 4; // a comparison would consume the `=` that follows
   const Token& first = peek();
   const auto number = value(constantExpr(kSum));
   if (!number) {
@@ -128,7 +128,7 @@ Interval Parser::interval() {
 
 bool Parser::acceptNoValue() { return accept("sync") || accept("none"); }
 
-/// A direction that stands before the channel's name goes before the channel's own.
+/// A direction before the channel's name replaces the channel's own.
 bool Parser::acceptChannel(Port& port) {
   const auto channel = channels.find(peek().text);
   if (channel == channels.end()) return false;
@@ -142,21 +142,21 @@ bool Parser::acceptChannel(Port& port) {
   return true;
 }
 
-/// `sync`, or the values that cross; `in` and `out` before them.
+/// Reads `sync`, or the types of the values, with `in` and `out` before them.
 void Parser::portType(Port& port) {
   if (acceptNoValue()) return;
-  // `in [0,1]` belongs to a component's port of no type.
+  // `in [0,1]` belongs to a component's port without a type
   port.in = accept("in");
   port.out = accept("out");
   if (acceptChannel(port)) return;
   if (acceptNoValue()) {
-    port.in = port.out = false; // nothing crosses it either way
+    port.in = port.out = false; // it carries no value in either direction
     return;
   }
   port.values = list("#", [&] { return type(); });
 }
 
-/// \param probed whether probes may be among them
+/// \param probed whether probes are allowed among them
 std::vector<Port> Parser::ports(bool probed) {
   std::vector<Port> all;
   do {

@@ -10,13 +10,13 @@ namespace proskill::fiacre {
 
 namespace {
 
-// The main thread and those of the server have 8 MiB of stack. Measured with `ulimit -s`: to check
-// an expression takes 1.1 KiB for each level of its tree (3 KiB with the address sanitizer), to
-// read it 4 KiB for each construct within another (10 KiB), as a parenthesis is two of them.
+// The threads have stacks of 8 MiB. Measured with `ulimit -s`: checking an expression takes 1.1 KiB
+// per level of its tree (3 KiB with the address sanitizer), reading it 4 KiB per nested construct
+// (10 KiB). A parenthesis counts as two constructs.
 
-/// Levels of the tree of an expression or formula.
+/// Maximum height of the tree of an expression or formula.
 constexpr std::size_t kTallest = 2'000;
-/// Constructs within each other.
+/// Maximum depth of nested constructs.
 constexpr std::size_t kDeepest = 500;
 
 std::string shown(const Token& token) {

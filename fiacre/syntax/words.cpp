@@ -6,7 +6,8 @@
 namespace proskill::fiacre {
 namespace {
 
-/// From it on, words mean something only where H-Fiacre or properties do, and are names elsewhere.
+/// From this word on, the words are keywords in H-Fiacre or in properties only, and names
+/// elsewhere.
 constexpr std::string_view kFirstSoft = "event";
 
 constexpr auto kReserved = std::to_array<std::string_view>({
@@ -72,12 +73,12 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "wait",
     "where",
     "while",
-    // H-Fiacre: older texts have them as names
+    // H-Fiacre: older texts use them as names
     kFirstSoft,
     "extern",
     "start",
     "task",
-    // patterns of properties, and words of older texts
+    // patterns of properties, and keywords of older texts
     "absent",
     "after",
     "always",

@@ -32,14 +32,14 @@ const CodeInfo* findCode(std::string_view id) {
   return found == kCodes.end() ? nullptr : &*found;
 }
 
-/// What stands between backquotes is a word as it was written, which may have any letters; else an
-/// argument is prose, which may quote some.
+/// Inserts the arguments. An argument between backquotes is a word of the program, which may
+/// contain any character; others are prose, which may quote words.
 std::string filledIn(std::string_view message, std::span<const std::string> arguments) {
   std::string result;
   bool isQuoted = false;
   for (const auto& argument : arguments) {
     const auto place = message.find("{}");
-    if (place == std::string_view::npos) break; // who reports may know more than a message says
+    if (place == std::string_view::npos) break; // there may be more arguments than placeholders
     const auto before = message.substr(0, place);
     isQuoted ^= std::ranges::count(before, '`') % 2 == 1;
     result.append(before).append(isQuoted ? shortened(argument) : withShortQuotes(argument));

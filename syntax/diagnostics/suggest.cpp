@@ -11,15 +11,16 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Nobody misspells a name of this length by a letter or two, and the table would be large.
+/// In bytes. Longer names are not compared: the table would be large.
 constexpr std::size_t kLongestName = 64;
 
-/// One mistake in three letters; a name of a single letter is near to all others.
+/// Number of typing errors allowed in a word: one in three letters. A name of one letter resembles
+/// all others.
 std::size_t mistakesIn(std::string_view word) {
   return word.size() < 2 ? 0 : std::max<std::size_t>(1, word.size() / 3);
 }
 
-/// All letters of the shorter word are in the longer one, in their order.
+/// Whether the shorter word is a subsequence of the longer one.
 bool isWithin(std::string_view shorter, std::string_view longer) {
   for (char c : longer)
     if (!shorter.empty() && lower(shorter.front()) == lower(c)) shorter.remove_prefix(1);

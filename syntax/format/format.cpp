@@ -23,7 +23,7 @@ std::vector<Gap> gapsOf(const Document& document) {
   return std::move(layout.gaps);
 }
 
-/// Of the text's first line: one file has one kind of line end.
+/// The line end of the text's first line, which is used for all.
 std::string_view lineEndOf(std::string_view text) {
   auto first = text.find('\n');
   return first != std::string_view::npos && first > 0 && text[first - 1] == '\r' ? "\r\n" : "\n";
@@ -35,12 +35,12 @@ std::string written(const Gap& gap, std::string_view lineEnd) {
   return result.append(gap.spaces, ' ');
 }
 
-/// Both halves of a `\r\n` belong to one place.
+/// Whether a position is inside a `\r\n`.
 bool splitsLineEnd(std::string_view text, std::size_t at) {
   return at > 0 && at < text.size() && text[at - 1] == '\r' && text[at] == '\n';
 }
 
-/// The change from one white space to another, without what they share.
+/// The minimal change from one piece of white space to another.
 TextEdit smallestEdit(std::string_view before, std::string_view after, Offset at) {
   auto [head, tail] = commonEnds(before, after);
   while (splitsLineEnd(before, head) || splitsLineEnd(after, head)) --head;
@@ -55,22 +55,23 @@ bool isBlank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-/// Of which operators are made, as many as follow each other.
+/// Characters of operators, which may follow each other in any number.
 bool isSign(char c) { return std::string_view("=<>/&|~^+*!-").contains(c); }
 
-/// Whether two tokens would be others without space between them.
+/// Whether two tokens would become others without space between them.
 bool wouldJoin(char end, char begin) {
   const bool words = (isWordCharacter(begin) || begin == '-' || begin == '.') &&
                      (isWordCharacter(end) || std::string_view("$:.-").contains(end));
   return words || (isSign(begin) && isSign(end));
 }
 
-/// A minus and a name are two tokens, with or without space between them; with a number it is one.
+/// A minus and a name are two tokens with or without space between them; a minus and a number are
+/// one.
 bool endsAtName(char end, char begin) {
   return end == '-' && isWordCharacter(begin) && (begin < '0' || begin > '9');
 }
 
-/// Behind the string that begins there.
+/// The position after the string that begins there.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at)
     if (text[at] == '\\') ++at;
@@ -79,7 +80,7 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
 
 enum class Spaces : std::uint8_t { None, BetweenWords };
 
-/// The text with no more white space than keeps its tokens apart, or with none.
+/// The text with the minimal white space that separates its tokens, or with none.
 std::string tokensOf(const Document& document, Spaces spaces) {
   std::string tokens;
   std::string_view text = document.text();
@@ -108,7 +109,7 @@ std::string tokensOf(const Document& document, Spaces spaces) {
   return tokens;
 }
 
-/// Each word as it was read, a line each.
+/// The words as they were parsed, one per line.
 std::string wordsOf(const Document& document) {
   std::string words;
   for (const Region& region : document.regions()) {
@@ -158,7 +159,7 @@ void addEdit(std::vector<TextEdit>& edits, std::string_view text, Range range,
   if (before != after) edits.push_back(smallestEdit(before, after, range.begin));
 }
 
-/// The line that ends takes no spaces along, the one that begins gets its indentation.
+/// Trailing spaces of the line that ends are removed; the new line is indented.
 std::vector<TextEdit> newLine(const Document& document, Offset caret) {
   std::vector<TextEdit> edits;
   std::string_view text = document.text();
@@ -177,7 +178,7 @@ std::vector<TextEdit> newLine(const Document& document, Offset caret) {
   return edits;
 }
 
-/// The form that ends there; empty where none does.
+/// The form that ends there; empty if there is none.
 Range formEndingAt(const Boxes& boxes, Offset end) {
   for (const Box& box : boxes)
     if (box.shape == BoxShape::Form && box.range.end == end) return box.range;
@@ -219,7 +220,7 @@ std::vector<TextEdit> formatRange(const Document& document, Range lines) {
   const auto& index = document.lines();
   auto first = index.offset({index.position(lines.begin).line, 0});
   auto lastLine = index.position(lines.end);
-  // A selection of whole lines ends at the start of the line behind them.
+  // a selection of whole lines ends at the start of the next line
   bool whole = lastLine.column == 0 && lines.end > lines.begin;
   auto last = whole ? lines.end - 1 : index.line(lastLine.line, document.text()).end;
   auto edits = format(document);
@@ -239,7 +240,7 @@ std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char t
 bool sameTokens(const Document& a, const Document& b) {
   const auto same = [&](Spaces spaces) { return tokensOf(a, spaces) == tokensOf(b, spaces); };
   if (same(Spaces::BetweenWords)) return true;
-  // Some words end where another begins, with or without space: `0-` are two.
+  // some words end where another begins, with or without space: `0-` is two words
   return same(Spaces::None) && wordsOf(a) == wordsOf(b);
 }
 

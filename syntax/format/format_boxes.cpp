@@ -41,7 +41,7 @@ bool isDefinition(NodeKind kind) {
   }
 }
 
-/// In characters; bytes that continue one do not count.
+/// Computes sizes in characters; continuation bytes do not count.
 class BoxBuilder {
 public:
   BoxBuilder(std::string_view text, Offset shift) : text(text), shift(shift) {}
@@ -95,7 +95,7 @@ private:
     boxes.push_back({BoxShape::Comment, NodeKind::Comment, 1, range, kNotFlat, 0});
   }
 
-  /// One that lacks a part, or has a comment in it, cannot be laid out.
+  /// Adds an interval. One that is incomplete or contains a comment is kept as it is.
   void addInterval(const Node& node) {
     constexpr std::uint32_t kParts = 5; // [ lower , upper ]
     auto at = open(node, BoxShape::Tight);
@@ -116,13 +116,13 @@ private:
 
   void close(std::size_t at) { boxes[at].size = static_cast<std::uint32_t>(boxes.size() - at); }
 
-  /// A comment at the end of a group belongs behind it: the group has no end that one could see.
+  /// Adds a group. A trailing comment is put after it, since the end of the group is not visible.
   void addNested(const Node& node, BoxShape shape) {
     auto at = open(node, shape);
-    std::size_t end = boxes.size(); // of the last child that belongs here
+    std::size_t end = boxes.size(); // of the last child of the group
     for (const Node* child = &node + 1; child < &node + node.size; child += child->size) {
       addNode(*child);
-      // A form that ends with its last child has no parenthesis of its own: it ends with the text.
+      // a form that ends with its last child lacks its parenthesis, and ends with the text
       bad |= shape == BoxShape::Form && child->range.end == node.range.end;
       if (bad) return;
       if (shape == BoxShape::Form || child->kind != NodeKind::Comment) {
@@ -146,7 +146,7 @@ private:
         breaks(at) ? kNotFlat : static_cast<std::uint32_t>(std::min<std::uint64_t>(flat, kNotFlat));
   }
 
-  /// Whether the box stands on several lines, however short it is.
+  /// Whether the box takes several lines, however short it is.
   [[nodiscard]] bool breaks(std::size_t at) const {
     const Box& box = boxes[at];
     if (isDefinition(box.kind)) return firstFieldStartsLine(at);
@@ -185,7 +185,8 @@ private:
     return false;
   }
 
-  /// A definition stays on one line where its author wrote it so.
+  /// Whether the user broke the line before the first field. If not, a short definition stays on
+  /// one line.
   [[nodiscard]] bool firstFieldStartsLine(std::size_t at) const {
     Offset before = boxes[at].range.begin;
     for (std::size_t child = at + 1; child < at + boxes[at].size; child += boxes[child].size) {
@@ -199,7 +200,7 @@ private:
     return anyChild(at, [&](std::size_t child) { return boxes[child].children > 1; });
   }
 
-  /// Whether the author broke a line between two items of a list.
+  /// Whether the user broke a line between two items of a list.
   [[nodiscard]] bool hasLines(std::size_t at) const {
     Offset before = 0;
     return anyChild(at, [&](std::size_t child) {
@@ -226,7 +227,7 @@ bool lineEndsIn(std::string_view text, Offset from, Offset to) {
 
 bool clauseStartsLine(std::string_view text, const Boxes& boxes, std::size_t field) {
   constexpr std::uint32_t kTagAndClause = 2;
-  auto at = field + 2; // behind the keyword
+  auto at = field + 2; // after the keyword
   if (boxes[field].children != kTagAndClause || boxes[at].kind != NodeKind::Outcome) return false;
   const Box& tag = boxes[at + 1];
   return boxes[at].children == kTagAndClause &&

@@ -8,7 +8,7 @@ namespace proskill::syntax {
 
 std::uint32_t Layout::columnIn(Offset at) const {
   auto before = text.substr(0, at);
-  return widthOf(before.substr(before.rfind('\n') + 1)); // npos + 1 is 0
+  return widthOf(before.substr(before.rfind('\n') + 1)); // if there is no line end, npos + 1 is 0
 }
 
 void Layout::leave(Range region) {
@@ -34,7 +34,7 @@ void Layout::comment(Index at, std::uint32_t indent) {
   if (trails && !frozen)
     trailing.push_back({gaps.size(), written, column, columnIn(box.range.begin)});
   token(box.range, trails ? space(indent) : line(indent));
-  widest = reached; // a comment is never broken, so it is no reason to break anything
+  widest = reached; // a comment is never broken, so it does not break its surroundings either
   lineMustEnd = true;
 }
 
@@ -57,15 +57,15 @@ void Layout::token(Range range, Separator before) {
   previousEnd = range.end;
 }
 
-/// As many as the author left, two at most, so that one line stays empty. None is left empty behind
-/// an opening parenthesis.
+/// Number of line ends to write: those that the user wrote, but at most two. There is no empty line
+/// after an opening parenthesis.
 std::uint32_t Layout::linesBefore(Offset token) const {
   auto old = text.substr(previousEnd, token - previousEnd);
   bool behindOpening = previousEnd > 0 && text[previousEnd - 1] == '(' && !lineMustEnd;
   return !behindOpening && std::ranges::count(old, '\n') > 1 ? 2 : 1;
 }
 
-/// On the same line as what comes before, but behind a comment.
+/// Continues the line, unless it ends with a comment.
 void Layout::close(Index at, std::uint32_t indent) {
   Offset end = (*boxes)[at].range.end;
   bool alone = lineMustEnd;
@@ -78,7 +78,7 @@ std::uint32_t Layout::columnOf(Separator before) const {
   return column + (before.kind == Separator::Kind::Space ? 1 : 0);
 }
 
-/// Comments behind the tokens of consecutive lines stay in one column where they stood in one.
+/// Keeps trailing comments of consecutive lines aligned if they were aligned.
 void Layout::alignTrailing() {
   for (std::size_t begin = 0, end = 0; begin < trailing.size(); begin = end) {
     std::uint32_t widestCode = 0;

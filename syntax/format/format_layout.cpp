@@ -9,7 +9,7 @@ namespace proskill::syntax {
 
 namespace {
 
-constexpr std::uint32_t kFieldIndent = 2;  // in a definition, and of what hangs below a keyword
+constexpr std::uint32_t kFieldIndent = 2;  // in a definition, and below a keyword
 constexpr std::uint32_t kBodyIndent = 3;   // in `if`, `while`, `do`
 constexpr std::uint32_t kClauseIndent = 1; // of `else`, `elseif`, `until`
 
@@ -18,10 +18,10 @@ bool isClause(NodeKind kind) {
          kind == NodeKind::UntilClause;
 }
 
-/// Something stands beside its head: a condition, or the call of a `case`.
+/// Whether the statement has a part on the line of its head: a condition, or the call of a `case`.
 bool hasCondition(NodeKind kind) { return kind != NodeKind::Do && kind != NodeKind::ElseClause; }
 
-/// A byte-order mark is no part of the first gap.
+/// A byte order mark is not part of the first gap.
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 } // namespace
@@ -165,7 +165,7 @@ void Layout::body(Index at, Separator before, std::uint32_t after) {
   }
 }
 
-/// The statements below the time.
+/// Writes the statements below the time.
 void Layout::timeout(Index at, Separator before, std::uint32_t after) {
   std::uint32_t indent = columnOf(before) + kFieldIndent;
   std::size_t count = 0;
@@ -218,7 +218,7 @@ void Layout::tagged(Index at, Separator before, std::uint32_t after, std::uint32
   betterOf([&] { layOut(false); }, [&] { layOut(true); });
 }
 
-/// `:success tag`, and the tag's clause below.
+/// Writes `:success tag`, and the tag's clause below.
 void Layout::hanging(Index at, Separator before, std::uint32_t after) {
   std::uint32_t indent = columnOf(before) + kFieldIndent;
   Index outcome = at + 2;
@@ -251,7 +251,7 @@ void Layout::control(Index at, Separator before, std::uint32_t after) {
   if (isForm) close(at, statements);
 }
 
-/// Items fill the lines; where the author broke a line, it stays broken.
+/// Fills lines with items, and keeps the user's line breaks.
 void Layout::list(Index at, Separator before, std::uint32_t after) {
   std::uint32_t indent = columnOf(before) + 1;
   form(at, before, indent, [&](Index child, bool first) {
@@ -285,14 +285,14 @@ void Layout::headed(Index at, Separator before, std::uint32_t after, bool filled
   });
 }
 
-/// What follows the last child on its line is what follows its parent, and the parent's own
-/// parenthesis; behind any other child comes something that can be moved to the next line.
+/// The space needed after a child on its line: after the last child, the parent's parenthesis and
+/// what follows the parent; after others none, since the next can move to a new line.
 std::uint32_t Layout::afterChild(Index parent, Index child, std::uint32_t after) const {
   if (nextOf(child) != endOf(parent)) return 0;
   return after + ((*boxes)[parent].shape == BoxShape::Form ? 1 : 0);
 }
 
-/// Before `else`: a comment that stands as far left as the `else` speaks of it.
+/// Whether a comment before `else` belongs to it: if it is indented as little as the `else`.
 bool Layout::commentBelongsToNext(Index comment, Index parent) const {
   Index next = comment;
   while (next < endOf(parent) && (*boxes)[next].shape == BoxShape::Comment) next = nextOf(next);
@@ -305,7 +305,7 @@ bool Layout::fits(Index at, Separator before, std::uint32_t after) const {
   return width != kNotFlat && std::uint64_t{columnOf(before)} + width + after <= kLineWidth;
 }
 
-/// Takes the second only where the first is too wide and the second is narrower.
+/// Chooses the second layout if the first is too wide and the second is narrower.
 void Layout::betterOf(const std::function<void()>& first, const std::function<void()>& second) {
   const Layout* self = this;
   struct State {

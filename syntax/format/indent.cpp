@@ -14,14 +14,14 @@ bool isOneOf(std::string_view word, const std::array<std::string_view, n>& words
   return std::ranges::find(words, word) != words.end();
 }
 
-/// What stands directly in a parenthesis that is still open.
+/// An open parenthesis, and the words directly in it.
 struct OpenForm {
   Offset at = 0;
   std::string_view before; ///< the word before the parenthesis
   std::vector<Range> items;
 };
 
-/// Reads the text up to a line; what is open at its end is what that line stands in.
+/// Reads the text up to a line, and records the forms that are open there.
 class Reader {
 public:
   explicit Reader(std::string_view text) : text(text) {}
@@ -82,7 +82,7 @@ private:
   std::vector<OpenForm> open;
 };
 
-/// The columns of what stands in a form, by the same rules as the formatter's.
+/// The column of each part of a form, by the rules of the formatter.
 class Rules {
 public:
   Rules(std::string_view text, const OpenForm& form) : text(text), form(form) {}
@@ -112,7 +112,8 @@ private:
   }
   [[nodiscard]] std::uint32_t columnOf(Offset at) const {
     auto lineEnd = text.substr(0, at).rfind('\n');
-    auto line = text.substr(lineEnd + 1, at - lineEnd - 1); // npos + 1 is 0
+    auto line = text.substr(lineEnd + 1, at - lineEnd - 1); // if there is no line end, npos + 1 is
+                                                            // 0
     return widthOf(line);
   }
 
@@ -120,7 +121,7 @@ private:
   const OpenForm& form;
 };
 
-/// The region that a place is in; where one begins there is nothing open.
+/// The region that contains a position. At the start of a region no form is open.
 Range regionAt(const Document& document, Offset at) {
   Range found;
   for (const Region& region : document.regions())

@@ -9,26 +9,26 @@
 namespace proskill::syntax {
 namespace {
 
-// Enough for a person to mend; random bytes would go on for ever.
+// Limit of corrections. People can correct as many; random bytes would have no end.
 constexpr std::size_t kMostMistakes = 16;
-// How many landmarks and parentheses are looked at in search of one mistake.
+// Limit of landmarks and parentheses that are examined for one correction.
 constexpr std::size_t kBudget = 1'000'000;
-// The grammar is asked for few mistakes, few places, and short texts: it takes longer.
+// The grammar judges only few corrections and places of short texts, since it takes longer.
 constexpr std::size_t kMistakesJudged = 4;
 constexpr std::size_t kPlacesJudged = 6;
 constexpr std::size_t kLongestJudged = 1 << 14;
 constexpr unsigned kWeightOfProblem = 3;
-// A place that contradicts the layout so much more than the best one is not asked about.
+// A place that contradicts the layout by so much more than the best one is not judged.
 constexpr unsigned kHopeless = 12;
 
-/// A copy of the text with its parentheses changed, as long as it was.
+/// A copy of the text with corrected parentheses and the same length.
 std::string recovered(std::string text, const Scan& scan, const Recovery& recovery) {
   for (std::size_t i = 0; i < recovery.removed.size(); ++i)
     if (recovery.removed[i]) text[scan.parentheses[i].at] = ' ';
   for (std::size_t i = 0; i < recovery.inserted.size(); ++i) {
     Offset at = placeBefore(scan, i);
-    // There is no room for more characters: they go over the space there, and over a comment. Where
-    // that is too little, the grammar closes the form itself, at the end of the region.
+    // The length must not change, so added characters overwrite the space there, and a comment. If
+    // that is too little, the parser closes the form at the end of the region.
     if (recovery.inserted[i] > 0)
       if (auto comment = std::ranges::find(scan.comments, at, &Range::begin);
           comment != scan.comments.end())
@@ -50,7 +50,7 @@ public:
     recovery.inserted.resize(scan.landmarks.size() + 1);
   }
 
-  /// The text that balances; nothing where it did already.
+  /// The balanced text; nullopt if it was balanced.
   std::optional<std::string> run() {
     for (; mistakes < kMostMistakes; ++mistakes) {
       Nesting nesting = nestingOf(text, scan, recovery);
@@ -67,13 +67,13 @@ public:
   }
 
 private:
-  /// A change, and how much then contradicts the layout.
+  /// A possible change, and how much the result contradicts the layout.
   struct Candidate {
     std::size_t place;
     unsigned penalty;
   };
 
-  /// The landmarks before which a mistake may be, the likeliest first, as many as time allows.
+  /// The landmarks before which an error may be, the likeliest first, as many as the budget allows.
   std::vector<std::size_t> suspects(const Nesting& nesting) const {
     std::vector<std::size_t> places(scan.landmarks.size());
     std::iota(places.begin(), places.end(), 0);
@@ -85,7 +85,7 @@ private:
     return places;
   }
 
-  /// The best of the candidates, the first of equals; `apply` makes and `revert` undoes a change.
+  /// The best candidate, the first among equals. `apply` makes a change, `revert` undoes it.
   std::size_t best(std::vector<Candidate> candidates, auto apply, auto revert) {
     std::ranges::stable_sort(candidates, {}, &Candidate::penalty);
     unsigned hopeless = candidates.front().penalty + kHopeless;
@@ -119,7 +119,7 @@ private:
       candidates.push_back({parenthesis, nestingOf(text, scan, recovery).penalty + handicap});
       revert(parenthesis);
     };
-    // A `)` that begins a line is the likeliest to be left over.
+    // a `)` at the start of a line is the likeliest to be superfluous
     bool standsAlone = startsLine(scan.parentheses[*nesting.surplus].at);
     for (std::size_t landmark : suspects(nesting)) {
       std::size_t before = scan.landmarks[landmark].parentheses;
@@ -158,7 +158,7 @@ private:
     diagnostic.fixes.push_back({"remove `)`", {0, range}, ""});
   }
 
-  /// One report for each place where something is missing, at the innermost parenthesis.
+  /// Makes one report for each place where something is missing, at the innermost parenthesis.
   void reportInsertions() {
     auto closed = nestingOf(text, scan, recovery).closedByInsertion;
     auto next = closed.begin();

@@ -5,13 +5,13 @@
 namespace proskill::syntax {
 namespace {
 
-/// Goes from word to word; a parenthesis and any other sign is a word as well.
+/// Iterates over words; parentheses and other signs are words, too.
 class Words {
 public:
   explicit Words(std::string_view text) : text(text) { skip(); }
 
   [[nodiscard]] bool atEnd() const { return at == text.size(); }
-  /// Whether white space or a comment stands before the word.
+  /// Whether white space or a comment precedes the word.
   [[nodiscard]] bool isApart() const { return apart; }
   [[nodiscard]] Offset begin() const { return static_cast<Offset>(at); }
   [[nodiscard]] std::string_view word() const { return text.substr(at, length()); }
@@ -22,7 +22,8 @@ public:
   }
 
 private:
-  /// To white space or a comment; of a string, to its closing quote or the end of the line.
+  /// Length up to white space or a comment; of a string, up to its closing quote or the end of the
+  /// line.
   [[nodiscard]] std::size_t length() const {
     std::size_t end = at;
     bool inString = false;

@@ -3,7 +3,7 @@
 namespace proskill::syntax {
 namespace {
 
-// How much each contradiction counts. Layouts vary, so a hint must not outweigh what is certain.
+// Weights of contradictions. Layouts vary, so a hint must not outweigh a certain error.
 constexpr unsigned kCertain = 4;
 constexpr unsigned kHint = 1;
 
@@ -77,7 +77,7 @@ private:
     unsigned weight = 0;
     for (std::size_t i = stack.size(); i-- > 0 && stack[i].column >= landmark.column;)
       weight += isSibling(stack[i], landmark) ? kCertain : kHint;
-    // A field has one value, which is one form at most.
+    // the value of a field is at most one form
     if (stack.size() == 1 && opensAt(landmark.at) && formsInField > 0) weight += kCertain;
     auto& content = stack.back().contentColumn;
     if (content && *content != landmark.column) weight += kHint;
@@ -85,8 +85,7 @@ private:
     return weight;
   }
 
-  /// Whether the line must stand beside the opener, not in it: it is indented less, or starts
-  /// alike.
+  /// Whether the line must be beside the opener, not in it: it is indented less, or begins like it.
   [[nodiscard]] bool isSibling(const Opener& opener, const Landmark& landmark) const {
     bool alike = opener.ofLists == (opensAt(landmark.at) && opensAt(landmark.at + 1));
     return landmark.column < opener.column || alike;
@@ -97,7 +96,7 @@ private:
   const Recovery& recovery;
   std::vector<Opener> stack;
   std::optional<Offset> outerColumn; ///< of the first form
-  unsigned formsInField = 0; ///< how many came directly in a definition since its last keyword
+  unsigned formsInField = 0;         ///< number of forms in a definition since its last keyword
   Nesting result;
 };
 

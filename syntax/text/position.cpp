@@ -8,7 +8,7 @@ namespace proskill::syntax {
 
 namespace {
 
-/// A character's bytes, and its width in an encoding's units.
+/// Size of a character: in bytes, and in units of an encoding.
 struct Character {
   std::size_t bytes;
   std::uint32_t units;

@@ -8,7 +8,7 @@ namespace proskill::syntax {
 
 namespace {
 
-/// Bytes: of what is longer so many are shown, and no half letter.
+/// In bytes. Longer text is cut at a character boundary.
 constexpr std::size_t kLongest = 60;
 
 } // namespace

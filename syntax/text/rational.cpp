@@ -23,7 +23,7 @@ std::optional<Rational> lowest(Wide numerator, Wide denominator) {
   return Rational{static_cast<std::int64_t>(numerator), static_cast<std::int64_t>(denominator)};
 }
 
-/// How many digits after the point write `1/denominator` exactly; nothing where none do.
+/// Number of decimal places that represent `1/denominator` exactly; nullopt if there is none.
 std::optional<int> decimalPlaces(std::int64_t denominator) {
   int twos = 0;
   int fives = 0;
@@ -38,7 +38,7 @@ std::optional<int> decimalPlaces(std::int64_t denominator) {
 std::optional<Rational> parseRational(std::string_view text) {
   bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
-  // Zeros at the end of a decimal say nothing, but would overflow the denominator.
+  // Trailing zeros of a decimal are meaningless, but would make the denominator overflow.
   if (text.contains('.'))
     while (text.ends_with('0')) text.remove_suffix(1);
   constexpr Wide kLimit = Wide{1} << 100;
@@ -62,7 +62,7 @@ std::optional<Rational> parseRational(std::string_view text) {
 }
 
 std::optional<Rational> add(Rational a, Rational b) {
-  // Each product fits 126 bits, so their sum fits too.
+  // each product fits into 126 bits, so the sum fits, too
   return lowest(Wide{a.numerator} * b.denominator + Wide{b.numerator} * a.denominator,
                 Wide{a.denominator} * b.denominator);
 }

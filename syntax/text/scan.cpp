@@ -9,7 +9,7 @@
 namespace proskill::syntax {
 namespace {
 
-// Keywords such as `:effects`, which stand at several depths, tell nothing.
+// Keywords that occur at a single depth only; `:effects`, for example, is not one of them.
 constexpr std::array<std::string_view, 18> kFields = {
     ":init",          ":min",       ":max",       ":states", ":transitions",   ":capacity",
     ":input",         ":start",     ":invariant", ":action", ":interrupt",     ":precondition",
@@ -84,7 +84,7 @@ private:
          .fieldOfDefinition = std::ranges::find(kFields, word) != kFields.end()});
   }
 
-  /// To the closing quote, or to the end of the line.
+  /// Skips to the closing quote, or to the end of the line.
   void string() {
     std::size_t begin = at;
     for (++at; at < text.size() && !isLineEnd(at); ++at) {
@@ -106,7 +106,7 @@ private:
   std::string_view text;
   std::size_t at = 0;
   std::size_t lineStart = 0;
-  bool fresh = true; ///< nothing but space in this line so far
+  bool fresh = true; ///< only white space so far in this line
   Scan result;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 struct Decoded {
   utf8proc_int32_t character = 0;
-  utf8proc_ssize_t length = 0; ///< 0 of an empty text, negative where no character begins
+  utf8proc_ssize_t length = 0; ///< 0 for an empty text, negative if no character begins there
 };
 
 Decoded decode(std::string_view text) {

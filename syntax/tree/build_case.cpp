@@ -6,7 +6,7 @@
 namespace proskill::syntax {
 namespace {
 
-/// The call of a `case`, alone; empty, and reported, where there is none.
+/// The call of a `case`; an empty block, with a report, if there is none.
 Block takeCall(Builder& builder, Parts& parts, const Name& head) {
   Block block;
   block.range = {head.range.end, head.range.end};
@@ -32,7 +32,7 @@ Expr namePart(ExprKind kind, const Name& name, const Name& member, Range range) 
   return expr;
 }
 
-/// What a condition would say of the callee's outcome: `(= takeoff.status success)`.
+/// The condition that tests an outcome: `(= takeoff.status success)`.
 Expr outcomeIs(const Name& callee, std::string_view member, std::string_view word, Range range) {
   Expr equal;
   equal.kind = ExprKind::Equal;
@@ -52,7 +52,7 @@ Expr joined(ExprKind kind, List<Expr> operands, Range range) {
   return all;
 }
 
-/// A call that was refused has no status.
+/// A refused call leaves no status.
 Expr conditionOf(const CasePattern& pattern, const Name& callee) {
   const auto status = pattern.status.text == "refused" ? "no_status" : pattern.status.text;
   List<Expr> all;
@@ -76,7 +76,7 @@ bool hasTags(std::string_view status) {
   return status != "interrupted" && status != "refused" && status != "else";
 }
 
-/// `((failure blocked lost) …)`: any of these tags.
+/// Reads `((failure blocked lost) …)`: any of these tags.
 void readPattern(Builder& builder, const Node& node, CasePattern& pattern) {
   Parts words(node);
   const Node* status = words.take(NodeKind::Symbol);

@@ -21,12 +21,12 @@ Keywords fieldsOf(NodeKind definition) {
   }
 }
 
-/// A definition before its fields are understood.
+/// A definition whose fields are not yet read.
 struct Definition {
   Name keyword;
   Name name;
-  List<FieldUse> uses;       ///< all of them
-  std::vector<Field> fields; ///< the known ones; of one that is there twice, the first
+  List<FieldUse> uses;       ///< all fields
+  std::vector<Field> fields; ///< the known fields; of duplicates only the first
 };
 
 void addField(Builder& builder, const Node& node, NodeKind owner, Definition& definition) {
@@ -107,7 +107,7 @@ void readTransitions(Builder& builder, Field& field, StateVariable& variable) {
   }
 }
 
-/// One value, or a list of those that it may be.
+/// Reads one value, or a list of possible values.
 void readInit(Builder& builder, Field& field, StateVariable& variable) {
   const Node* value = onlyValue(builder, field, "the initial value");
   variable.init.range = {field.use.keyword.range.end, field.use.keyword.range.end};
@@ -242,7 +242,7 @@ bool isForm(const Node& node) {
   }
 }
 
-/// Words between the forms, up to the next form, as one mistake.
+/// Reports words between forms, up to the next form, as one error.
 void reportStray(Builder& builder, const Node& first, Parts& parts) {
   bool damaged = isDamaged(first);
   Range range = first.range;

@@ -30,7 +30,7 @@ void readOne(Builder& builder, const Node& node, Effects& effects) {
                    fmt::format("`{}` is not an effect", builder.quoted(node)));
 }
 
-/// `(a X) (b Y)`, where a list of the two was meant.
+/// Reports `(a X) (b Y)` where a list of both was meant.
 void reportUnlisted(Builder& builder, Range range) {
   auto& diagnostic =
       builder.report(Code::MalformedEffects, range, "several effects need parentheses around them");
@@ -44,7 +44,7 @@ void readList(Builder& builder, const Node& list, Effects& effects) {
   while (const Node* item = items.take()) readOne(builder, *item, effects);
 }
 
-/// An effect that stands without a list, with those that follow it by mistake.
+/// Reads an effect that is not in a list, and those that follow it.
 void readUnlisted(Builder& builder, const Node& first, Parts& parts, Effects& effects) {
   readOne(builder, first, effects);
   bool alone = !parts.peek() || parts.peek()->kind != NodeKind::Effect;
@@ -73,7 +73,7 @@ Effects takeEffects(Builder& builder, Parts& parts, const Name& head) {
     readList(builder, *first, effects);
     builder.reportSurplus(parts, "the effects");
   } else {
-    readOne(builder, *first, effects); // a word: whatever follows is the same mistake
+    readOne(builder, *first, effects); // a word: what follows belongs to the same error
   }
   return effects;
 }

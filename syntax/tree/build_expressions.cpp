@@ -61,7 +61,7 @@ ExprKind kindOfOperator(const Node& node, std::string_view head) {
 
 bool isTemporal(ExprKind kind) { return kind >= ExprKind::Globally; }
 
-/// Reads the operands and makes their number right, so that those who read the tree can rely on it.
+/// Reads the operands and corrects their number, so that users of the tree can rely on it.
 void takeOperands(Builder& builder, Parts& parts, Expr& expression, Context context) {
   Offset end = expression.head.range.end;
   while (const Node* part = parts.take()) {
@@ -94,7 +94,7 @@ void readTest(Builder& builder, const Node& node, Expr& expression, Context cont
   takeOperands(builder, parts, expression, context);
 }
 
-/// `(running takeoff)`, `(ended takeoff success)`, `(value battery Low)`, …
+/// Reads `(running takeoff)`, `(ended takeoff success)`, `(value battery Low)`, …
 void readObservation(Builder& builder, const Node& node, Expr& expression, ExprKind kind) {
   Parts parts(node);
   expression.kind = kind;
@@ -113,7 +113,7 @@ void readAccess(Builder& builder, const Node& node, Expr& expression) {
   Parts parts(node);
   expression.kind = ExprKind::Access;
   expression.name = builder.nameOf(*parts.take());
-  parts.take(NodeKind::Token); // the point
+  parts.take(NodeKind::Token); // skip the point
   if (const Node* member = parts.take(NodeKind::Symbol)) {
     expression.member = builder.nameOf(*member);
     return;
@@ -155,7 +155,8 @@ void reportNoCondition(Builder& builder, const Node& node) {
     builder.report(Code::MalformedCondition, node.range, hintFor(builder.textOf(*head)));
 }
 
-/// A name or a truth value; among the arguments of a command the grammar takes both for symbols.
+/// Reads a name or a truth value. Among the arguments of a command, the grammar parses both as
+/// symbols.
 void readSymbol(Builder& builder, const Node& node, Expr& expression) {
   auto text = builder.textOf(node);
   expression.kind = text == "true"    ? ExprKind::True

@@ -62,7 +62,7 @@ std::optional<bool> fairField(Builder& builder, Field& field) {
   return std::nullopt;
 }
 
-/// What happens in the end may depend on which runs without end count.
+/// Whether `:fair` can make a difference: the verdict depends on infinite runs.
 bool isAboutTheEnd(PropertyKind kind) {
   return kind == PropertyKind::Present || kind == PropertyKind::LeadsTo ||
          kind == PropertyKind::InfinitelyOften || kind == PropertyKind::Ltl;

@@ -60,7 +60,7 @@ List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
   return preconditions;
 }
 
-/// What stands in a clause before its first keyword belongs nowhere. Returns whether there is such.
+/// Reports parts of a clause before its first keyword. \return whether there are any
 bool reportLoose(Builder& builder, Parts& parts, std::string_view owner) {
   bool reported = false;
   while (const Node* next = parts.peek()) {
@@ -88,7 +88,7 @@ Keywords fieldsOfClause(std::string_view owner) {
   return {":effects", ":postcondition"};
 }
 
-/// Whether the field was there before; that is reported, and the first one counts.
+/// Whether the field occurred before. This is reported, and the first one counts.
 bool isRepeated(Builder& builder, const Field& field, List<Name>& seen) {
   const Name& keyword = field.use.keyword;
   auto first = std::ranges::find(seen, keyword.text, &Name::text);
@@ -101,18 +101,18 @@ bool isRepeated(Builder& builder, const Field& field, List<Name>& seen) {
   return true;
 }
 
-/// What `:guard` or `:postcondition` says.
+/// Contents of `:guard` or `:postcondition`.
 struct Condition {
   Range field; ///< keyword and value
   Expr says;
 };
 
-/// Reads the fields of a clause. Returns whether there is nothing else in it.
+/// Reads the fields of a clause. \return whether it contains nothing else
 bool readClause(Builder& builder, const Node& clause, std::string_view owner, Effects& effects,
                 std::optional<Condition>& condition) {
   Parts parts(clause);
   bool empty = !parts.peek();
-  // To be interrupted a skill need not set anything.
+  // `:interrupt` may be empty
   if (empty && owner != ":interrupt") builder.report(Code::EmptyForm, clause.range);
   bool loose = reportLoose(builder, parts, owner);
   List<Name> seen;
@@ -246,7 +246,7 @@ std::optional<Interrupt> interruptOf(Builder& builder, Field& field) {
   return interrupt;
 }
 
-/// The value of the field where it is of the kind that is needed; else null, and reported.
+/// The value of the field if it has the required kind; otherwise null, with a report.
 const Node* valueOfKind(Builder& builder, Field& field, NodeKind kind, std::string_view needs) {
   const Node* value = onlyValue(builder, field, needs);
   if (!value || value->kind == kind) return value;
@@ -264,7 +264,7 @@ void readMonitor(Builder& builder, Field& field, Skill& skill) {
     reportMalformed(builder, field, *value, kNeeds);
 }
 
-/// Without `:interrupt`, to be interrupted sets nothing.
+/// Reads `:interruptible`; `t` has the effect of an empty `:interrupt`.
 void readInterruptible(Builder& builder, Field& field, Skill& skill) {
   constexpr auto kNeeds = "`t` or `nil`";
   const Node* value = valueOfKind(builder, field, NodeKind::Symbol, kNeeds);

@@ -22,7 +22,7 @@ bool isWordLike(const Node& node) {
   }
 }
 
-/// Words that belong to the statement around them, without parentheses of their own.
+/// Keywords that belong to the surrounding statement, without parentheses of their own.
 bool isClauseWord(std::string_view word) {
   return word == "else" || word == "elseif" || word == "until";
 }
@@ -98,7 +98,7 @@ void readInterrupt(Builder& builder, const Node& node, Statement& statement) {
   Parts halves(*target);
   statement.kind = StatementKind::Interrupt;
   statement.name = builder.nameOf(*halves.take());
-  halves.take(NodeKind::Token); // the point
+  halves.take(NodeKind::Token); // skip the point
   const Node* member = halves.take();
   statement.head =
       member ? builder.nameOf(*member) : Name{{}, {target->range.end, target->range.end}};
@@ -116,7 +116,7 @@ Interval instant(const Builder& builder, const Node& number) {
   return {seconds, seconds, false, false, number.range};
 }
 
-/// The number of seconds, or the interval, that comes next.
+/// Reads a number of seconds or an interval.
 void readDuration(Builder& builder, Parts& parts, Statement& statement) {
   if (const Node* number = parts.take(NodeKind::Number)) {
     statement.duration = instant(builder, *number);
@@ -127,7 +127,7 @@ void readDuration(Builder& builder, Parts& parts, Statement& statement) {
   }
 }
 
-/// `:timeout 5`, and what is done then.
+/// Reads `:timeout 5`, and the statements after the timeout.
 void readTimeout(Builder& builder, Field& field, Statement& statement) {
   const Node* first = field.values.peek();
   if (first && (first->kind == NodeKind::Number || first->kind == NodeKind::Interval))
@@ -251,7 +251,7 @@ void readPrintf(Builder& builder, Parts& parts, Statement& statement) {
     statement.arguments.push_back({{}, expressionOf(builder, *part), part->range});
 }
 
-/// The statements that begin with a word of the language.
+/// Reads a statement that begins with a keyword.
 void readHeaded(Builder& builder, const Node& node, Statement& statement) {
   Parts parts(node);
   statement.head = builder.nameOf(*parts.take());
@@ -316,7 +316,7 @@ Block blockOf(Builder& builder, const Node& list) {
   block.range = list.range;
   Parts parts(list);
   if (looksLikeOneStatement(list)) {
-    // Its words are no statements each; one mistake, one report.
+    // its words are not separate statements, so there is one report
     if (!isDamaged(*parts.peek())) {
       auto& diagnostic =
           builder.report(Code::MalformedStatement, list.range, "expected a list of statements");

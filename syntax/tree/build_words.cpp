@@ -92,7 +92,7 @@ Name contentOf(const Builder& builder, const Node& string) {
 
 namespace {
 
-/// What is missing from an interval, in the words of a diagnostic; empty where nothing is.
+/// What is missing from an interval, for a diagnostic; empty if it is complete.
 std::string_view readInterval(const Builder& builder, const Node& node, Interval& interval) {
   Parts parts(node);
   interval.lowerOpen = builder.textOf(*parts.take()) == "]";
@@ -123,7 +123,7 @@ std::optional<Interval> takeInterval(Builder& builder, Parts& parts) {
   interval.range = node->range;
   auto problem = readInterval(builder, *node, interval);
   if (problem.empty()) return interval;
-  // The grammar ends a broken interval early; its other pieces follow.
+  // the grammar ends a broken interval early; its other parts follow
   while (const Node* next = parts.peek()) {
     bool piece = next->kind == NodeKind::Number || next->kind == NodeKind::Interval ||
                  next->kind == NodeKind::Unexpected || next->kind == NodeKind::Symbol;

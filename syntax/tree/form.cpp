@@ -9,7 +9,7 @@ namespace proskill::syntax {
 
 namespace {
 
-/// About as many bytes of memory as a byte of text makes.
+/// Memory that a byte of text takes, approximately.
 constexpr std::size_t kBytesOfText = 12;
 
 Name nameOf(const ReadForm& form) {
@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  /// In memory of its own.
+  /// A copy in memory of its own.
   struct Copy {
     std::pmr::monotonic_buffer_resource arena;
     FormNode node;

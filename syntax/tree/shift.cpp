@@ -5,7 +5,7 @@
 namespace proskill::syntax {
 namespace {
 
-// The members that are ranges or hold some, type by type; the visitor below does the rest.
+// The members of each type that are or contain ranges; the visitor below does the rest.
 auto members(Name& x) { return std::tie(x.range); }
 auto members(Interval& x) { return std::tie(x.range); }
 auto members(Expr& x) { return std::tie(x.range, x.head, x.name, x.member, x.operands); }

@@ -42,7 +42,7 @@ const std::vector<NodeKind>& kindsOfSymbols() {
   return kKinds;
 }
 
-/// Copies a tree-sitter tree into preorder, without recursion.
+/// Copies a tree-sitter tree in preorder, without recursion.
 class Flattening {
 public:
   Flattening(std::string_view source, TSNode root)
@@ -103,8 +103,8 @@ private:
   std::vector<std::optional<std::size_t>> open;
 };
 
-/// The grammar takes any text without control characters, so this is for the unforeseen: better one
-/// plain error than a tree whose nodes lack the parts that they always have.
+/// A tree with a single error. The grammar accepts any text without control characters, so this
+/// covers the unforeseen: other code relies on parts that every node has.
 Tree unreadable(std::string_view text) {
   Range all{0, static_cast<Offset>(text.size())};
   return {{NodeKind::SourceFile, 2, all}, {NodeKind::Error, 1, all}};
