@@ -13,8 +13,8 @@ using syntax::Block;
 using syntax::Statement;
 using syntax::StatementKind;
 
-/// Control does not come from the statement itself to what stands behind it: only from statements
-/// within it, or by a `break`.
+/// Whether control never falls through to the next statement. It may still get there from inner
+/// statements or by `break`.
 bool neverGoesOn(const Statement& statement) {
   switch (statement.kind) {
   case StatementKind::Success:
@@ -41,10 +41,10 @@ bool neverGoesOn(const Statement& statement) {
   std::unreachable();
 }
 
-/// Names all states in the order of the text, then tells each where to go on.
+/// Names all states in the order of the text, then links each to its successors.
 class Builder {
 public:
-  /// `parallels` counts the `//` and `race` of the skill, those within branches included.
+  /// `parallels` counts the `//` and `race` of the skill, including those in branches.
   Builder(std::string_view skill, std::size_t& parallels) : skill(skill), parallels(parallels) {}
 
   BodyAutomaton build(const Block& body) {
@@ -81,7 +81,7 @@ private:
     return "NS" + std::to_string(++statements);
   }
 
-  /// `first` is the name that is kept for the first state of the block; empty where there is none.
+  /// `first` is the name reserved for the first state of the block, or empty.
   void nameBlock(const Block& block, std::string& first) {
     for (std::size_t i = 0; i < block.statements.size(); ++i) {
       const auto& statement = block.statements[i];
@@ -164,8 +164,8 @@ private:
     return follows.at(&block);
   }
 
-  /// `next` follows the block, `afterLoop` the innermost loop around it. From the last statement to
-  /// the first, since an empty loop's entry is what follows its body.
+  /// `next` follows the block, `afterLoop` the innermost surrounding loop. Links from the last
+  /// statement to the first, since the entry of an empty loop is its successor.
   void linkBlock(const Block& block, const std::string& next, const std::string& afterLoop) {
     follows[&block] = next;
     for (std::size_t i = block.statements.size(); i-- > 0;)
@@ -206,7 +206,7 @@ private:
   std::size_t& parallels;
   BodyAutomaton automaton;
   std::map<const Statement*, std::size_t> stateOf;
-  std::map<const Block*, std::string> follows; ///< the state after the block
+  std::map<const Block*, std::string> follows; ///< the state after each block
   std::map<std::string_view, Place> labels;
   std::size_t statements = 0;
   std::size_t tests = 0;
@@ -218,7 +218,7 @@ void enterRace(BodyAutomaton& branch, const std::vector<BodyAutomaton>& all) {
   if (!branch.rivals.empty()) branch.racers.push_back(branch.name);
 }
 
-/// Tells each branch where it is among the others.
+/// Numbers the branches.
 void placeBranches(BodyAutomaton& automaton) {
   for (auto& state : automaton.states)
     for (std::size_t i = 0; i < state.branches.size(); ++i) {

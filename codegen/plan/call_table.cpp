@@ -26,7 +26,7 @@ std::int64_t CallTable::add(const SkillPlan& skill, Values values) {
   return number;
 }
 
-/// The calls that a skill makes when it is called so.
+/// Adds the calls that a skill makes for this set of arguments.
 void CallTable::follow(const SkillPlan& skill, std::int64_t number) {
   if (!skill.body) return;
   forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
@@ -46,7 +46,7 @@ CallTable::Values CallTable::argumentsOf(const Statement& call, const SkillPlan&
                                          const SkillPlan& caller, const Values& given) const {
   Values values;
   for (const auto& input : callee.skill().inputs) {
-    const auto bare = input.name.text.substr(1); // without its `$`
+    const auto bare = input.name.text.substr(1); // without the `$`
     const auto named = std::ranges::find_if(
         call.arguments, [&](const auto& argument) { return argument.name.text == bare; });
     values.push_back(named == call.arguments.end() ? "" : valueOf(named->value, caller, given));
@@ -54,7 +54,7 @@ CallTable::Values CallTable::argumentsOf(const Statement& call, const SkillPlan&
   return values;
 }
 
-/// A literal as written, or what the skill's own parameter was given.
+/// A literal as written, or the value of the calling skill's own parameter.
 std::string CallTable::valueOf(const syntax::Expr& expr, const SkillPlan& skill,
                                const Values& given) const {
   if (expr.kind == syntax::ExprKind::Parameter) {

@@ -43,7 +43,7 @@ Names::Names(const analysis::Program& program, const GenerationPlan& plan)
 
 const std::string& Names::value(std::string_view sv, std::string_view value) {
   return ownersOfValue[value] > 1 ? global.of("value", {sv, value})
-                                  // The empty part keeps the key of the variable's own.
+                                  // the empty part avoids the key of the variable itself
                                   : global.of("value", {"", value});
 }
 

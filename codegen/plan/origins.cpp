@@ -34,7 +34,7 @@ std::string Origins::excerpt(syntax::FileId file, syntax::Range range) const {
       line += ' ';
   }
   if (line.size() <= kLongest) return line;
-  // Not into the middle of a UTF-8 sequence.
+  // cut between UTF-8 characters
   return line.substr(0, syntax::characterStart(line, kLongest)) + "...";
 }
 

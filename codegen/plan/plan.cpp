@@ -21,7 +21,7 @@ GenerationError ambiguous(const std::vector<const SkillDefinition*>& candidates)
           candidates[0]->at((*candidates[0])->name.range)};
 }
 
-/// Null where the program is a library of skills.
+/// Null if the program is a library of skills.
 std::expected<const SkillDefinition*, GenerationError> chooseMission(const Program& program,
                                                                      const Options& options) {
   if (options.mainSkill.empty()) {
@@ -41,7 +41,8 @@ std::expected<const SkillDefinition*, GenerationError> chooseMission(const Progr
   return skill;
 }
 
-/// Calls `visit(automaton, statement)` for each statement with a state, those of branches included.
+/// Calls `visit(automaton, statement)` for each statement that has a state, including those in
+/// branches.
 template <class Visit> void forEachStep(const BodyAutomaton& body, Visit&& visit) {
   forEachThread(body, [&](const BodyAutomaton& thread) {
     for (const auto& state : thread.states)
@@ -49,7 +50,7 @@ template <class Visit> void forEachStep(const BodyAutomaton& body, Visit&& visit
   });
 }
 
-/// The names of all composite skills that run when those of `roots` run.
+/// The names of all composite skills that may run when those of `roots` run.
 std::set<std::string_view> reachable(const Program& program,
                                      std::vector<const SkillDefinition*> roots) {
   std::set<std::string_view> found;
@@ -141,7 +142,8 @@ private:
     }
   }
 
-  /// Who is struck stops what it called: to be repeated until nothing new is found.
+  /// Notes who can be stopped: a skill that is stopped stops what it called. Repeated until nothing
+  /// changes.
   void noteStops() {
     bool changed = true;
     while (changed) {
@@ -163,7 +165,7 @@ private:
     return changed;
   }
 
-  /// Those that must not be stopped, and whoever has called one of them.
+  /// Notes the skills that must not be stopped, and all their callers.
   void noteHoldOuts() {
     auto& all = plan.holdOuts;
     for (const auto& skill : plan.skills)

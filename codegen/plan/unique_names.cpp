@@ -12,7 +12,7 @@ const std::string& UniqueNames::of(std::string_view kind,
   std::string key(kind);
   std::string preferred;
   for (const auto part : parts) {
-    // No name of ProSkill has a point, so different parts never make the same key.
+    // names in ProSkill contain no dot, so keys are unique
     key.append(1, '.').append(part);
     if (part.empty()) continue;
     if (!preferred.empty()) preferred += '_';

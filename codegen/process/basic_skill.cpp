@@ -39,7 +39,7 @@ private:
     frame.addRest(process);
   }
 
-  /// In the compact edition all ends share what follows the `select`.
+  /// In the compact edition all endings share the statements after the `select`.
   Statement finish(const Ending& ending) {
     return context.isExpanded() ? frame.end(ending) : frame.outcome(ending);
   }

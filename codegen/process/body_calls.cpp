@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-/// How a body calls skills, and what it does when they return.
+/// Calls of skills from a body, and their returns.
 namespace proskill::codegen {
 
 using fiacre::Statement;
@@ -51,11 +51,11 @@ Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) 
   return sequence(std::move(all));
 }
 
-/// The number of the call's arguments; where they are the caller's parameters, by the number of
-/// its own.
+/// The number of the call's arguments; it depends on the caller's own number if they contain its
+/// parameters.
 fiacre::Expr BodyProcess::argumentsOf(const syntax::Statement& call) {
   const auto& numbers = context.arguments.numbersOf(call);
-  if (numbers.empty()) return number(0); // nothing makes this call
+  if (numbers.empty()) return number(0); // the call is unreachable
   auto chosen = number(numbers.rbegin()->second);
   for (const auto& [own, reached] : numbers) {
     if (number(reached) == chosen) continue;
@@ -65,7 +65,8 @@ fiacre::Expr BodyProcess::argumentsOf(const syntax::Statement& call) {
   return chosen;
 }
 
-/// Of a skill that others call too: what this body, and those around it, know of their own call.
+/// Copies the outcome of a skill that others call, too. This body and those around it then know the
+/// outcome of their own call.
 Statement BodyProcess::keepOutcome(std::string_view callee) {
   std::vector<Statement> all;
   eachOutcomeField(callee, [&](const fiacre::Expr& own, fiacre::Expr last) {
@@ -82,7 +83,7 @@ Statement BodyProcess::keepOutcomeOfStopped(std::string_view callee) {
   return sequence(std::move(all));
 }
 
-/// Calls `visit(own, last)`: where it is kept, and where the skill has it.
+/// Calls `visit(own, last)` with the copy and the skill's own field.
 void BodyProcess::eachOutcomeField(
     std::string_view callee, const std::function<void(const fiacre::Expr&, fiacre::Expr)>& visit) {
   for (const auto thread : context.plan.ownOutcomes.toldBy(body.name, callee)) {
@@ -117,8 +118,8 @@ Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee
                     std::move(refused), std::move(goOn));
 }
 
-/// In the step that sees the return. Every outcome has an arm, as `check` has seen, so the last one
-/// needs no test.
+/// Chooses the arm in the step in which the call returns. `check` demands an arm for each outcome,
+/// so the last one needs no test.
 Statement BodyProcess::chooseArm(const BodyState& state, const SkillPlan& callee) {
   const auto& arms = state.cases->arms;
   Statement chosen;

@@ -58,7 +58,7 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   case StatementKind::Race: return addParallel(process, state);
   case StatementKind::WaitCondition: return addWaiting(process, state, whenItMay(waitFor(state)));
   case StatementKind::WaitTime: {
-    // A guard that fails and holds again at once must not start the clock anew.
+    // a guard that fails and is true again at once must not restart the clock
     const auto words =
         origin(statement.range, "has waited " + quote(statement.duration.range) + " s");
     return addWaiting(
@@ -79,21 +79,21 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   case StatementKind::Emit:
     return addState(process, state.name, origin(statement.range), unlessHeld(step(state)),
                     lineOf(state));
-  case StatementKind::Case:         // its state is that of its call
-  case StatementKind::Unknown:      // a program with it has errors
+  case StatementKind::Case:         // has the state of its call
+  case StatementKind::Unknown:      // makes the program erroneous
   case StatementKind::Label: break; // has no state of its own
   }
   assert(false && "a statement without a state");
 }
 
-/// A step that takes no time: where the body must not go on, what else can happen.
+/// A step without delay. While the body must not continue, the alternatives remain.
 Statement BodyProcess::unlessHeld(Statement step) {
   auto goesOn = mayStep();
   if (isTrue(goesOn)) return step;
   return ifThenElse(std::move(goesOn), std::move(step), select(abortStatementsWhereHeld()));
 }
 
-/// A step for which the body waits.
+/// A step that the body waits for.
 Statement BodyProcess::whenItMay(Statement main) {
   return sequence({on(mayStep()), std::move(main)});
 }
@@ -105,7 +105,7 @@ void BodyProcess::addWaiting(fiacre::Process& process, const BodyState& state, S
            watched(std::move(main), std::move(others)), lineOf(state));
 }
 
-/// A forbidden move among the effects tells more than the wait, so it comes behind its words.
+/// A forbidden move among the effects says more than the wait, so its description comes last.
 Statement BodyProcess::waitFor(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto words = origin(statement.range, "has waited for " + quote(statement.condition.range));
@@ -213,7 +213,7 @@ Statement BodyProcess::tested(syntax::Range range, bool value, const std::string
   return at(origin(range, words), to(target));
 }
 
-/// All tests of an `if` are made at one moment, in one transition.
+/// Evaluates all conditions of an `if` in one transition.
 Statement BodyProcess::testArms(const BodyState& state) {
   const auto& arms = state.statement->arms;
   const bool hasElse = !arms.back().condition;
@@ -255,8 +255,8 @@ Statement BodyProcess::choose(const BodyState& state) {
   return select(std::move(choices));
 }
 
-/// The flag of a skill that was called, whether it runs already or not; nothing happens to one that
-/// was not.
+/// Sets the interrupt flag of a skill that was called, whether or not it runs yet. Has no effect on
+/// others.
 Statement BodyProcess::interrupt(const BodyState& state) {
   const auto& statement = *state.statement;
   const auto target = statement.name.text;

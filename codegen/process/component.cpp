@@ -46,7 +46,8 @@ public:
   }
 
 private:
-  /// Of a skill whose result is read all results are in the type, whether it has them or not.
+  /// If the result of a skill is read, the type contains all results, whether a process uses them
+  /// or not.
   void registerResults() {
     for (const auto& skill : context.plan.skills) {
       if (!skill.resultIsRead) continue;
@@ -60,7 +61,8 @@ private:
     }
   }
 
-  /// The automata of state variables come first, but know only last which moves may be forbidden.
+  /// Generates the processes. The automata of state variables come first, but are generated last,
+  /// since they need to know the forbidden moves.
   void addProcesses() {
     std::vector<Process> others;
     for (const auto& event : context.program.events.all) {
@@ -82,7 +84,7 @@ private:
     std::ranges::move(others, std::back_inserter(program.processes));
   }
 
-  /// Nothing happens before the values at the start have been chosen.
+  /// Makes a process wait until initial values have been chosen.
   void wait(Process& process) {
     if (context.hasInitialChoice()) holdBack(context, process);
   }
@@ -122,7 +124,8 @@ private:
     program.components.push_back(std::move(component));
   }
 
-  /// Executed, without an environment of the program's own, whoever runs it says what happens.
+  /// Whether the model contains a process for the environment. In execution without one, the
+  /// platform reports events.
   [[nodiscard]] bool hasEnvironmentProcess() const {
     return context.isExecuted() ? context.hasEnvironment() && context.plan.environment
                                 : context.hasEnvironment();
@@ -172,7 +175,7 @@ private:
     }
   }
 
-  /// An environment of the program's own is in a hurry: what it says happens when it is said.
+  /// The ports. Events of the program's own environment are urgent.
   std::vector<fiacre::Port> ports() {
     std::vector<fiacre::Port> all;
     for (const auto& name : environmentPorts(context)) {
@@ -185,7 +188,7 @@ private:
     return all;
   }
 
-  /// Gives the process what it mentions of the component's variables and ports.
+  /// Passes the variables and ports that a process mentions.
   static void bind(Process& process, const fiacre::Component& component) {
     const auto mentioned = mentionedIn(process);
     for (const auto& variable : component.variables)
@@ -225,7 +228,7 @@ private:
     return text;
   }
 
-  /// `move 2: (move 1.5)`: what the skill's action is when its `ArgIndex` is 2.
+  /// `move 2: (move 1.5)`: the action of `move` if its `ArgIndex` is 2.
   [[nodiscard]] std::string argumentsText() const {
     std::string text;
     for (const auto& call : context.arguments.actions()) {

@@ -15,7 +15,7 @@ using fiacre::Expr;
 using fiacre::Statement;
 using syntax::StatementKind;
 
-/// The skills and branches that a thread may be waiting for, each once.
+/// The skills and branches that a thread may wait for, without duplicates.
 std::vector<std::string_view> calleesOf(const BodyAutomaton& thread) {
   std::vector<std::string_view> callees;
   const auto add = [&](std::string_view name) {
@@ -34,15 +34,15 @@ Ending endingOf(const SkillPlan& skill, const syntax::Statement& statement) {
                                                   : failureOf(skill, statement.name.text);
 }
 
-/// What a skill's own process and those of its branches have in common: both may be struck, and
-/// then stop what they called before they end.
+/// The common part of the processes of a skill and of its branches. Both may be stopped, and then
+/// stop what they called before they end.
 class StoppableBody : public BodyProcess {
 protected:
   StoppableBody(Context& context, const SkillPlan& skill, const BodyAutomaton& body)
       : BodyProcess(context, body, actorOf(skill, body), name(context.names.cell(body.name))),
         skill(skill) {}
 
-  /// Stops what is running and goes where its end is awaited.
+  /// Stops the running callees, and goes to the state that waits for their ends.
   Statement strike(Statement trigger, const std::vector<std::string_view>& running,
                    Statement reason) {
     isStruck = true;
@@ -72,7 +72,7 @@ protected:
              "Nothing that it called is left running.");
   }
 
-  /// All guards of the skill are true, and no race that it is in has been won by another branch.
+  /// Whether all guards of the skill are true, and no other branch has won an enclosing race.
   Expr mayStep() override {
     std::vector<Expr> all;
     for (const auto& invariant : skill.skill().invariants)
@@ -121,7 +121,7 @@ public:
   }
 
 private:
-  /// All that can end the skill from outside of its own thread.
+  /// Everything outside its own thread that can end the skill.
   std::vector<Ending> findReasons() {
     std::vector<Ending> found;
     if (skill.obeysStops() || skill.skill().interrupt) found.push_back(interruptionOf(skill));
@@ -196,7 +196,7 @@ private:
     return sequence({atOnce(), at(words, on(std::move(condition)))});
   }
 
-  /// By the reason that was noted; the outcome that a branch left is cleared for the next run.
+  /// Ends for the recorded reason, and resets the outcome that a branch left.
   Statement endForReason() {
     if (reasons.empty()) return sequence({});
     auto chain = frame.end(reasons.back());
@@ -302,7 +302,7 @@ private:
     return sequence(std::move(all));
   }
 
-  /// The first branch that ends the skill decides how.
+  /// The first branch that ends the skill determines the outcome.
   Statement conclude(const syntax::Statement& statement) override {
     const auto ending = endingOf(skill, statement);
     const auto words = fmt::format("ends `{}`, which {}", skill.name(), ending.description);

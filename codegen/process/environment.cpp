@@ -12,7 +12,7 @@ namespace {
 
 using fiacre::Statement;
 
-/// The environment that a program defines, as an automaton.
+/// The environment of a program as an automaton.
 class EnvironmentBody : public BodyProcess {
 public:
   EnvironmentBody(Context& context, const analysis::Definition<syntax::Environment>& environment)
@@ -41,10 +41,10 @@ private:
 
   Statement conclude(const syntax::Statement& statement) override {
     static_cast<void>(statement);
-    return stay(); // an environment has no outcome; the checks refuse the statement
+    return stay(); // an environment has no outcome; `check` rejects the statement
   }
 
-  /// From outside, by the port. A skill that is not running has nothing to be interrupted.
+  /// Interrupts a skill through its port. Does nothing if the skill is not running.
   Statement interrupt(const BodyState& state) override {
     const auto& statement = *state.statement;
     const auto target = statement.name.text;
@@ -106,7 +106,7 @@ private:
                      effects(context, actor, event->effects)});
   }
 
-  /// The time on a path of its own: what follows may test something.
+  /// Puts the time limit on a path of its own, since the rest may contain tests.
   void addDue() {
     const auto words = context.origins.of(actor, event->every->range, "is due");
     addState(process, "start_", place,
@@ -114,8 +114,8 @@ private:
     addState(process, "due", place, sequence({occurs(), to("start_")}));
   }
 
-  /// The platform says when it comes, in ticks. One that comes a tick too early may go unnoticed,
-  /// but there is no false alarm.
+  /// The platform reports the event, and the model measures in ticks. An event that is one tick
+  /// early may be missed, but there is no false alarm.
   void addMeasured() {
     const auto ticks = context.times.interval(*event->every);
     const auto least = std::max<std::int64_t>(0, ticks.lower - (ticks.lowerOpen ? 0 : 1));

@@ -36,7 +36,7 @@ void ExecutedAction::addTo(fiacre::Process& process) {
   context.performed.push_back(std::move(made));
 }
 
-/// What the action may end with; anything else counts as an interruption.
+/// The results that the action may return; any other counts as an interruption.
 std::vector<Statement> ExecutedAction::results() {
   std::vector<Statement> all;
   for (const auto& outcome : outcomesOf(skill)) {

@@ -6,8 +6,8 @@
 namespace proskill::codegen {
 namespace {
 
-/// The skill is running and one of its guards is false. Where it has noticed, and waits for what
-/// must not be stopped, nobody else has to wait for it.
+/// Whether the skill is running and one of its guards is false. A skill that has noticed, and waits
+/// for callees that must not be stopped, no longer holds up others.
 fiacre::Expr failsIn(Context& context, const SkillPlan& skill) {
   std::vector<fiacre::Expr> broken;
   for (const auto& invariant : skill.skill().invariants)

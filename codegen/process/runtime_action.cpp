@@ -37,7 +37,7 @@ void RuntimeAction::addTo(fiacre::Process& process) {
   start.kind = fiacre::StatementKind::Start;
   start.name = task;
   start.values.push_back(element(name("skill"), name(context.names.cell(skill.name()))));
-  std::vector<Statement> action; // no wait: a task starts when it is idle
+  std::vector<Statement> action; // without a wait: tasks start when they are idle
   if (late) action.push_back(assign(name("overshoot"), boolean(false)));
   if (least) action.push_back(assign(name("undershoot"), boolean(true)));
   action.push_back(at(frame.origin(skill.skill().name.range, "starts its action"), start));
@@ -80,7 +80,7 @@ Statement RuntimeAction::returned() {
   return sequence({awaitTask(), std::move(warning), to("action_dispatch")});
 }
 
-/// The task's result, and where to go with it.
+/// Waits for the task's result, and branches on it.
 Statement RuntimeAction::awaitTask() {
   Statement sync;
   sync.kind = fiacre::StatementKind::Sync;
@@ -90,8 +90,8 @@ Statement RuntimeAction::awaitTask() {
   return sync;
 }
 
-/// The lower bound, then the upper one, as the paper counts them: leaving `action_sync` starts its
-/// clocks anew.
+/// Adds the lower bound, then the upper one. As in the paper, leaving `action_sync` restarts the
+/// clocks.
 void RuntimeAction::addTiming(std::vector<Statement>& all) {
   if (least)
     all.push_back(sequence({on(name("undershoot")), wait({.lower = *least, .upper = *least}),
@@ -107,7 +107,7 @@ void RuntimeAction::addTiming(std::vector<Statement>& all) {
        to("action_sync_overshoot")}));
 }
 
-/// The platform is asked to stop; until its task has returned the skill keeps what it holds.
+/// Asks the platform to stop. The skill keeps its resources until its task has returned.
 Statement RuntimeAction::breakOff(const Ending& ending) {
   const auto state =
       "stopping_" + ending.status + (ending.tag ? "_" + std::string(ending.tag.text) : "");
@@ -117,7 +117,7 @@ Statement RuntimeAction::breakOff(const Ending& ending) {
        at(frame.origin(skill.skill().name.range, "asks its action to stop"), to(state))});
 }
 
-/// What the task returns does not matter any more.
+/// Waits for the task to return; its result is ignored.
 void RuntimeAction::addStopping(fiacre::Process& process) {
   for (const auto& [state, ending] : stopping) {
     addState(process, state, frame.place(), sequence({awaitTask(), frame.end(ending)}),
@@ -125,7 +125,7 @@ void RuntimeAction::addStopping(fiacre::Process& process) {
   }
 }
 
-/// From the task's result to the outcome; a result that is none of the skill's is an error.
+/// Maps the task's result to the outcome. Any other result is an error.
 void RuntimeAction::addDispatch(fiacre::Process& process) {
   auto outcomes = outcomesOf(skill);
   outcomes.push_back(interruptionOf(skill));

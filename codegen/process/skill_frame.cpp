@@ -10,7 +10,7 @@
 namespace proskill::codegen {
 namespace {
 
-/// `failed_success_postcondition_T` of `success_T`.
+/// `failed_success_postcondition_T` for `success_T`.
 std::string failedPostcondition(std::string_view state) {
   const auto end = state.find('_');
   std::string result = "failed_" + std::string(state.substr(0, end)) + "_postcondition";
@@ -59,7 +59,7 @@ Expr SkillFrame::isCalled() {
   return skill.shared() ? conjunction({called, negation(cell("returned"))}) : called;
 }
 
-/// No failed invariant waits to be noticed, the watchdog has seen the last end, and the resources
+/// Whether no failed invariant is pending, the watchdog has seen the last end, and the resources
 /// are free.
 Expr SkillFrame::isReady() {
   std::vector<Expr> all{negation(someInvariantFails(context))};
@@ -71,7 +71,7 @@ Expr SkillFrame::isReady() {
   return conjunction(std::move(all));
 }
 
-/// An interrupt from outside ends a call that has not started, too.
+/// An interrupt from outside also ends a call that has not started.
 Statement SkillFrame::orInterrupted(Statement entry, std::string_view stopped) {
   if (!skill.skill().interrupt) return entry;
   auto outside =
@@ -80,7 +80,7 @@ Statement SkillFrame::orInterrupted(Statement entry, std::string_view stopped) {
   return select({std::move(entry), std::move(outside)});
 }
 
-/// From the call to the run, or back.
+/// The transition from the call to the run, or back.
 Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused,
                             std::string_view stopped) {
   auto holds = precondition(context, skill.skill());
@@ -114,7 +114,7 @@ Statement SkillFrame::refuse(std::string_view next) {
   return sequence({at(words, refusal()), returnControl(), to(next)});
 }
 
-/// The mission and the monitors have no caller that could see it.
+/// Marks the refusal of a skill that nobody calls, such as the mission: no caller would notice it.
 Statement SkillFrame::refusal() {
   if (!skill.root || isTrue(precondition(context, skill.skill()))) return sequence({});
   auto refused = tag(context.names.tag({skill.name(), "refused"}));
@@ -130,7 +130,7 @@ Statement SkillFrame::interruptEarly(std::string_view next) {
   return returnInterrupted("is interrupted from outside before it starts", next);
 }
 
-/// The effects of `:interrupt` are those of a run, so they are not set.
+/// Returns without the effects of `:interrupt`, since the skill has not run.
 Statement SkillFrame::returnInterrupted(std::string_view words, std::string_view next) {
   std::vector<Statement> all;
   if (skill.skill().interrupt)
@@ -168,7 +168,8 @@ Statement SkillFrame::happens(const Ending& ending) {
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
 }
 
-/// A basic skill sees its invariant fail, or that it is to stop, in the same transition.
+/// The grounds of an ending: a basic skill notices a failed invariant or a stop request in the same
+/// transition.
 OriginId SkillFrame::groundsOf(const Ending& ending) {
   const auto words = origin(ending.range, ending.description);
   if (ending.status == "failed_inv")
@@ -187,9 +188,10 @@ std::string SkillFrame::quote(syntax::Range range) const {
   return "`" + context.origins.excerpt(actor.file, range) + "`";
 }
 
-/// The tag that says so, in the transition of the outcome itself. Expanded, what was found is kept
-/// for the next state, since to Fiacre's compiler a tag behind a test makes a transition of its
-/// own, with a clock of its own, which a timed one must not have.
+/// Marks a failed postcondition by a tag in the transition of the outcome itself. The expanded
+/// edition stores the test's value for the next state: Fiacre's compiler makes a separate
+/// transition of a tag after a test. That transition would have a clock of its own, which a
+/// transition with a time must not have.
 Statement SkillFrame::checkPostcondition(const Ending& ending) {
   auto broken = negation(condition(context, *ending.postcondition));
   if (context.isExpanded()) return assign(name("broken"), std::move(broken));
@@ -212,7 +214,7 @@ Statement SkillFrame::report(const Ending& ending) {
       {setResult(ending.status, ending.tag.text), assign(cell("status"), name(ending.status))});
 }
 
-/// `val`, where anything reads it. Without a tag there is no result.
+/// Sets `val` if something reads it. Without a tag there is no result.
 Statement SkillFrame::setResult(std::string_view status, std::string_view tag) {
   if (!skill.resultIsRead) return sequence({});
   return assign(cell("val"),
@@ -228,8 +230,8 @@ Statement SkillFrame::giveBack() {
   return sequence(std::move(all));
 }
 
-/// A skill that several may call stays taken until its caller has seen that it is done: nobody else
-/// can come between and change its status.
+/// A skill with several callers stays busy until its caller has seen the return, so that nobody
+/// else can change its status meanwhile.
 Statement SkillFrame::returnControl() {
   auto free = assign(cell("caller"), name("None"));
   if (!skill.shared()) return free;
@@ -267,7 +269,7 @@ void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
     if (!skill.runsOnce()) step(process, "ether", start, "");
   }
   if (!skill.runsOnce()) return;
-  // Once the mission has ended nothing more is asked of the program, so this is no deadlock.
+  // once the mission has ended, nothing more is required of the program, so this is not a deadlock
   const bool ends = &skill == context.plan.mission || !context.plan.mission;
   if (ends && !context.isPerformed())
     addState(process, "ended", place(), sequence({wait({}), stay()}),

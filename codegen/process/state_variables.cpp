@@ -30,7 +30,7 @@ void addExact(Context& context, const Variable& variable, const Actor& actor,
   process.states.push_back({"error", place});
 }
 
-/// The polling automaton: it may lag behind the variable, as the paper's does.
+/// The polling automaton of the paper. It may lag behind the variable.
 class PollingAutomaton {
 public:
   PollingAutomaton(Context& context, const Variable& variable, const Actor& actor,
@@ -39,7 +39,7 @@ public:
 
   void add() {
     states.of("error", "error");
-    // The first state is the initial one.
+    // the first state is the initial one
     if (!variable->otherInits.empty()) addBeginning();
     addValue(variable->init.name);
     for (const auto& value : variable->states)
@@ -50,7 +50,7 @@ public:
 private:
   const std::string& stateOf(std::string_view value) { return states.of("value", value); }
 
-  /// It goes to the value that was chosen, as the program begins.
+  /// At the start of the program, moves to the chosen value.
   void addBeginning() {
     std::vector<Statement> values;
     for (const auto& value : variable->states)
@@ -98,7 +98,7 @@ fiacre::Expr valueOf(Context& context, const syntax::StateVariable& variable,
   return name(context.names.value(variable.name.text, init.name.text));
 }
 
-/// One variable after the other gets its value; the last step lets the program begin.
+/// Chooses the initial value of one variable after the other; the last step starts the program.
 class InitialChoice {
 public:
   explicit InitialChoice(Context& context) : context(context) {
@@ -111,7 +111,7 @@ public:
     process.comment =
         "What may be one or the other at the start is chosen before anything happens.";
     process.origin = context.origins.of({"start", 0}, {});
-    // The polling automata look at what was chosen.
+    // polling automata read the chosen value
     const bool apart = context.options.automata == StateVariableAutomata::Paper;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const bool isLast = i + 1 == open.size() && !apart;
@@ -152,7 +152,7 @@ private:
     return select(std::move(values));
   }
 
-  /// Of the mission and the monitors, which wait until then.
+  /// Calls the mission and the monitors, which wait until then.
   void addCalls(std::vector<Statement>& all) {
     for (const auto& skill : context.plan.skills)
       if (skill.root)

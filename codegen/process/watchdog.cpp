@@ -12,12 +12,11 @@ using fiacre::Expr;
 using fiacre::Interval;
 using fiacre::Statement;
 
-/// Whoever calls a skill again has to wait until the watchdog has seen its last end (the field
-/// `watched`), so that two runs are never taken for one. That takes no time.
-///
-/// A run that ends too early is known for sure only when time has passed since, while `early` waits
-/// for the lower bound. Until then the watchdog may also turn to the next run: which of the two it
-/// does is left open, so that both are explored.
+/// Measures a composite skill. A new call waits until the watchdog has seen the last end (the field
+/// `watched`), so that two runs are never taken for one. This takes no time.
+/// A run that ends too early is known for certain only after some time has passed, while `early`
+/// waits for the lower bound. Until then the watchdog may also start with the next run; the choice
+/// is nondeterministic, so both are explored.
 class Watchdog {
 public:
   Watchdog(Context& context, const SkillPlan& skill)
@@ -65,7 +64,7 @@ private:
     addState(process, "early", place(), select(std::move(ends)));
   }
 
-  /// An end at the open bound itself is too early: no need to see time pass.
+  /// An end exactly at an open bound is too early without any further delay.
   std::vector<Statement> endAtTheBound() {
     auto choice = select({at(tooEarly(), to("skill_undershoot")), at(sawEnd(), to("idle"))});
     return {sequence({atOnce(), on(ended()), release(), std::move(choice)})};
@@ -88,7 +87,7 @@ private:
     return all;
   }
 
-  /// A run that is over was on time: its bound came before any time had passed.
+  /// A run that has ended is in time: its bound was reached before any time had passed.
   void addOnTime() {
     auto hasEnded = usesOver ? conjunction({negation(name("over")), ended()}) : ended();
     std::vector<Statement> all{
@@ -104,7 +103,7 @@ private:
     addState(process, "on_time", place(), select(std::move(all)));
   }
 
-  /// Offline an error state is final, but for letting the skill start again.
+  /// In the offline model an error state is final, except that the skill may start again.
   void addError(std::string_view state, bool hasEnded) {
     const std::string comment = hasEnded ? "WARNING: undershoot" : "WARNING: overshoot";
     if (context.isRuntime()) {
@@ -119,15 +118,16 @@ private:
              comment);
   }
 
-  /// How long after an end it is certain that the lower bound came later. At runtime a tick: an end
-  /// one tick before the bound may go unnoticed, but there is no false alarm.
+  /// Time after an end after which the lower bound was certainly missed. At run time this is one
+  /// tick: an end one tick before the bound may be missed, but there is no false alarm.
   [[nodiscard]] Interval afterEnd() const {
     if (context.isRuntime()) return {.lower = 1, .upper = 1};
     if (bounds.lowerOpen) return {.lower = 0, .upper = 0};
     return {.lower = 0, .upper = std::nullopt, .lowerOpen = true};
   }
 
-  /// From the lower bound on. Lazily: the state is reachable, and no run is forced into it.
+  /// From the lower bound on, without urgency: the state is reachable, but no run is forced into
+  /// it.
   [[nodiscard]] Interval afterUpper() const {
     const auto rest = *bounds.upper - bounds.lower;
     if (!context.isRuntime())

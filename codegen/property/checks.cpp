@@ -70,7 +70,7 @@ private:
                   [&](const BodyAutomaton& thread) { addStatements(skill, thread, names); });
   }
 
-  /// The declared outcomes, and success without a tag where the end of the body can be reached.
+  /// The declared outcomes, and success without a tag if the end of the body is reachable.
   static std::vector<Ending> endings(const SkillPlan& skill) {
     auto all = outcomesOf(skill);
     if (skill.body && !skill.body->states.back().statement) all.push_back(successOf(skill, {}));
@@ -138,7 +138,7 @@ private:
     }
   }
 
-  /// Only where a call may be refused, or find its skill busy, is it asked whether it ever is.
+  /// Asks whether a call is ever refused or finds its skill busy, if that may be so.
   void addCall(const BodyAutomaton& thread, const BodyState& state, const std::string& statement,
                const std::string& text) {
     const auto ask = [&](std::string_view how, std::string_view kind, const std::string& words) {
@@ -152,7 +152,7 @@ private:
 
   // --- The program
 
-  /// Not asked where no skill runs: what does nothing may stop.
+  /// Asks for deadlocks if there is a skill that runs; otherwise the program may stop.
   void addNoDeadlock() {
     fiacre::Pattern deadlock;
     deadlock.kind = PatternKind::DeadlockFree;

@@ -20,7 +20,7 @@ template <class Visit> void forEachTag(const fiacre::Statement& statement, Visit
   for (const auto& child : statement.children) forEachTag(child, visit);
 }
 
-/// Made of conditions alone, without the atoms of properties.
+/// Whether it consists of conditions only, without atoms of properties.
 bool isPlain(const syntax::Expr& expr) {
   constexpr std::array kAtoms{ExprKind::Running, ExprKind::Called, ExprKind::Ended,
                               ExprKind::Occurs, ExprKind::At};
@@ -28,7 +28,7 @@ bool isPlain(const syntax::Expr& expr) {
          std::ranges::all_of(expr.operands, isPlain);
 }
 
-/// Any of several; never, where there is none.
+/// Any of these; false if there are none.
 Observable anyOf(std::vector<Observable> operands) {
   if (operands.empty()) return Observer::value(boolean(false));
   if (operands.size() == 1) return std::move(operands[0]);
@@ -160,7 +160,7 @@ Observable Observer::called(std::string_view skill) const {
   return value(negation(equal(context.cellField(skill, "caller"), name("None"))));
 }
 
-/// Its last call is over, with that status or with any.
+/// The skill's last call has ended with this status, or with any.
 Observable Observer::ended(const syntax::Expr& expr) const {
   const auto skill = expr.name.text;
   if (!context.plan.find(skill)) return value(boolean(false));
@@ -171,7 +171,7 @@ Observable Observer::ended(const syntax::Expr& expr) const {
       conjunction({equal(context.cellField(skill, "caller"), name("None")), std::move(isOver)}));
 }
 
-/// Control stands before or within the statement that follows the label.
+/// Control is before or in the statement after the label.
 Observable Observer::atLabel(std::string_view label) const {
   std::vector<Observable> found;
   for (const auto& skill : context.plan.skills) {
@@ -191,7 +191,7 @@ void Observer::addStatesAt(std::vector<Observable>& found, const BodyAutomaton& 
   const auto entry = thread.labels.find(label);
   if (entry == thread.labels.end()) return;
   const auto at = std::ranges::find(thread.states, entry->second, &BodyState::name);
-  if (at == thread.states.end()) return; // an end that nothing reaches
+  if (at == thread.states.end()) return; // the end is unreachable
   for (const auto& name : statesOf(context, *at)) found.push_back(state(process, name));
 }
 

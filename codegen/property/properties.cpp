@@ -41,7 +41,7 @@ LtlKind kindOf(ExprKind kind) {
   case ExprKind::And: return LtlKind::And;
   case ExprKind::Or: return LtlKind::Or;
   case ExprKind::Implies: return LtlKind::Implies;
-  case ExprKind::Equivalent: return LtlKind::And; // of both implications
+  case ExprKind::Equivalent: return LtlKind::And; // conjunction of both implications
   case ExprKind::Missing:
   case ExprKind::True:
   case ExprKind::False:
@@ -113,7 +113,7 @@ fiacre::Ltl atomOf(fiacre::Observable atom) {
   return ltl;
 }
 
-/// As if runs began where the values at the start have been chosen.
+/// Makes runs begin after initial values have been chosen.
 void beginWhere(const fiacre::Observable& begun, fiacre::Pattern& pattern) {
   using fiacre::ObservableKind;
   const bool always = pattern.kind == PatternKind::Always;

@@ -39,7 +39,7 @@ std::string_view wordFor(Kind kind) {
   std::unreachable();
 }
 
-/// The first thing that the condition looks at.
+/// The first name in the condition.
 std::string_view firstName(const syntax::Expr& condition) {
   if (!condition.name.text.empty()) return condition.name.text;
   for (const auto& operand : condition.operands)
@@ -47,7 +47,7 @@ std::string_view firstName(const syntax::Expr& condition) {
   return {};
 }
 
-/// What the statement is about, where it is about one thing.
+/// The single thing that the statement is about, if any.
 std::string_view objectOf(const syntax::Statement& statement) {
   switch (statement.kind) {
   case Kind::Call: return statement.head.text;

@@ -19,7 +19,7 @@ Statement make(StatementKind kind) {
   return statement;
 }
 
-/// `a op b op c`, or `unit` of nothing; an operand equal to `zero` is the whole result.
+/// `a op b op c`, or `unit` without operands. An operand equal to `zero` is the whole result.
 Expr chain(Op op, std::vector<Expr> operands, bool unit) {
   Expr result = boolean(unit);
   for (auto& operand : operands) {

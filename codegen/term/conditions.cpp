@@ -29,7 +29,7 @@ bool isVariable(const Context& context, const syntax::Expr& expr) {
   return expr.kind == ExprKind::Access && context.plan.find(expr.name.text);
 }
 
-/// A status, or its word. A skill that is not in the model has never run.
+/// A status, or the constant with this name. A skill that is not in the model has never run.
 fiacre::Expr status(Context& context, const syntax::Expr& expr) {
   if (expr.kind != ExprKind::Access) return name(expr.name.text);
   return context.plan.find(expr.name.text) ? context.outcomeField(expr.name.text, "status")
@@ -54,7 +54,8 @@ std::vector<std::string_view> resultTags(const syntax::Skill& skill) {
   return tags;
 }
 
-/// The last outcome of a skill had this tag, whatever its status; `no_result` is no tag.
+/// Whether the last outcome of a skill had this tag, whatever its status; `no_result` means that
+/// there was no tag.
 fiacre::Expr resultIs(Context& context, std::string_view skill, std::string_view tag) {
   const auto* plan = context.plan.find(skill);
   if (!plan) return boolean(tag == "no_result");
@@ -72,7 +73,7 @@ fiacre::Expr resultIs(Context& context, std::string_view skill, std::string_view
   return disjunction(std::move(cases));
 }
 
-/// Each skill has results of its own, so two of them are equal when their tags are.
+/// Each skill has a result type of its own, so two results are equal if their tags are.
 fiacre::Expr sameResult(Context& context, std::string_view a, std::string_view b) {
   std::vector<std::string_view> tags{"no_result"};
   if (const auto* plan = context.plan.find(a)) {
@@ -91,7 +92,7 @@ fiacre::Expr equality(Context& context, const syntax::Expr& a, const syntax::Exp
     return sameResult(context, a.name.text, b.name.text);
   if (isMember(a, "res")) return resultIs(context, a.name.text, b.name.text);
   if (isMember(b, "res")) return resultIs(context, b.name.text, a.name.text);
-  // The first operand that is a variable tells what the other word means.
+  // the first operand that is a variable determines the meaning of the other word
   if (isEnumeration(context, a)) return hasValue(context, a.name, b);
   if (isEnumeration(context, b)) return hasValue(context, b.name, a);
   return Linear::compare(Op::Equal, Linear(context, a), Linear(context, b));

@@ -15,7 +15,7 @@ namespace {
 using fiacre::Op;
 using fiacre::Statement;
 
-/// One effect, taken apart: what raises an alarm, and what is assigned.
+/// Parts of an effect: the condition that raises an alarm, and the assignment.
 struct Assignment {
   const syntax::Effect* effect;
   fiacre::Expr forbidden;
@@ -23,7 +23,7 @@ struct Assignment {
   fiacre::Expr value;
 };
 
-/// The variable has now a value from which it must not move to `word`.
+/// Whether the variable has a value from which it must not move to `word`.
 fiacre::Expr forbiddenMove(Context& context, const syntax::StateVariable& variable,
                            std::string_view word) {
   const auto current = name(context.names.variable(variable.name.text));
@@ -37,7 +37,7 @@ fiacre::Expr forbiddenMove(Context& context, const syntax::StateVariable& variab
 Assignment enumerationAssignment(Context& context, const syntax::Effect& effect,
                                  const syntax::StateVariable& variable) {
   const auto word = effect.value.name.text;
-  // A value may be called as its variable is; else that name is the value that there is already.
+  // a value may have the same name as its variable; otherwise that name is the current value
   const bool isValue =
       std::ranges::any_of(variable.states, [&](const auto& it) { return it.text == word; });
   const bool isMove = context.options.automata == StateVariableAutomata::Exact && isValue;
@@ -47,7 +47,7 @@ Assignment enumerationAssignment(Context& context, const syntax::Effect& effect,
           .value = enumerationValue(context, variable.name.text, word)};
 }
 
-/// Out of its bounds a natural raises the alarm, and stays at the bound.
+/// A natural that would leave its bounds raises the alarm, and stays at the bound.
 Assignment naturalAssignment(Context& context, const syntax::Effect& effect,
                              const syntax::StateVariable& variable) {
   const Linear value(context, effect.value);
@@ -60,9 +60,9 @@ Assignment naturalAssignment(Context& context, const syntax::Effect& effect,
           .value = conditional(below, number(low), conditional(above, number(high), value.expr()))};
 }
 
-/// Compact: a tag in the same transition. Expanded, without a test: to Fiacre's compiler a tag
-/// behind a test makes a transition of its own, with a clock of its own, which a timed one must not
-/// have.
+/// In the compact edition, a tag in the same transition. The expanded edition has no test: Fiacre's
+/// compiler makes a separate transition of a tag after a test. That transition would have a clock
+/// of its own, which a transition with a time must not have.
 Statement alarm(Context& context, const Actor& actor, const Assignment& assignment) {
   if (isFalse(assignment.forbidden)) return sequence({});
   const auto variable = assignment.effect->variable.text;
@@ -82,7 +82,7 @@ Statement alarm(Context& context, const Actor& actor, const Assignment& assignme
                           assign(error, boolean(true))}));
 }
 
-/// One after the other would give a later value what an earlier assignment has changed.
+/// Whether an assignment reads what an earlier one has changed.
 bool depend(const std::vector<Assignment>& assignments) {
   for (std::size_t i = 0; i < assignments.size(); ++i)
     for (std::size_t j = i + 1; j < assignments.size(); ++j)

@@ -18,7 +18,7 @@ OriginId explained(Context& context, OriginId origin, Ground ground) {
   return origin;
 }
 
-/// `energy − 2`, as people write sums.
+/// `energy − 2`, in infix notation.
 std::string infix(const syntax::Expr& expr, bool inner = false) {
   using syntax::ExprKind;
   if (expr.kind == ExprKind::Number) return syntax::toString(expr.number);

@@ -10,7 +10,7 @@ namespace {
 using fiacre::Op;
 using syntax::ExprKind;
 
-/// Beyond 64 bits a sum stays at the end of them: no domain reaches so far.
+/// Saturating sum in 64 bits; domains are smaller.
 std::int64_t addUp(std::int64_t a, std::int64_t b) {
   std::int64_t sum = 0;
   if (!__builtin_add_overflow(a, b, &sum)) return sum;
@@ -89,7 +89,7 @@ std::pair<std::int64_t, std::int64_t> Linear::range() const {
   return result;
 }
 
-/// The sum of what is positive, or of what is negative with its sign turned.
+/// The sum of the positive terms, or the negated sum of the negative ones.
 fiacre::Expr Linear::part(bool positive) const {
   const std::int64_t sign = positive ? 1 : -1;
   std::vector<fiacre::Expr> summands;

@@ -19,7 +19,7 @@ constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
 
 enum class Use : std::uint8_t { Bound, Wait, Property };
 
-/// A duration or an interval of the program, with what it is for.
+/// A duration or an interval of the program, and its purpose.
 struct Duration {
   Interval interval;
   syntax::FileId file = 0;
@@ -68,7 +68,7 @@ GenerationError errorAt(const Duration& duration, std::string message) {
   return {std::move(message), {duration.file, duration.interval.range}};
 }
 
-/// Least common multiple; nothing beyond 31 bits.
+/// Least common multiple; nullopt if it exceeds 31 bits.
 std::optional<std::int64_t> commonMultiple(std::int64_t a, std::int64_t b) {
   const auto factor = b / std::gcd(a, b);
   if (factor > kLargest || a > kLargest / factor) return std::nullopt;
@@ -102,7 +102,7 @@ std::expected<std::int64_t, GenerationError> offlineScale(const Durations& durat
   return perSecond;
 }
 
-/// Why a bound is no number of units; nothing where it is one.
+/// Why a bound is not a multiple of the unit; nullopt if it is.
 std::optional<std::string> misfit(Rational bound, std::int64_t perSecond) {
   if (scaled(bound, perSecond)) return std::nullopt;
   const auto value = syntax::multiply(bound, {perSecond, 1});
@@ -113,7 +113,7 @@ std::optional<std::string> misfit(Rational bound, std::int64_t perSecond) {
                      toString(bound), perSecond, perSecond * value->denominator);
 }
 
-/// The least tick of an interval of ticks; nothing where there is none.
+/// The least tick in an interval of ticks; nullopt if there is none.
 std::optional<std::int64_t> firstTick(const fiacre::Interval& ticks) {
   const auto first = ticks.lower + (ticks.lowerOpen ? 1 : 0);
   if (ticks.upper && first > *ticks.upper - (ticks.upperOpen ? 1 : 0)) return std::nullopt;
@@ -148,7 +148,7 @@ std::expected<Times, GenerationError> Times::of(const analysis::Program& program
 }
 
 std::int64_t Times::units(Rational seconds) const {
-  // `of` has seen every bound, so this one fits.
+  // `of` has checked every bound, so this does not overflow
   return seconds.numerator * (perSecond / seconds.denominator);
 }
 

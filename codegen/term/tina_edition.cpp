@@ -11,7 +11,8 @@ namespace {
 using fiacre::Observable;
 using fiacre::ObservableKind;
 
-/// Where instances of the main component stand afterwards, and the first states of those that go.
+/// Maps instances of the main component to their new indices, and keeps the initial states of
+/// removed ones.
 class Removal {
 public:
   explicit Removal(fiacre::Program& of) : program(of) {}
@@ -44,7 +45,7 @@ private:
     component.instances = std::move(kept);
   }
 
-  /// A component has an instance at least, so the first one gets a `from` that is never left.
+  /// A component needs an instance, so the first one gets a `from` that is never left.
   void keepOne(fiacre::Component& component) {
     component.instances.resize(1);
     gone.erase(1);

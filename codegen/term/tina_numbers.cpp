@@ -34,7 +34,7 @@ bool isPlace(const Expr& expr) {
          expr.kind == ExprKind::Index;
 }
 
-/// The expressions of one scope.
+/// Rewrites the expressions of one scope.
 class Coercion {
 public:
   Coercion(const fiacre::Declarations& known, fiacre::Scope names, const std::string& wide,
@@ -54,7 +54,7 @@ public:
     for (auto& operand : observable.operands) rewrite(operand);
   }
 
-  /// Comparisons, wherever they stand.
+  /// Rewrites comparisons at any depth.
   void rewrite(Expr& expr) {
     if (!isComparison(expr)) {
       for (auto& operand : expr.operands) rewrite(operand);
@@ -73,7 +73,7 @@ private:
     return type && isNumber(*type) ? type : std::nullopt;
   }
 
-  /// Of the variables and constants that are added or compared, each type once.
+  /// The types of the variables and constants that are added or compared, without duplicates.
   std::vector<Type> typesIn(const Expr& expr) {
     std::vector<Type> all;
     if (isPlace(expr)) {
@@ -87,14 +87,14 @@ private:
     return all;
   }
 
-  /// `x + 1` of a type in that type: whoever assigns it has tested that it stays within.
+  /// Whether `x + 1` stays within its type: the assignment is guarded by a test.
   bool stepsWithin(const Expr& expr, const Type& type) {
     return expr.kind == ExprKind::Binary && (expr.op == Op::Add || expr.op == Op::Subtract) &&
            isPlace(expr.operands[0]) && typeOf(expr.operands[0]) == type &&
            expr.operands[1].kind == ExprKind::Number;
   }
 
-  /// The value of an assignment to a variable of this type.
+  /// Converts the value of an assignment to the variable's type.
   void fit(Expr& value, const std::optional<Type>& type) {
     if (!type) return;
     if (value.kind == ExprKind::Conditional) {
@@ -113,7 +113,7 @@ private:
     return {.kind = ExprKind::Unary, .op = Op::Coerce, .operands = {std::move(inner)}};
   }
 
-  /// Of `int`, whose parameter says what `$` is to become.
+  /// Makes it an `int`, by a function whose parameter determines the type that `$` converts to.
   void widen(Expr& expr) {
     if (isPlace(expr)) {
       if (!typeOf(expr)) return;
@@ -184,7 +184,7 @@ void coerceNumbers(fiacre::Program& program) {
   std::string wide = "integer";
   while (isTaken(program, wide)) wide += '_';
   bool used = false;
-  const auto before = program; // what the declarations refer to
+  const auto before = program; // for references of declarations
   const fiacre::Declarations known(before);
   for (auto& function : program.functions)
     Coercion(known, scopeOf(function.parameters, function.variables), wide, used)

@@ -8,7 +8,7 @@ namespace proskill::ide {
 
 namespace {
 
-/// What differs between two texts, as one edit.
+/// The difference between two texts as a single edit.
 syntax::TextEdit difference(std::string_view before, std::string_view after) {
   auto shortest = std::min(before.size(), after.size());
   std::size_t head = 0;
@@ -21,7 +21,7 @@ syntax::TextEdit difference(std::string_view before, std::string_view after) {
           std::string(after.substr(head, after.size() - tail - head))};
 }
 
-/// Cuts lie between words, so that none is inside of a character.
+/// Widens an edit to whole words, so that characters are not split.
 syntax::TextEdit atWords(std::string_view text, syntax::TextEdit edit) {
   auto isInWord = [](char c) { return !std::string_view(" \n()").contains(c); };
   auto [begin, end] = edit.range;
@@ -33,8 +33,8 @@ syntax::TextEdit atWords(std::string_view text, syntax::TextEdit edit) {
   return edit;
 }
 
-/// The regions of a text that edits touch, with their neighbours: how these are laid out does not
-/// depend on the rest. \pre there is an edit
+/// The regions that edits touch, and their neighbours. Their layout does not depend on the rest.
+/// \pre there is an edit
 syntax::Range surroundings(const syntax::Document& document,
                            const std::vector<syntax::TextEdit>& edits) {
   const auto first = edits.front().range.begin;

@@ -13,7 +13,7 @@ namespace {
 
 using syntax::StatementKind;
 
-/// The statement that is selected, where it is one and can be read.
+/// The selected statement, if the selection is exactly one that was parsed.
 const syntax::Statement* onlyStatement(const Selected& selected) {
   bool one =
       selected.statements.size() == 1 && selected.statements.front().kind != StatementKind::Unknown;
@@ -36,8 +36,8 @@ bool isNameLetter(char c) {
          c == '-';
 }
 
-/// The inputs of a skill that a text mentions, in their order; nothing where it mentions others,
-/// or has a `$` that begins no name.
+/// The inputs of a skill that a text mentions, in order; nullopt if it mentions others, or has a
+/// `$` without a name.
 std::optional<syntax::List<syntax::Input>> inputsIn(std::string_view text,
                                                     const syntax::Skill& skill) {
   std::set<std::string_view> mentioned;
@@ -52,7 +52,7 @@ std::optional<syntax::List<syntax::Input>> inputsIn(std::string_view text,
   return mentioned.empty() ? std::optional(std::move(inputs)) : std::nullopt;
 }
 
-/// Whether a skill is no more than its body: no time, no conditions, no outcomes of its own.
+/// Whether a skill consists of its body only: no time, conditions or outcomes.
 bool isPlain(const syntax::Skill& skill) {
   return skill.body && !skill.body->statements.empty() && skill.fields.size() == 1 &&
          !contains(skill.body->statements,
@@ -61,7 +61,7 @@ bool isPlain(const syntax::Skill& skill) {
          !breaksOut(skill.body->statements);
 }
 
-/// Whether a skill is only ever called: nobody asks how it ended, or interrupts it.
+/// Whether a skill is only called: nothing reads its outcome or interrupts it.
 bool isOnlyCalled(const ActionContext& context, std::string_view name) {
   const auto& index = context.view.index();
   auto symbol = index.symbols().find(analysis::SymbolKind::Skill, name);
@@ -73,8 +73,8 @@ bool isOnlyCalled(const ActionContext& context, std::string_view name) {
 
 } // namespace
 
-/// Behind a call of a skill that can fail, what happens when it has. Where a finding says that this
-/// is missing, its fix is the one way to mend it.
+/// Adds a branch for failure after a call of a skill that can fail. If there is a finding about
+/// this, its fix is offered instead.
 void addFailureBranch(const ActionContext& context, Actions& actions) {
   auto selected = selectedStatements(context);
   const auto* call = onlyStatement(selected);
@@ -101,7 +101,8 @@ void addFailureBranch(const ActionContext& context, Actions& actions) {
                fmt::format("\n(if (/= {}.status success)\n{})", call->head.text, reaction)}});
 }
 
-/// The condition holds, so that nothing changes until it is edited.
+/// Wraps the selection in an `if` whose condition is true, so that nothing changes until the user
+/// edits it.
 void addWrapInIf(const ActionContext& context, Actions& actions) {
   auto selected = selectedStatements(context);
   if (selected.statements.empty() ||
@@ -112,8 +113,8 @@ void addWrapInIf(const ActionContext& context, Actions& actions) {
              {{{range.begin, range.begin}, "(if true\n"}, {{range.end, range.end}, "\n)"}});
 }
 
-/// Statements that end their skill or jump cannot move to another one; inputs that they need are
-/// handed on by name.
+/// Statements that end their skill or jump cannot be moved to another skill. Inputs that the
+/// selection needs are passed on by name.
 void addExtractSkill(const ActionContext& context, Actions& actions) {
   auto selected = selectedStatements(context);
   if (selected.statements.empty() || context.selection.empty()) return;
@@ -122,7 +123,7 @@ void addExtractSkill(const ActionContext& context, Actions& actions) {
                          StatementKind::Goto, StatementKind::Unknown}) ||
                breaksOut(selected.statements);
   auto words = context.textOf(selected.range());
-  // A comment behind the last statement would swallow the call's parenthesis.
+  // a comment after the last statement would swallow the call's parenthesis
   auto inputs = inputsIn(words, *selected.skill);
   if (bound || !inputs || !selected.skill->name) return;
   auto name = unusedName(context, fmt::format("part_of_{}", selected.skill->name.text));
@@ -155,7 +156,7 @@ void addInlineSkill(const ActionContext& context, Actions& actions) {
   auto body = definition->node().body->range;
   auto words = std::string_view(text).substr(body.begin + 1, body.length() - 2);
   words = words.substr(0, words.find_last_not_of(" \t\r\n") + 1);
-  // A comment at the end must not take what stands behind the call.
+  // a comment at the end would swallow what follows the call
   const bool needsLine =
       words.contains(';') && !context.view.text().substr(call->range.end).starts_with('\n');
   addLaidOut(context, actions, fmt::format("Inline `{}`", call->head.text),

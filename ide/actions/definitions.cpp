@@ -31,7 +31,7 @@ const syntax::List<syntax::FieldUse>* fieldsOf(const syntax::Form& form) {
       form.node());
 }
 
-/// A field with the comments before it and behind it, as far as its line goes.
+/// A field with the comments before it and those after it on its line.
 struct Chunk {
   syntax::Range range;
   std::size_t rank = 0;
@@ -66,7 +66,7 @@ std::string allPairs(const syntax::List<syntax::Name>& states) {
   return fmt::format("({})", list.substr(0, list.size() - 1));
 }
 
-/// Whether a list allows what `:all` allows, and names each move once.
+/// Whether a list allows the same moves as `:all`, and names each once.
 bool listsAll(const syntax::StateVariable& variable) {
   std::set<std::pair<std::string_view, std::string_view>> moves;
   for (const auto& move : variable.transitions)
@@ -78,7 +78,7 @@ bool listsAll(const syntax::StateVariable& variable) {
 } // namespace
 
 void addTransitions(const ActionContext& context, Actions& actions) {
-  constexpr std::size_t kMostStates = 12; // more make a list that nobody reads
+  constexpr std::size_t kMostStates = 12; // with more values the list would be unreadable
   const auto* form = context.form();
   const auto* variable = form ? form->as<syntax::StateVariable>() : nullptr;
   if (!variable || variable->states.size() < 2) return;
@@ -96,7 +96,7 @@ void addTransitions(const ActionContext& context, Actions& actions) {
                {{value, " :all"}});
 }
 
-/// Of the value that is selected, else of the last.
+/// Adds a monitor of the selected value, or of the last one.
 void addMonitor(const ActionContext& context, Actions& actions) {
   const auto* form = context.form();
   const auto* variable = form ? form->as<syntax::StateVariable>() : nullptr;

@@ -25,12 +25,13 @@ FileEdit editOf(const syntax::Fix& fix) {
   return {fix.location.file, {fix.location.range, fix.text}};
 }
 
-/// Whether the fix needs nobody's judgement: the only one, and no change of what the program means.
+/// Whether the fix can be applied without review: it is the only one, and keeps the meaning of the
+/// program.
 bool isSafe(const Diagnostic& diagnostic) {
   return diagnostic.fixes.size() == 1 && !syntax::info(diagnostic.code).id.starts_with("PS05");
 }
 
-/// The edits of all, but for those that touch the place of an earlier one.
+/// All edits, except those that overlap an earlier one.
 std::vector<FileEdit> merged(const std::vector<const Diagnostic*>& found) {
   std::vector<FileEdit> edits;
   for (const auto* diagnostic : found) {
@@ -45,7 +46,7 @@ std::vector<FileEdit> merged(const std::vector<const Diagnostic*>& found) {
   return edits;
 }
 
-/// What can be mended safely in the file, within the program that it is first seen in.
+/// The findings of a file that can be fixed safely, in the first program that contains the file.
 std::vector<const Diagnostic*> fixable(const ActionContext& context) {
   std::vector<const Diagnostic*> result;
   for (const auto& finding : diagnostics(context.snapshot, context.path))
@@ -54,7 +55,7 @@ std::vector<const Diagnostic*> fixable(const ActionContext& context) {
   return result;
 }
 
-/// Errors of form, names and types cannot be ignored: the program means nothing with them.
+/// Errors of form, names and types cannot be ignored, since the program has no meaning with them.
 bool canBeIgnored(const Diagnostic& diagnostic) {
   return diagnostic.severity != syntax::Severity::Error ||
          syntax::info(diagnostic.code).id >= "PS0500";
@@ -93,7 +94,7 @@ void addIgnore(const ActionContext& context, Actions& actions) {
   }
 }
 
-/// Once for each code, behind all that mends it.
+/// Adds one explanation for each code, after all fixes.
 void addExplain(const ActionContext& context, Actions& actions) {
   std::set<syntax::Code> explained;
   for (const auto& finding : findingsAt(context)) {

@@ -18,7 +18,7 @@ std::span<const Statement> selectedIn(const syntax::Block& block, syntax::Range 
     if (!holds(statement.range, selection)) continue;
     std::span<const Statement> inner;
     const bool ofCall = statement.kind == StatementKind::Case &&
-                        holds(statement.branches[0].range, selection); // no statement by itself
+                        holds(statement.branches[0].range, selection); // not a statement by itself
     forEachBlock(statement, [&](const syntax::Block& part) {
       if (inner.empty() && !ofCall && holds(part.range, selection))
         inner = selectedIn(part, selection);

@@ -13,8 +13,8 @@ struct Exclusion {
   std::string_view present;
   std::string_view senseless;
 };
-/// A skill is basic or composite, and is interruptible by one of two fields; a variable has values
-/// or bounds.
+/// Fields that exclude each other: a skill is basic or composite, and interruptible by one of two
+/// fields; a variable has values or bounds.
 constexpr Exclusion kExclusions[] = {
     {":action", ":body"},
     {":action", ":monitor"},
@@ -50,7 +50,7 @@ CompletionKind kindOf(WordKind kind) {
   }
 }
 
-/// What calls, and a tag to end with, have no place in an environment.
+/// Calls, and the tags of outcomes, are not allowed in an environment.
 bool isForSkillsOnly(std::string_view statement) {
   return statement == "success" || statement == "failure";
 }
@@ -75,7 +75,7 @@ std::vector<Completion> Completer::gather() && {
   return std::move(items);
 }
 
-/// Places where words of the language stand; the others have names.
+/// Completes where keywords are allowed; other places have names.
 void Completer::fill() {
   switch (place.slot) {
   case Slot::Definition: return forms(WordKind::Definition);

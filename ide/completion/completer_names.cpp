@@ -13,7 +13,7 @@ using analysis::kNoSymbol;
 using analysis::SymbolId;
 using analysis::SymbolKind;
 
-/// `${1|A,B|}`, or nothing where there is no choice.
+/// `${1|A,B|}`, or empty if there is nothing to choose.
 std::string choice(unsigned number, const syntax::List<syntax::Name>& values) {
   std::string all;
   for (const auto& value : values)
@@ -29,7 +29,7 @@ std::string_view placeholderOf(std::string_view type) {
 
 } // namespace
 
-/// Places where names of the program stand.
+/// Completes where names of the program are allowed.
 void Completer::fillNames() {
   switch (place.slot) {
   case Slot::InitialValue:
@@ -88,7 +88,7 @@ void Completer::values(std::string_view variableName) {
   }
 }
 
-/// `battery` in its parentheses; else with them, and its values to choose from.
+/// Completes `battery` within its parentheses; otherwise adds them, with a choice of values.
 void Completer::test(SymbolId id) {
   Completion& item = name(id, CompletionKind::Variable);
   item.detail = valuesOf(variable(id));
@@ -110,7 +110,7 @@ void Completer::variables(bool numbersOnly) {
   ++rank;
 }
 
-/// Beside what has values, these come first.
+/// Operands that have values come first.
 void Completer::operands() {
   const auto dot = place.subject.find('.');
   if (!place.isHead && dot != std::string_view::npos) {
@@ -151,7 +151,7 @@ void Completer::accesses() {
   ++rank;
 }
 
-/// Behind the point of `skill.…`.
+/// Completes after the dot of `skill.…`.
 void Completer::access() {
   const auto skillName = path.prefix.substr(0, path.prefix.find('.'));
   const auto id = find(SymbolKind::Skill, skillName);
@@ -162,7 +162,7 @@ void Completer::access() {
     if ((member.text == "interrupt") == isStatement) word(member);
 }
 
-/// Fills in what the caller has of the same name, else something of the type.
+/// The caller's variable of the same name, otherwise a default of the type.
 std::string Completer::argument(const syntax::Input& input, unsigned number) const {
   const auto text = analysis::withoutDollar(input.name).text;
   const auto self = owner();
@@ -197,7 +197,7 @@ void Completer::calls() {
   ++rank;
 }
 
-/// Those of the call that the `case` around begins with.
+/// The tags of the call that begins the surrounding `case`.
 void Completer::caseTags() {
   const auto around =
       std::ranges::find_if(path.lists.rbegin(), path.lists.rend(), [](const auto& it) {
@@ -266,7 +266,7 @@ void Completer::parameters() {
   ++rank;
 }
 
-/// The platform's commands are not known; most skills are called as their command.
+/// The platform's commands are unknown, but most skills have the name of their command.
 void Completer::command() {
   if (place.owner.empty()) return;
   Completion& item = add(std::string(place.owner), CompletionKind::Skill);
@@ -295,7 +295,7 @@ void Completer::resources() {
   std::erase_if(items, [&](const Completion& item) { return isInList(item.label); });
 }
 
-/// The files of the workspace, as a path from this one; not itself, and none that is included.
+/// The workspace's files as paths relative to this file, without itself and those already included.
 void Completer::files() {
   const auto& self = view.program().files[view.file].path;
   const auto folder = self.parent_path();

@@ -10,10 +10,10 @@ namespace proskill::ide {
 
 namespace {
 
-/// More than this nobody reads, and editors grow slow.
+/// A longer list slows editors down, and nobody reads it.
 constexpr std::size_t kMostItems = 200;
 
-/// Places where a space can only be the begin of one of a few names.
+/// Whether few names are possible here, so that typing a space can trigger completion.
 bool isNarrow(const Place& place) {
   switch (place.slot) {
   case Slot::InitialValue:
@@ -43,7 +43,7 @@ bool isNarrow(const Place& place) {
   }
 }
 
-/// The typed character began something that can be completed.
+/// Whether the typed character begins something that can be completed.
 bool isWanted(char typed, const Path& path, const Place& place) {
   switch (typed) {
   case ' ': return isNarrow(place);
@@ -59,7 +59,7 @@ bool isNumber(std::string_view prefix) {
   return !prefix.empty() && std::string_view("0123456789[]").contains(prefix.front());
 }
 
-/// Keeps the best that match what is typed, where there are too many.
+/// Keeps the best matches if there are too many.
 bool limit(std::vector<Completion>& items, std::string_view typed) {
   if (items.size() <= kMostItems) return true;
   std::vector<std::pair<int, Completion>> scored;

@@ -8,12 +8,12 @@ namespace proskill::ide {
 namespace {
 
 constexpr int kNever = -1'000'000;
-constexpr std::size_t kLongest = 128; ///< of a name; what is longer is compared to here
+constexpr std::size_t kLongest = 128; ///< longer names are cut here
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// What the letter is worth where it stands, its neighbours aside.
+/// Score of a letter at its position, without its neighbours.
 int worth(std::string_view name, std::size_t at) {
   if (at == 0) return 8;
   const char before = name[at - 1];
@@ -23,8 +23,8 @@ int worth(std::string_view name, std::size_t at) {
 
 } // namespace
 
-/// The best of all ways to find the letters, letter by letter: `ends[j]` is that of the ways that
-/// end with the name's letter j.
+/// The best score of all ways to find the typed letters, by dynamic programming: `ends[j]` is the
+/// best of those that end with letter j of the name.
 std::optional<int> fuzzyScore(std::string_view typed, std::string_view name) {
   if (typed.empty()) return 0;
   name = name.substr(0, kLongest);

@@ -11,7 +11,7 @@ namespace {
 
 using analysis::SymbolKind;
 
-/// A list that is around so many others is not the one that is being written.
+/// A list that contains so many others is not the one being written.
 constexpr std::size_t kNearLists = 64;
 
 void append(Signature& signature, std::string_view part, std::string_view documentation) {
@@ -31,7 +31,7 @@ bool isGiven(const OpenList& list, std::string_view name) {
   return std::ranges::find(list.items, name, &Item::text) != list.items.end();
 }
 
-/// The input whose value is being written, else the first that is not there yet.
+/// The input whose value is being written, otherwise the first missing one.
 std::optional<std::size_t> activeInput(const syntax::Skill& skill, const Place& place) {
   for (std::size_t i = 0; i < skill.inputs.size(); ++i) {
     const auto name = analysis::withoutDollar(skill.inputs[i].name).text;
@@ -70,7 +70,7 @@ const Item* currentField(const OpenList& list) {
   return nullptr;
 }
 
-/// Of a skill the field alone, since all of them would fill the screen.
+/// The signature of a single field of a skill; all fields would fill the screen.
 Signature ofOneField(const Word& field) {
   Signature result;
   result.label = field.form;
@@ -113,7 +113,7 @@ std::optional<Signature> ofDefinition(const OpenList& list) {
   return ofOneField(*word);
 }
 
-/// The parts of a form behind its head: `P`, `[:within I]`.
+/// The parts of a form after its head: `P`, `[:within I]`.
 std::vector<std::string_view> partsOf(std::string_view form) {
   std::vector<std::string_view> parts;
   int depth = 0;
@@ -145,7 +145,7 @@ Signature ofWord(const Word& word, std::size_t behind) {
   return result;
 }
 
-/// Of the list at this depth of the path.
+/// The signature of the list at this depth of the path.
 std::optional<Signature> ofList(const View& view, const Path& path, std::size_t depth) {
   const auto& list = path.lists[depth];
   const Place outer = placeOf(path, depth);

@@ -17,8 +17,8 @@ using analysis::Symbol;
 using analysis::SymbolId;
 using analysis::SymbolKind;
 
-constexpr std::size_t kMostLines = 24; ///< of a definition that is shown
-constexpr std::size_t kMostMoves = 16; ///< rows of the table
+constexpr std::size_t kMostLines = 24; ///< limit of lines of a definition
+constexpr std::size_t kMostMoves = 16; ///< limit of rows of the table
 
 const Symbol& symbolAt(const View& view, SymbolId id) { return view.index().symbols()[id]; }
 
@@ -55,7 +55,7 @@ std::string numberText(const std::optional<syntax::Expr>& expr) {
   return expr && expr->kind == syntax::ExprKind::Number ? syntax::toString(expr->number) : "?";
 }
 
-/// Of a long definition the begin alone; of a composite skill all but its body.
+/// The beginning of a long definition; a composite skill without its body.
 std::string shortened(std::string text) {
   std::size_t end = 0;
   for (std::size_t line = 0; line < kMostLines; ++line) {
@@ -136,7 +136,7 @@ std::string whatItIs(const View& view, const Symbol& symbol) {
   }
 }
 
-/// The type of what has one that is a state variable, by its values.
+/// Describes the type of a symbol whose type is a state variable, with the values.
 void describeType(Markup& text, const View& view, const Symbol& symbol) {
   if (symbol.kind != SymbolKind::Parameter) return;
   const auto& skill = skillOf(view, symbolAt(view, symbol.owner));

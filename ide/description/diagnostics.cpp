@@ -8,7 +8,7 @@ namespace proskill::ide {
 
 namespace {
 
-/// What a reader sees of a diagnostic: the programs that a file belongs to say much twice.
+/// A diagnostic as users see it. Several programs with the same file often report the same.
 using Saying = std::tuple<syntax::Offset, syntax::Offset, syntax::Code, std::string_view>;
 
 Saying sayingOf(const syntax::Diagnostic& diagnostic) {
@@ -18,8 +18,7 @@ Saying sayingOf(const syntax::Diagnostic& diagnostic) {
 
 } // namespace
 
-/// Of a program that features look into they want the flow as well; of others only the findings
-/// are.
+/// The findings of a file, with those of the flow analysis if the program is in use.
 std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem::path& file) {
   std::vector<Finding> result;
   if (snapshot.kindOf(file) == TextKind::Notebook) return result;
@@ -29,7 +28,7 @@ std::vector<Finding> diagnostics(const Snapshot& snapshot, const std::filesystem
       if (diagnostic.location.file == view.file && said.insert(sayingOf(diagnostic)).second)
         result.push_back({view.owner, &diagnostic});
     if (snapshot.isLookedAt(*view.owner))
-      (void)view.owner->flow(); // which may have been forgotten while nobody looked
+      (void)view.owner->flow(); // it may have been dropped while the program was not in use
     else
       view.owner->forgetFlow();
   });

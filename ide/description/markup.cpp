@@ -7,7 +7,7 @@ namespace proskill::ide {
 
 namespace {
 
-/// What a person wrote is no markup; backticks stay.
+/// Escapes user text, except backquotes.
 std::string escaped(std::string_view text) {
   std::string result;
   bool inCode = false;
@@ -27,7 +27,7 @@ std::string row(const std::vector<std::string>& cells) {
   return result + "\n";
 }
 
-/// Longer than any row of backticks within.
+/// A fence that is longer than any row of backquotes in the text.
 std::string fenceFor(std::string_view text) {
   std::string fence = "```";
   while (text.contains(fence)) fence += '`';

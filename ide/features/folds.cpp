@@ -4,7 +4,7 @@ namespace proskill::ide {
 
 namespace {
 
-/// A list of names, or an expression, is not worth a fold of its own.
+/// A list of names or an expression has no fold of its own.
 bool folds(const syntax::Node& node, char first) {
   return first == '(' || (node.kind >= syntax::NodeKind::UnknownField &&
                           node.kind <= syntax::NodeKind::LastingField);
@@ -21,11 +21,11 @@ void addForms(FoldList& list, const syntax::Document& document) {
     }
 }
 
-/// Comments in lines of their own, one below the other.
+/// Adds folds for consecutive lines of comments.
 void addComments(FoldList& list, const syntax::Document& document) {
   const std::string_view text = document.text();
   syntax::Range block;
-  std::uint32_t last = 0; // line of the block
+  std::uint32_t last = 0; // last line of the block
   std::uint32_t near = 0;
   for (auto comment : document.comments()) {
     const auto [line, column] = document.lines().position(comment.begin, near);

@@ -26,7 +26,7 @@ bool isUse(const View& view, const Occurrence& place) {
          view.index().symbols()[place.symbol].kind == SymbolKind::StateVariable;
 }
 
-/// The places are in the order of the text: those of one definition follow each other.
+/// Places are sorted, so those in one definition are adjacent.
 std::vector<Link> incoming(const View& view, SymbolId symbol, Wanted wanted) {
   std::vector<Link> links;
   for (const auto& place : view.index().occurrencesOf(symbol)) {
@@ -39,7 +39,7 @@ std::vector<Link> incoming(const View& view, SymbolId symbol, Wanted wanted) {
   return links;
 }
 
-/// The occurrences within a definition.
+/// The occurrences in a definition.
 std::span<const Occurrence> occurrencesIn(const View& view, const analysis::Symbol& symbol) {
   return view.index().occurrences({symbol.at.file, symbol.extent});
 }

@@ -19,7 +19,7 @@ void addValues(Markup& text, const View& view, const analysis::Occurrence& occur
   if (!values.empty()) text.prose(values);
 }
 
-/// Of `takeoff.status`, the half where the cursor is counts.
+/// Whether the cursor is on the second part of `takeoff.status`.
 bool isMember(const Path& path, std::string_view text) {
   const auto dot = text.find('.');
   return dot != std::string_view::npos && path.prefix.size() > dot;

@@ -18,14 +18,14 @@ namespace {
 namespace flow = analysis::flow;
 using syntax::ExprKind;
 
-constexpr unsigned kMostValues = 3; ///< that a hint lists
+constexpr unsigned kMostValues = 3; ///< listed in a hint
 
 bool isLiteral(const syntax::Expr& expr) {
   return expr.kind == ExprKind::Number || expr.kind == ExprKind::String ||
          expr.kind == ExprKind::True || expr.kind == ExprKind::False;
 }
 
-/// A name of a variable of the flow, as a condition has it.
+/// A mention of a variable of the flow in a condition.
 struct Mention {
   std::string name;
   syntax::Range at;
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  /// Of a skill that some run starts.
+  /// Adds the duration of a skill that some run starts.
   void duration(const syntax::Skill& skill) {
     const auto& skills = view.program().skills;
     const auto* definition = skills.find(skill.name.text);
@@ -83,7 +83,8 @@ private:
     if (!flow->solver().started(id)) return;
     if (!durations) durations.emplace(flow->solver());
     const auto taken = durations->of(id);
-    if (taken && !taken->most && taken->least == syntax::Rational{}) return; // any time
+    if (taken && !taken->most && taken->least == syntax::Rational{})
+      return; // any duration: not worth a hint
     const auto text = taken ? flow::words(*taken) : std::string("never ends");
     add({HintKind::Duration, skill.name.range.end, text,
          "From the start of the skill to its end, in runs that nobody stops; computed from its "
@@ -91,7 +92,7 @@ private:
          std::nullopt});
   }
 
-  /// One text may be several steps.
+  /// Adds values; one place in the text may be several steps.
   void values() {
     std::map<std::pair<syntax::Offset, syntax::Offset>, std::vector<flow::Point>> byText;
     const auto then = flow->then({view.file, range});
@@ -100,19 +101,19 @@ private:
     for (const auto& [text, points] : byText) {
       const auto& first = points.front();
       const auto& node = (*flow->system()[first.process].graph)[first.node];
-      if (node.invariant) continue; // it is come to when the guard has failed
+      if (node.invariant) continue; // reached only after the guard has failed
       for (const auto* condition : node.conditions) ofCondition(*condition, points);
     }
   }
 
-  /// A word beside a variable may be one of its values.
+  /// Whether the word is a variable: a word beside it may be one of its values.
   [[nodiscard]] bool isVariable(syntax::Range now) const {
     const auto* occurrence = view.index().at(view.file, now.begin);
     return occurrence &&
            view.index().symbols()[occurrence->symbol].kind == analysis::SymbolKind::StateVariable;
   }
 
-  /// Of `takeoff.status` the skill.
+  /// The definition of the name; for `takeoff.status`, that of the skill.
   [[nodiscard]] std::optional<analysis::Location> definitionAt(syntax::Range name) const {
     const auto* occurrence = view.index().at(view.file, name.begin);
     if (!occurrence) return std::nullopt;
@@ -144,8 +145,8 @@ private:
     }
   }
 
-  /// "= Good or Low", or "≠ Empty" where that is shorter; empty where nothing is known that is
-  /// worth a reader's while.
+  /// "= Good or Low", or "≠ Empty" if that is shorter; empty if the values are unknown or
+  /// unremarkable.
   [[nodiscard]] std::string labelOf(flow::VariableId variable, flow::ValueSet values) const {
     const auto excluded = flow->solver().ever(variable) - values;
     const auto& variables = flow->system().variables();

@@ -27,14 +27,14 @@ bool isVerified(SymbolKind kind) {
   return kind == SymbolKind::Skill || kind == SymbolKind::Property;
 }
 
-/// What is known of a subject, counted in the words of the command line.
+/// Counts of verdicts on a subject, as on the command line.
 struct Summary {
   std::size_t good = 0;
   std::size_t bad = 0;
   std::size_t warnings = 0; ///< violated, but not errors
   std::size_t open = 0;
   std::size_t pending = 0;
-  /// One with a trace where there is one: the first bad one, else the first warning.
+  /// The verdict to open, with a trace if possible: the first violated one, else the first warning.
   const PropertyVerdict* worst = nullptr;
 
   explicit Summary(const std::vector<const PropertyVerdict*>& verdicts) {
@@ -98,7 +98,7 @@ private:
     }
   }
 
-  /// Each property by itself, and all of them where the model is named.
+  /// Adds a lens for each property, and one for all at the model's name.
   void ofFiacre() {
     const FiacreText text(view.text());
     const auto model = text.model();

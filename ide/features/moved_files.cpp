@@ -20,7 +20,7 @@ fs::path nameAfter(const fs::path& file, const std::vector<Move>& moves) {
   return file;
 }
 
-/// The file that moves where a text does: of a cell its notebook.
+/// The file that moves when a text does: for a notebook cell, its notebook.
 fs::path moverOf(const Snapshot& snapshot, const fs::path& file) {
   if (snapshot.kindOf(file) != TextKind::Cell) return file;
   const auto roots = snapshot.includes()->rootsOf(file);
@@ -29,7 +29,7 @@ fs::path moverOf(const Snapshot& snapshot, const fs::path& file) {
   return found == roots.end() ? file : *found;
 }
 
-/// Neither moves itself nor includes what does.
+/// Whether it neither moves nor includes a file that does.
 bool isUntouched(const KnownFile& file, const fs::path& mover, const std::vector<Move>& moves) {
   auto stays = [&](const fs::path& path) { return nameAfter(path, moves) == path; };
   return stays(mover) && std::ranges::all_of(file.includes, stays, &KnownFile::Include::path);

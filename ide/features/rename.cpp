@@ -26,7 +26,7 @@ std::string placeText(const analysis::Program& program, analysis::Location at) {
   return fmt::format("{}:{}", file.path.filename().string(), line);
 }
 
-/// The texts of a program with the new name in them, by whatever names it includes them.
+/// The texts of a program with the new name, under whatever names it includes them.
 class Renamed : public analysis::FileSystem {
 public:
   Renamed(const Snapshot& snapshot, const analysis::Program& program, const RenamePlan& plan)
@@ -57,8 +57,7 @@ private:
   std::map<fs::path, std::string> texts;
 };
 
-/// The first name that means something else than before, by its place before; nothing where all
-/// names mean the same.
+/// The first occurrence whose meaning changes, at its old place; nullopt if there is none.
 std::optional<Occurrence> changedMeaning(std::span<const Occurrence> before,
                                          std::span<const Occurrence> after) {
   auto differs = [](const Occurrence& a, const Occurrence& b) {
@@ -77,7 +76,7 @@ std::size_t errorsOf(const analysis::Analysis& analysis) {
                          [](const syntax::Diagnostic& it) { return it.severity; }));
 }
 
-/// What would be wrong with the program after the renaming; empty where nothing is.
+/// Why the renaming would break the program; empty if it does not.
 std::string captured(const Snapshot& snapshot, const AnalysedProgram& before,
                      const RenamePlan& plan) {
   const Renamed files(snapshot, before.program, plan);
@@ -94,7 +93,7 @@ std::string captured(const Snapshot& snapshot, const AnalysedProgram& before,
   return {};
 }
 
-/// Symbols of one skill that `skill.res` can be compared with share their names' space.
+/// Tags that `skill.res` can be compared with share a namespace.
 std::vector<SymbolKind> rivals(SymbolKind kind) {
   switch (kind) {
   case SymbolKind::SuccessTag:
@@ -105,7 +104,7 @@ std::vector<SymbolKind> rivals(SymbolKind kind) {
   }
 }
 
-/// A program that has the name, and what the name is there.
+/// The meaning of the name in one program.
 struct Meaning {
   View view;
   analysis::SymbolId symbol;
@@ -123,21 +122,21 @@ std::string takenBy(const Meaning& meaning, std::string_view name) {
   return {};
 }
 
-/// Where the name begins, by file. A file may be of several programs, with the same places.
+/// Positions of the name, by file. A file may belong to several programs, with the same positions.
 using Places = std::map<fs::path, std::set<syntax::Offset>>;
 
-/// Adds the places of one program.
+/// Adds the positions in one program.
 void collect(Places& places, const Meaning& meaning) {
   const auto& files = meaning.view.program().files;
   for (const auto& place : meaning.view.index().occurrencesOf(meaning.symbol))
     places[files[place.at.file].path].insert(place.at.range.begin);
 }
 
-/// What tells a program from others; it may be analysed more than once.
+/// Identifies a program, which may have been analysed more than once.
 const fs::path& rootOf(const View& view) { return view.program().files.front().path; }
 
-/// The other programs in which a place of the name stands.
-/// \param looked the roots of those that were looked at
+/// Adds the other programs that contain an occurrence of the name.
+/// \param looked roots of the programs already examined
 void addPrograms(std::vector<Meaning>& known, std::set<fs::path>& looked, const Snapshot& snapshot,
                  const Meaning& meaning) {
   auto isLooked = [&](const fs::path& root) { return looked.contains(root); };
@@ -156,8 +155,8 @@ void addPrograms(std::vector<Meaning>& known, std::set<fs::path>& looked, const 
   }
 }
 
-/// All programs that must change together: where two of them share a file that uses the name, each
-/// may define it for itself.
+/// All programs that must change together: if two of them share a file that uses the name, each may
+/// define the name itself.
 std::vector<Meaning> meaningsOf(const Snapshot& snapshot, Meaning first, Places& places) {
   std::set<fs::path> looked{rootOf(first.view)};
   std::vector<Meaning> known{std::move(first)};

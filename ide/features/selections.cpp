@@ -8,7 +8,7 @@ namespace {
 
 bool holds(syntax::Range range, syntax::Offset at) { return range.begin <= at && at <= range.end; }
 
-/// From the outside in; each within the one before it.
+/// Ranges from the outside in, each contained in the previous one.
 class Selecting {
 public:
   Selecting(std::string_view text, syntax::Offset at) : text(text), at(at) {}
@@ -19,7 +19,7 @@ public:
     result.push_back(range);
   }
 
-  /// A node, and what is between its parentheses or quotes.
+  /// Adds a node, and what is between its parentheses or quotes.
   void addNode(syntax::Range range) {
     add(range);
     bool enclosed = range.length() >= 2 && std::string_view("(\"").contains(text[range.begin]) &&
@@ -42,7 +42,7 @@ private:
   std::vector<syntax::Range> result;
 };
 
-/// Where two nodes meet, the one that begins at the place is the one that is meant.
+/// Where two nodes touch, the one that begins at the position is selected.
 void addNodes(Selecting& selecting, const syntax::Region& region, syntax::Offset at) {
   const auto& tree = *region.tree;
   auto inDocument = [&](const syntax::Node& node) {

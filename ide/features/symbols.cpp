@@ -26,7 +26,7 @@ constexpr SymbolKind kInner[] = {
     SymbolKind::InvariantTag, SymbolKind::SuccessTag, SymbolKind::FailureTag,
     SymbolKind::Label};
 
-/// A definition that stands within another reaches no further, whatever the text says.
+/// Limits the range of a nested definition to that of the outer one.
 syntax::Range within(syntax::Range inner, syntax::Range outer) {
   return {std::clamp(inner.begin, outer.begin, outer.end),
           std::clamp(inner.end, outer.begin, outer.end)};
@@ -73,7 +73,7 @@ struct Scored {
   FoundSymbol found;
 };
 
-/// The best names of the files that are added.
+/// Collects the best matches in the files that are added.
 class Search {
 public:
   explicit Search(std::string_view query) : query(query) {}
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  /// An inner name is worth less.
+  /// Nested names have a lower score.
   void add(int score, const fs::path& file, const FileNames& names, const FileNames::Name& name) {
     constexpr int kInside = 8;
     if (name.isInner) score -= kInside;
@@ -105,7 +105,7 @@ private:
     all.push_back({score, std::move(found)});
   }
 
-  /// Of those that are as good the first ones stay.
+  /// Among equal scores, the first ones are kept.
   void cut() {
     std::ranges::stable_sort(all, std::ranges::greater(), &Scored::score);
     if (all.size() < kMostFound) return;
@@ -115,10 +115,10 @@ private:
 
   std::string_view query;
   std::vector<Scored> all;
-  std::optional<int> worst; ///< what is no better comes too late
+  std::optional<int> worst; ///< others must be better than this
 };
 
-/// Those outside of the workspace that its files include, and so on: by their canonical names.
+/// Files outside the workspace that its files include, directly or not, by canonical name.
 std::map<std::string, fs::path> includedFromOutside(const Snapshot& snapshot) {
   std::map<std::string, fs::path> result;
   std::vector<fs::path> pending;
@@ -157,7 +157,7 @@ std::vector<OutlineEntry> outline(const View& view, syntax::Range within) {
   return result;
 }
 
-/// Of a text that is open the names are those that it has now.
+/// The names in an open text are the current ones.
 std::vector<FoundSymbol> workspaceSymbols(const Snapshot& snapshot, std::string_view query,
                                           const std::function<bool()>& isCancelled) {
   Search search(query);

@@ -35,7 +35,7 @@ TokenType typeOf(SymbolKind kind) {
   return TokenType::Variable;
 }
 
-/// Whether a definition that nothing mentions is of no use; a property or a tag is of use alone.
+/// Whether a definition without uses is useless. Properties and tags are not.
 bool isForOthers(SymbolKind kind) {
   switch (kind) {
   case SymbolKind::StateVariable:
@@ -47,7 +47,7 @@ bool isForOthers(SymbolKind kind) {
   }
 }
 
-/// The type of a token that names nothing; none where it has no colour of its own.
+/// The type of a token that is not a name; nullopt if it has no colour of its own.
 std::optional<TokenType> typeOf(NodeKind kind, std::string_view word) {
   switch (kind) {
   case NodeKind::Comment: return TokenType::Comment;
@@ -80,14 +80,14 @@ Token tokenOf(const analysis::Index& index, const Occurrence& occurrence) {
   return {occurrence.at.range, typeOf(symbol.kind), modifiers};
 }
 
-/// A type behind a `$parameter`.
+/// Whether a word is the type after a `$parameter`.
 bool isType(const std::vector<Token>& before, std::string_view word) {
   static constexpr std::string_view kTypes[] = {"int", "nat", "float", "bool", "string"};
   return !before.empty() && before.back().type == TokenType::Parameter &&
          std::ranges::find(kTypes, word) != std::end(kTypes);
 }
 
-/// Goes through the words of a region and its names at once.
+/// Iterates over the words and the names of a region in parallel.
 class Collector {
 public:
   Collector(std::string_view text, std::span<const Token> names) : text(text), name(names) {}
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  /// How many nodes are dealt with. What was put in to read the text makes no tokens.
+  /// \return the number of processed nodes. Nodes that recovery inserted produce no tokens.
   std::size_t visit(const syntax::Node& node, syntax::Offset shift) {
     if (node.size > 1 && node.kind != NodeKind::String) return 1;
     if (!node.range.empty()) add(node.kind, {node.range.begin + shift, node.range.end + shift});
@@ -120,7 +120,7 @@ private:
   }
 
   std::string_view text;
-  std::span<const Token> name; ///< those that come yet
+  std::span<const Token> name; ///< the names that remain
   std::vector<Token> result;
 };
 

@@ -13,7 +13,7 @@ using fiacre::Mention;
 using fiacre::NameKind;
 using fiacre::TokenKind;
 
-/// What can stand behind a word, where only one kind of names can.
+/// The kind of name that must follow a word, if there is only one.
 std::optional<NameKind> onlyBehind(std::string_view word) {
   if (word == "to" || word == "from" || word == "state") return NameKind::State;
   if (word == "assert" || word == "prove") return NameKind::Property;
@@ -23,7 +23,7 @@ std::optional<NameKind> onlyBehind(std::string_view word) {
   return std::nullopt;
 }
 
-/// Names that are due behind these words are new ones.
+/// Whether these words are followed by a new name.
 bool declaresBehind(std::string_view word) {
   return word == "process" || word == "component" || word == "function" || word == "type" ||
          word == "const" || word == "channel" || word == "property" || word == "states" ||
@@ -32,7 +32,7 @@ bool declaresBehind(std::string_view word) {
 
 } // namespace
 
-/// Whether a declared name means something in a block; every state and tag does in a property.
+/// Whether a declared name is visible in a block. In a property, all states and tags are.
 bool FiacreText::isKnownAt(Place declaration, const fiacre::Block* block) const {
   const auto& mention = mentions()[declaration];
   if (!isLocalName(mention.kind)) return true;
@@ -70,7 +70,7 @@ Completions FiacreText::complete(syntax::Offset at, CompletionTrigger trigger) c
   for (const auto& [name, places] : byName)
     for (const auto place : places) {
       const auto kind = mentions()[place].kind;
-      // The word that is being typed is no name yet.
+      // the word being typed is not a declared name
       const bool typed = mentions()[place].begin == result.insert.begin;
       if (typed || (only && kind != *only) || !isKnownAt(place, here)) continue;
       result.items.push_back({.label = std::string(name),

@@ -13,7 +13,7 @@ using fiacre::Mention;
 using fiacre::NameKind;
 using fiacre::TokenKind;
 
-/// White space within becomes one space.
+/// Replaces white space by single spaces.
 std::string onOneLine(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -26,14 +26,14 @@ std::string onOneLine(std::string_view text) {
   return result;
 }
 
-/// How much deeper a word leads into parentheses and records.
+/// Change of the nesting depth by a word.
 int nesting(std::string_view word) {
   if (word == "(" || word == "{" || word == "{|" || word == "record" || word == "union") return 1;
   if (word == ")" || word == "}" || word == "|}" || word == "end") return -1;
   return 0;
 }
 
-/// What ends the items of a `var` or `port`.
+/// Whether a word ends the items of a `var` or `port`.
 bool isSection(std::string_view word) {
   constexpr std::string_view kSections[] = {"init",     "from",      "par",    "port",
                                             "priority", "begin",     "states", "var",
@@ -57,7 +57,7 @@ std::string_view wordFor(NameKind kind) {
 
 } // namespace
 
-/// `x: 0..3 := 0`, from a list that may have several names before the type.
+/// `x: 0..3 := 0`, even if the list has several names before the type.
 std::string FiacreText::itemText(const Mention& name) const {
   auto at = std::ranges::lower_bound(words, name.end, {}, &fiacre::Token::begin);
   while (at != words.end() && (at->text == "," || at->kind == TokenKind::Name || at->text == "&"))
@@ -84,7 +84,7 @@ std::string FiacreText::itemText(const Mention& name) const {
   return std::string(nameOf(name)) + onOneLine(text.substr(begin, end - begin));
 }
 
-/// Up to `is`.
+/// The head of a block up to `is`.
 std::string FiacreText::headText(const Block& block) const {
   auto at = std::ranges::lower_bound(words, block.begin, {}, &fiacre::Token::begin);
   while (at->text != "is" && at->begin < block.end) ++at;
@@ -110,7 +110,7 @@ std::string FiacreText::declarationText(Place declaration) const {
   return std::string(text.substr(block->begin, block->end - block->begin));
 }
 
-/// The lines of comment above a place, or else the one behind it on its line.
+/// The comment lines above a position, otherwise the comment after it on its line.
 std::string FiacreText::commentsOf(std::uint32_t begin) const {
   std::string result;
   auto lineBegin = text.rfind('\n', begin);

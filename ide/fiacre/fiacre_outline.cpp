@@ -14,7 +14,7 @@ using fiacre::Mention;
 using fiacre::NameKind;
 using fiacre::TokenKind;
 
-/// What a process or a type has as parts of its outline.
+/// Whether it is shown as a part of a process or type.
 bool isPart(NameKind kind) {
   return kind == NameKind::State || kind == NameKind::Variable || kind == NameKind::Port ||
          kind == NameKind::Parameter || kind == NameKind::Field || kind == NameKind::Constructor;
@@ -33,7 +33,7 @@ std::optional<TokenType> typeOf(const fiacre::Token& token) {
   return std::nullopt;
 }
 
-/// A token for each line that a comment has.
+/// Adds a token for each line of a comment.
 void addLines(std::vector<Token>& tokens, const fiacre::Token& word, TokenType type) {
   for (std::size_t begin = 0; begin < word.text.size();) {
     const auto end = std::min(word.text.find_first_of("\r\n", begin), word.text.size());

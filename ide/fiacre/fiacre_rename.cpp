@@ -30,8 +30,8 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
-/// What is wrong with the model after a renaming that is not wrong with the one before, where it
-/// may be told of the old name; empty where there is no more wrong than before.
+/// An error in the renamed model that the original does not have, apart from the name in the
+/// message; empty if there is none.
 std::string newlyWrong(std::string_view before, const std::string& after, std::string_view oldName,
                        std::string_view newName) {
   const auto known = readFiacre("before.fcr", std::string(before)).diagnostics;

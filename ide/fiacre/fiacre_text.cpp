@@ -12,7 +12,7 @@ using fiacre::Block;
 using fiacre::Mention;
 using fiacre::NameKind;
 
-/// Whether something declared as the one can be what is mentioned as the other.
+/// Whether a declaration of one kind can match a mention of another.
 bool fits(NameKind declared, NameKind mentioned) {
   if (declared == mentioned) return true;
   switch (mentioned) {
@@ -67,7 +67,7 @@ FiacreText::Place FiacreText::mentionAt(syntax::Offset at) const {
   const auto found = std::ranges::find_if(
       mentions(), [&](const Mention& each) { return each.begin <= at && at <= each.end; });
   if (found == mentions().end()) return kNowhere;
-  // Of two that touch the one that begins here.
+  // of two tokens that touch, the one that begins here
   const auto next = found + 1;
   const bool second = next != mentions().end() && next->begin == at;
   return static_cast<Place>((second ? next : found) - mentions().begin());
@@ -93,13 +93,13 @@ FiacreText::Place FiacreText::declaredGlobally(std::string_view name, NameKind k
   return kNowhere;
 }
 
-/// The process or component of that name.
+/// The process or component with this name.
 const Block* FiacreText::blockNamed(std::string_view name) const {
   const auto place = declaredGlobally(name, NameKind::Process);
   return place == kNowhere ? nullptr : blocks[place];
 }
 
-/// What the places of `par` lead to, from the model or an observer down.
+/// The block that a path of positions in `par` leads to, from the model or an observer.
 const Block* FiacreText::atPath(const fiacre::PathTaken& path) const {
   const auto& observers = parsed.program.observers;
   const bool observes =
@@ -134,7 +134,7 @@ void FiacreText::resolve() {
     blocks.push_back(blockOf(mentions()[i]));
     if (mentions()[i].declares) byName[nameOf(mentions()[i])].push_back(i);
   }
-  // A tag's first place is its declaration, so declarations are looked up as well.
+  // a tag is declared by its first mention, so declarations are searched, too
   for (Place i = 0; i < mentions().size(); ++i) {
     const auto& mention = mentions()[i];
     const bool known = mention.declares && mention.kind != NameKind::Tag;

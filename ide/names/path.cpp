@@ -14,7 +14,7 @@ using syntax::Offset;
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool endsWord(char c) { return isSpace(c) || c == '(' || c == ')' || c == '"' || c == ';'; }
 
-/// Keywords that stand directly in a definition, whatever parentheses are missing before them.
+/// Keywords that occur directly in a definition only, even if parentheses before them are missing.
 bool isFieldOfDefinition(std::string_view keyword) {
   constexpr std::array kInner{WordKind::InvariantField, WordKind::OutcomeField,
                               WordKind::PatternField};
@@ -23,7 +23,7 @@ bool isFieldOfDefinition(std::string_view keyword) {
   return findWord(WordKind::SkillField, keyword) || findWord(WordKind::VariableField, keyword);
 }
 
-/// Reads from the begin of a form to the cursor.
+/// Reads from the beginning of a form to the cursor.
 class Reader {
 public:
   Reader(std::string_view text, Offset begin, Offset cursor)
@@ -46,7 +46,7 @@ private:
     return from;
   }
 
-  /// \pre it is never asked for a place before the last one
+  /// \pre called with ascending positions
   [[nodiscard]] Offset lineEnd(Offset from) {
     if (!lastLineEnd || from > *lastLineEnd) {
       auto end = text.find_first_of("\r\n", from);
@@ -86,8 +86,8 @@ private:
     at = end;
   }
 
-  /// A list that begins in the first column just before the cursor is a new definition, whatever is
-  /// open above it.
+  /// A list in the first column just before the cursor begins a new definition, whatever is open
+  /// above it.
   void open() {
     if (atLineStart(at) && wordEnd(at + 1) >= cursor) path.lists.clear();
     path.lists.push_back({at, {}});
@@ -130,7 +130,7 @@ private:
   Offset at;
   bool lineHasToken;
   std::optional<Offset>
-      lastLineEnd; ///< of the line of a string or a comment; a line may have thousands
+      lastLineEnd; ///< of the line of a string or a comment, kept since a line may have thousands
   bool found = false;
   Path path;
 };

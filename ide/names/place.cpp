@@ -11,7 +11,7 @@ namespace {
 
 using Items = std::span<const Item>;
 
-/// Without a list and a head.
+/// A place without a list and a head.
 Place just(Slot slot, std::string_view subject = {}) { return {.slot = slot, .subject = subject}; }
 
 Place field(WordKind kind) { return {.slot = Slot::Field, .fields = kind}; }
@@ -20,8 +20,8 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
   return std::ranges::find(words, word) != words.end();
 }
 
-/// How many items stand behind the last keyword; the keyword's place in `at`. A colon word that is
-/// a value (`:all`) is none.
+/// The last keyword before the cursor, and the number of items after it. A value with a colon
+/// (`:all`) does not count.
 const Item* lastKeyword(Items items, std::size_t& after) {
   for (auto i = items.size(); i-- > 0;)
     if (items[i].isKeyword() && items[i].text != ":all") {
@@ -33,7 +33,7 @@ const Item* lastKeyword(Items items, std::size_t& after) {
 
 bool lastIsWord(Items items) { return !items.empty() && !items.back().isList(); }
 
-/// What stands `after` items behind a field of a definition or clause.
+/// The value of a field of a definition or clause: `after` items follow the keyword.
 struct FieldValue {
   std::string_view keyword;
   Slot slot;
@@ -75,7 +75,7 @@ Place valueOf(const Item& keyword) {
   return just(found == kFieldValues.end() ? Slot::Nothing : found->slot);
 }
 
-/// In a definition or a clause, behind what comes before its fields.
+/// In a definition or a clause, after the parts that precede its fields.
 Place amongFields(Items items, WordKind fields) {
   std::size_t after = 0;
   const Item* keyword = lastKeyword(items, after);
@@ -106,7 +106,7 @@ Place inPattern(Items items) {
   return field(WordKind::PatternField);
 }
 
-/// The other side of a comparison, if it can tell what stands on this one.
+/// The other operand of a comparison, if it determines what is allowed here.
 Place inComparison(Items items) {
   if (isOneOf(items.front().text, {"=", "/="}))
     return just(Slot::Operand, items.size() == 2 ? items[1].text : std::string_view());
@@ -124,7 +124,7 @@ Place inObservation(Items items) {
   return just(head == "ended" && items.size() == 2 ? Slot::Status : Slot::Nothing);
 }
 
-/// A list in the place of a condition; `outer` tells which kind of condition.
+/// A list in place of a condition; `outer` is the kind of condition.
 Place inCondition(Items items, Slot outer) {
   const auto head = items.front().text;
   if (items.front().isList()) return just(outer);
@@ -163,7 +163,7 @@ Place inDo(Items items) {
   return just(tested ? Slot::Nothing : Slot::DoStatement);
 }
 
-/// Names and values take turns; what is out of turn is passed over, as the grammar does.
+/// Names and values alternate. Unexpected items are skipped, as in the grammar.
 Place inCall(Items items) {
   std::string_view name;
   for (const Item& item : items.subspan(1)) {
@@ -175,12 +175,12 @@ Place inCall(Items items) {
   return place;
 }
 
-/// The call, then the arms.
+/// First the call, then the arms.
 Place inCase(Items items) {
   return just(std::ranges::any_of(items, &Item::isList) ? Slot::CaseArm : Slot::CaseCall);
 }
 
-/// A word, or a list that has one and tags; then statements.
+/// First an outcome, or a list of an outcome and tags; then statements.
 Place inArm(Items items) {
   if (items.empty()) return {.slot = Slot::CasePattern, .isHead = true};
   return just(Slot::Statement);
@@ -212,18 +212,18 @@ Place inStatement(Items items) {
   return isNoCall ? just(Slot::Nothing) : inCall(items);
 }
 
-/// What a value may be made of.
+/// Contents of an expression.
 Place inValue(Items items) {
   const auto head = items.front().text;
   return just(findWord(WordKind::Arithmetic, head) ? Slot::Number : Slot::Nothing);
 }
 
-/// Tags with what belongs to each.
+/// Tags, each followed by its statements or conditions.
 Place inTagged(Items items, Slot list, Slot value) {
   return just(lastIsWord(items) ? value : list);
 }
 
-/// What may stand behind `items` in a list that stands for `outer`; there is at least one.
+/// What may follow `items`, of which there is at least one, in a list in place of `outer`.
 Place behind(Items items, Slot outer) {
   switch (outer) {
   case Slot::Definition: return inDefinition(items);
@@ -259,7 +259,7 @@ Place inOutcomes(Items items) {
   return place;
 }
 
-/// Lists without a head of their own.
+/// Lists without a head.
 std::optional<Place> withoutHead(Items items, Slot outer) {
   switch (outer) {
   case Slot::InitialValue: return just(Slot::VariableValue);
@@ -283,7 +283,7 @@ std::optional<Place> withoutHead(Items items, Slot outer) {
 
 Place within(const OpenList& list, Slot outer) {
   if (auto place = withoutHead(list.items, outer)) return *place;
-  // Where a keyword is expected a list stands for nothing.
+  // a list is not allowed where a keyword is expected
   if (outer == Slot::Field) return just(Slot::Nothing);
   if (list.items.empty()) return {.slot = outer, .isHead = true};
   return behind(list.items, outer);

@@ -13,7 +13,7 @@ const Word* firstOf(std::initializer_list<WordKind> kinds, std::string_view text
   return nullptr;
 }
 
-/// By the place of the list that the keyword stands in.
+/// The keyword, depending on the list that contains it.
 const Word* keyword(const Place& outer, const OpenList& list, std::string_view text) {
   if (outer.slot == Slot::Definition && !list.items.empty()) {
     const auto* fields = fieldsOf(list.items.front().text);

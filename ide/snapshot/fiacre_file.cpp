@@ -25,7 +25,7 @@ bool isWord(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// The place of a name within a range; the whole range where it is not there.
+/// The position of a name in a range; the whole range if it does not occur.
 Range narrowed(std::string_view text, Range range, std::string_view name) {
   const auto within = text.substr(0, range.end);
   for (auto at = within.find(name, range.begin); at != std::string_view::npos;
@@ -37,7 +37,7 @@ Range narrowed(std::string_view text, Range range, std::string_view name) {
   return range;
 }
 
-/// The first word of a message that stands in backquotes.
+/// The first word in backquotes in a message.
 std::string_view inBackquotes(std::string_view message) {
   const auto open = message.find('`');
   const auto close = open == std::string_view::npos ? open : message.find('`', open + 1);
@@ -50,7 +50,7 @@ std::string_view lastWord(std::string_view place) {
   return space == std::string_view::npos ? place : place.substr(space + 1);
 }
 
-/// What is asked of every model, unless it has a property of the name itself.
+/// Adds the check for run-time errors, unless the model has a property of this name.
 void addErrorCheck(fiacre::Program& program) {
   constexpr std::string_view kName = "no_runtime_error";
   if (std::ranges::find(program.properties, kName, &fiacre::Property::name) !=
@@ -76,7 +76,7 @@ void addChecks(codegen::Model& model) {
   }
 }
 
-/// Where a component declares a port.
+/// The place at which a component declares a port.
 Range declarationOf(const fiacre::Parsed& parsed, std::string_view text,
                     const fiacre::LonePort& of) {
   bool inComponent = false;
@@ -109,7 +109,7 @@ bool FiacreFile::hasErrors() const {
   });
 }
 
-/// Problems know the statement that they are in; those of declarations only a name.
+/// The range of a problem: that of its statement, or of the declaration that it names.
 Range rangeOf(const fiacre::Problem& problem, const fiacre::Provenance& provenance,
               std::string_view text) {
   const auto& origin = provenance.origins[problem.origin];
@@ -146,7 +146,9 @@ FiacreFile readFiacre(const std::filesystem::path& path, std::string text) {
         Code::FiacreText, {0, {problem.begin, problem.end}}, problem.message));
   result.model = {.fiacre = std::move(parsed.program), .provenance = std::move(parsed.provenance)};
   result.model.provenance.byHand = true;
-  if (!result.diagnostics.empty()) return result; // what was not read would be missed everywhere
+  if (!result.diagnostics.empty())
+    return result; // what was not parsed would be reported as
+                   // missing everywhere
   for (const auto& problem : fiacre::check(result.model.fiacre)) {
     if (!result.isModel() && problem.place == "model") continue;
     result.diagnostics.push_back(syntax::makeDiagnostic(

@@ -7,7 +7,7 @@ namespace {
 using analysis::SymbolId;
 using analysis::SymbolKind;
 
-/// What the text includes is no matter.
+/// Includes are not followed.
 class NoFiles : public analysis::FileSystem {
 public:
   [[nodiscard]] std::expected<std::string, std::string>
@@ -32,8 +32,8 @@ bool isSearched(SymbolKind kind) {
 
 } // namespace
 
-/// Those at the top level come first, so that an owner has the same index in both tables; one
-/// without a name is there for what is inside of it.
+/// Definitions at the top level come first, so that an owner has the same index in both tables.
+/// Those without a name are kept for their contents.
 FileNames::FileNames(const syntax::Document& document) {
   const auto program = analysis::load(NoFiles(), "file", document);
   const analysis::SymbolTable symbols(program);

@@ -11,7 +11,7 @@ namespace {
 using analysis::SymbolKind;
 namespace flow = analysis::flow;
 
-/// Of all texts of a program; the flow of what is smaller is there in some milliseconds.
+/// Total size of a program's texts. For smaller ones the flow analysis takes some milliseconds.
 constexpr std::size_t kQuick = 100'000;
 
 std::size_t sizeOf(const analysis::Program& program) {
@@ -26,7 +26,7 @@ std::shared_ptr<const KnownFlow> quickFlow(const View& view) {
   if (auto known = view.owner->flowIfKnown()) return known;
   if (sizeOf(view.program()) <= kQuick) return view.owner->flow();
   view.owner->missFlow();
-  return view.owner->flowIfKnown(); // it may have come between the two
+  return view.owner->flowIfKnown(); // another thread may have computed it meanwhile
 }
 
 std::optional<flow::VariableId> flowVariable(const View& view, const KnownFlow& flow,

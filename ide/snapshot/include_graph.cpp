@@ -16,8 +16,8 @@ constexpr auto kCanonical = [](const IncludeGraph::File& file) -> std::string_vi
   return file->canonical;
 };
 
-/// What a document includes. Where it has two names in two folders, its reader may have come from
-/// either.
+/// The paths that a document includes. If the document has two names in different directories, they
+/// may be relative to either.
 std::vector<std::string> pathsFrom(const KnownFile& file, const syntax::Document& document) {
   std::vector<std::string> result;
   auto add = [&](const fs::path& from) {
@@ -63,7 +63,7 @@ bool includesAsBefore(const KnownFile& file, const syntax::Document& document) {
 
 IncludeGraph::IncludeGraph(std::vector<File> files) : all(std::move(files)) {
   std::ranges::stable_sort(all, {}, kCanonical);
-  // From behind, the last of those that are the same is met first.
+  // backwards, so that the last of equal elements is kept
   const auto kept = std::ranges::unique(all | std::views::reverse, {}, kCanonical);
   all.erase(all.begin(), kept.begin().base());
 }
@@ -86,7 +86,7 @@ std::shared_ptr<const IncludeGraph> IncludeGraph::without(std::string_view canon
   return std::make_shared<const IncludeGraph>(std::move(files));
 }
 
-/// They share most of their files, and are both in order.
+/// The lists share most files, and are sorted.
 std::vector<std::string_view> IncludeGraph::differenceTo(const IncludeGraph& other) const {
   std::vector<std::string_view> result;
   auto one = all.begin();
@@ -136,8 +136,7 @@ std::string_view IncludeGraph::canonicalOf(const Path& name) const {
   return file ? std::string_view(file->canonical) : std::string_view(name.native());
 }
 
-/// Goes from includer to includer. Files that include each other in a circle have no root but
-/// themselves.
+/// Follows includers upwards. Files that include each other in a cycle are roots themselves.
 std::vector<fs::path> IncludeGraph::rootsOf(const Path& file) const {
   const auto& includers = edges().includers;
   std::vector<Path> roots;
@@ -176,7 +175,7 @@ std::vector<fs::path> IncludeGraph::roots() const {
   };
   for (const auto& file : all)
     if (!edges().includers.contains(file->canonical)) begin(*file);
-  for (const auto& file : all) // those that include each other in a circle
+  for (const auto& file : all) // files that include each other in a cycle
     if (!reached.contains(file.get())) begin(*file);
   return result;
 }

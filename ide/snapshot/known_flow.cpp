@@ -8,7 +8,8 @@ namespace {
 
 using analysis::Location;
 
-/// To go through them is quicker than any flow; that of a large program holds its old text.
+/// Reading so many steps is faster than any flow analysis; a larger flow would keep much old text
+/// in memory.
 constexpr std::size_t kMostSteps = 1'000;
 
 } // namespace

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The disk, with what the editor holds in front of it, by whatever name it is asked for.
+/// The disk, overlaid with the open texts under any of their names.
 class Overlay : public analysis::FileSystem {
 public:
   Overlay(const analysis::FileSystem& disk, const Snapshot& snapshot)
@@ -50,7 +50,7 @@ std::optional<analysis::FileId> fileIn(const analysis::Program& program, const f
   return static_cast<analysis::FileId>(found - program.files.begin());
 }
 
-/// Whether the program was made from just these texts, where they are open, and from no others.
+/// Whether the program was made from exactly these texts.
 bool isCurrent(const AnalysedProgram& analysed, const OpenTexts& before, const OpenTexts& now) {
   return std::ranges::all_of(analysed.program.files, [&](const analysis::File& file) {
     auto old = before.find(file.path);
@@ -65,7 +65,7 @@ bool isOpen(const AnalysedProgram& analysed, const OpenTexts& texts) {
                              [&](const analysis::File& file) { return texts.contains(file.path); });
 }
 
-/// Adds the names that are open in one of them only.
+/// Adds the names that are open in only one of the two.
 void addOpened(std::vector<std::string_view>& names, const OpenTexts& these,
                const OpenTexts& others) {
   for (const auto& [name, text] : these)
@@ -79,7 +79,7 @@ bool hasOneOf(const AnalysedProgram& analysed, const std::vector<std::string_vie
   });
 }
 
-/// Of a model in Fiacre, which defines nothing, the text alone.
+/// The program of a file. A Fiacre model has no definitions, so only its text is loaded.
 analysis::Program loaded(const Overlay& files, const fs::path& root) {
   if (!isFiacre(root)) return analysis::load(files, root);
   auto program = readFiacre(root, files.read(root).value_or(std::string())).program;
@@ -100,7 +100,7 @@ AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Setti
   if (earlier) takeFlow(*earlier);
 }
 
-/// White space and comments do not change what flows where.
+/// Reuses the flow: white space and comments do not change it.
 void AnalysedProgram::takeFlow(const AnalysedProgram& earlier) {
   remembered = earlier.memory();
   if (!remembered || !flows) return;
@@ -114,7 +114,7 @@ void AnalysedProgram::takeFlow(const AnalysedProgram& earlier) {
   flowFindingsOnce([&] { noteFlowFindings(std::move(*moved)); });
 }
 
-/// Of this program where it is known, else of the last one before it.
+/// The memory of this program if known, otherwise that of its predecessor.
 AnalysedProgram::Memory AnalysedProgram::memory() const {
   const std::lock_guard lock(mutex);
   return flows && known ? known : remembered;
@@ -219,8 +219,8 @@ void Snapshot::takeOpenPrograms(const Snapshot& before,
   }
 }
 
-/// Those of which a file was opened are known no more: what the disk has when it is closed may
-/// differ.
+/// Drops programs with a file that was opened, since its contents may have changed when it is
+/// closed.
 void Snapshot::takeClosedPrograms(const Snapshot& before,
                                   const std::vector<std::string_view>& changed) {
   if (changed.empty()) {
@@ -238,8 +238,7 @@ void Snapshot::ClosedPrograms::put(const std::string& root, const std::shared_pt
   entries.put(root, entry, bytes);
 }
 
-/// A name that is open is that text's, also where another text was opened before by another name of
-/// its file.
+/// The name under which a text is open, even if it was opened by another name of the same file.
 fs::path Snapshot::nameOf(const fs::path& path) const {
   if (texts.contains(path)) return path;
   const auto* file = graph->find(disk->canonical(path).native());
@@ -280,7 +279,7 @@ void Snapshot::eachView(const fs::path& file, const std::function<void(const Vie
       any = true;
       visit(*found);
     }
-  // Who seems to include it does not, through links or too deep: it stands for itself.
+  // the apparent includers do not include it, because of links or depth: it is its own root
   if (!any) visit({program(file), 0});
 }
 
@@ -297,7 +296,7 @@ bool Snapshot::isLookedAt(const AnalysedProgram& analysed) const {
   return lookedAt.contains(analysed.program.files.front().path.native());
 }
 
-/// The other programs that it belongs to, which may be hundreds, are not looked at.
+/// Views the file in one program. There may be hundreds of others, which are ignored.
 View Snapshot::view(const fs::path& file) const {
   for (const auto& root : graph->rootsOf(file))
     if (auto found = viewIn(root, file)) return std::move(*found);
@@ -320,7 +319,7 @@ std::shared_ptr<Snapshot::Entry> Snapshot::entryOf(const std::string& root) cons
   return entries.emplace(root, std::make_shared<Entry>()).first->second;
 }
 
-/// Only then it is known which files the program has.
+/// The files of a program are known only after its analysis.
 void Snapshot::analyse(const std::shared_ptr<Entry>& entry, const fs::path& root) const {
   std::shared_ptr<const AnalysedProgram> earlier;
   {

@@ -14,14 +14,14 @@ using analysis::SymbolKind;
 
 bool isInSkill(SymbolKind kind) { return kind > SymbolKind::Value; }
 
-/// What a symbol of that kind and owner's name can be inside of. Labels are in environments too.
+/// Kinds of symbols that can contain this one. Labels occur in environments, too.
 std::vector<SymbolKind> ownersOf(SymbolKind kind) {
   if (kind == SymbolKind::Value) return {SymbolKind::StateVariable};
   if (kind == SymbolKind::Label) return {SymbolKind::Skill, SymbolKind::Environment};
   return {SymbolKind::Skill};
 }
 
-/// Of what the form defines; nothing where it defines nothing.
+/// The kind that the form defines, if any.
 std::optional<SymbolKind> kindOf(const syntax::Form& form) {
   if (form.is<syntax::StateVariable>()) return SymbolKind::StateVariable;
   if (form.is<syntax::Event>()) return SymbolKind::Event;

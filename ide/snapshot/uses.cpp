@@ -17,7 +17,7 @@ bool isSetting(const View& view, const analysis::Occurrence& place) {
   if (place.role == analysis::Role::Write) return true;
   const auto& symbols = view.index().symbols();
   if (symbols[place.symbol].kind != analysis::SymbolKind::Value) return false;
-  // In `(lamp On)` the value follows its variable directly.
+  // in `(lamp On)` the value directly follows its variable
   const auto all = view.index().occurrences();
   const auto* self = view.index().at(place.at.file, place.at.range.begin);
   if (!self || self == all.data()) return false;
@@ -32,7 +32,7 @@ std::vector<analysis::SymbolId> usersOf(const View& view, analysis::SymbolId sym
   for (const auto& place : view.index().occurrencesOf(symbol)) {
     if (place.role == analysis::Role::Definition || !matters(view, place)) continue;
     const auto user = definitionAround(view, place.at);
-    // The places are in the order of the text: those of one definition follow each other.
+    // places are sorted, so those in one definition are adjacent
     const bool known = !users.empty() && users.back() == user;
     if (user != analysis::kNoSymbol && !known) users.push_back(user);
   }

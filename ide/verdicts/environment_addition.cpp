@@ -9,10 +9,10 @@ namespace proskill::ide {
 
 namespace {
 
-/// The ports and parameters of what takes the environment's place.
+/// Ports and parameters of the process that replaces the environment.
 struct Interface {
   std::string name;
-  std::string place; ///< "process P", as the type checker says it
+  std::string place; ///< "process P", as in messages of the type checker
   std::vector<fiacre::Port> ports;
   std::vector<fiacre::Parameter> parameters;
 };
@@ -83,8 +83,7 @@ fiacre::Instance instanceOf(const Interface& environment) {
   return instance;
 }
 
-/// Has the environment begin with the rest of the program, when the values at the start have been
-/// chosen: what it takes is passed from then on.
+/// Makes the environment begin together with the program, after initial values have been chosen.
 void holdBack(fiacre::Program& model, const Interface& environment, const std::string& begin) {
   std::vector<fiacre::Statement> passed;
   fiacre::Process gate{.name = "environment_begins", .comment = "Nothing happens before."};
@@ -106,8 +105,8 @@ void holdBack(fiacre::Program& model, const Interface& environment, const std::s
   model.processes.push_back(std::move(gate));
 }
 
-/// Takes part in what the environment has no port for, and never does: without it, that would
-/// happen whenever it could.
+/// Blocks the events for which the environment has no port. Without this they would happen whenever
+/// possible.
 void forbidOthers(fiacre::Program& model, const Interface& environment,
                   const std::vector<fiacre::Port>& offered) {
   auto& main = model.components.back();
@@ -142,7 +141,7 @@ bool isAbout(const fiacre::Pattern& pattern, std::uint32_t place) {
          (pattern.before && isAbout(*pattern.before, place)) || isAbout(pattern.ltl, place);
 }
 
-/// What was asked of the states of the environment that is no more.
+/// Removes the checks of states of the replaced environment.
 void dropChecks(codegen::Model& model, std::uint32_t place) {
   for (auto i = model.fiacre.properties.size(); i-- > 0;) {
     if (!isAbout(model.fiacre.properties[i].pattern, place)) continue;
@@ -153,13 +152,14 @@ void dropChecks(codegen::Model& model, std::uint32_t place) {
   }
 }
 
-/// The generator names it by its kind, as no other process; for Tina it is not there where it does
-/// nothing.
+/// Whether a process is the generated environment, which has a name of its own kind. The Tina
+/// edition has none if the environment does nothing.
 bool isEnvironment(const fiacre::Process& process) {
   return process.name.starts_with("environment_") || process.name.starts_with("basic_environment_");
 }
 
-/// Its process and its instance are the last ones. \return the ports that it took
+/// Removes the environment's process and instance, which are the last ones. \return the ports that
+/// it had
 std::vector<fiacre::Port> removeEnvironment(codegen::Model& model) {
   auto& processes = model.fiacre.processes;
   if (processes.empty() || !isEnvironment(processes.back())) return {};
@@ -186,7 +186,7 @@ std::vector<Diagnostic> replaceEnvironment(codegen::Model& model, analysis::Prog
   checkInterface(addition, *environment, offered, main);
   if (!addition.diagnostics.empty()) return addition.diagnostics;
   main.instances.push_back(instanceOf(*environment));
-  // What it says happens when it says so.
+  // events are urgent
   for (auto& port : main.ports)
     if (contains(offered, port.name)) port.interval = fiacre::Interval{.lower = 0, .upper = 0};
   forbidOthers(fiacre, *environment, offered);

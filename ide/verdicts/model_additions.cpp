@@ -15,8 +15,7 @@ namespace {
 
 // --- Properties
 
-/// What the parts of a model are called in paths: the processes, and the program's own names for
-/// them.
+/// The names that paths use for the parts of a model: the processes, with the program's names.
 fiacre::PathSteps stepsOf(const codegen::Model& model) {
   fiacre::PathSteps steps;
   const auto& program = model.fiacre;
@@ -34,7 +33,7 @@ fiacre::PathSteps stepsOf(const codegen::Model& model) {
   return steps;
 }
 
-/// Names of the program in the place of which the model's come.
+/// Translates names of the program to names of the model.
 class Translation {
 public:
   explicit Translation(const std::vector<fiacre::Watched>& known) : watched(known) {}
@@ -84,7 +83,7 @@ private:
 
 constexpr std::string_view kAnyModel = "model";
 
-/// Paths begin with the model's name; other declarations have no place here.
+/// Paths begin with the model's name. Other declarations are not allowed here.
 void checkProperties(Addition& addition) {
   const auto& text = addition.text();
   for (const auto& block : addition.parsed.blocks)
@@ -119,7 +118,7 @@ void addChecked(Addition& addition, fiacre::Property property) {
   model.fiacre.properties.push_back(std::move(property));
 }
 
-/// A formula alone is a property that is called as its file; it stands where it stood.
+/// Turns a formula without a name into a property with the file's name, at the same position.
 std::string asProperty(const std::filesystem::path& path, const std::string& formula) {
   auto name = path.stem().string();
   std::ranges::replace_if(

@@ -12,7 +12,7 @@ bool readsAs(const TraceStep& step, const ChosenStep& wanted) {
   return step.actor == wanted.actor && step.description == wanted.description;
 }
 
-/// The choice of these words; of several that one of the same transitions, else the first.
+/// The choice with this description: preferably of the same transition, otherwise the first.
 std::optional<std::size_t> find(const std::vector<TraceStep>& choices, const ChosenStep& wanted) {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -23,7 +23,7 @@ std::optional<std::size_t> find(const std::vector<TraceStep>& choices, const Cho
   return first;
 }
 
-/// That a mission which has ended stays so is a step of the model, and none of the program.
+/// A step of the model without a counterpart in the program: the mission remains ended.
 bool isIdle(const TraceStep& step) { return step.description.empty() && step.changes.empty(); }
 
 } // namespace
@@ -97,7 +97,7 @@ std::optional<MissingStep> SimulatedRun::follow(std::span<const ChosenStep> want
   return std::nullopt;
 }
 
-/// The program may still have the step, at another time or by another way.
+/// The program may still allow the step at another time or by another path.
 std::string SimulatedRun::whyMissing(const ChosenStep& wanted) const {
   const auto offered = choices();
   if (offered.empty()) return "nothing is possible any more";

@@ -6,7 +6,7 @@ namespace proskill::ide {
 
 namespace {
 
-/// The text counts, not who parsed it: what was typed and taken back is the same text.
+/// Compares texts, not parse results: undoing an edit restores the same text.
 bool isSame(const analysis::File& before, const analysis::File& now) {
   return before.path == now.path &&
          (before.document.isSameAs(now.document) || before.document.text() == now.document.text());

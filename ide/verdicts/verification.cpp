@@ -24,8 +24,7 @@ Moment moment(const verify::Date& date, Rational unit) {
   return {seconds(date.value, 1, unit), date.strict};
 }
 
-/// That a mission which has ended stays so for ever is a step of the model, and none of the
-/// program.
+/// Removes the model's loop for a mission that has ended, which is not a step of the program.
 void dropIdleLoop(Trace& trace) {
   if (!trace.loop) return;
   const auto first = trace.steps.begin() + static_cast<std::ptrdiff_t>(*trace.loop);
@@ -66,7 +65,7 @@ Trace translate(verify::Trace raw, const codegen::Model& model) {
   return trace;
 }
 
-/// A check that hopes for reachability asks `absent`, and is glad of a "no".
+/// A check for reachability asks `absent`, so "violated" is the good answer.
 Verdict verdictOf(const codegen::Check& check, verify::Truth truth) {
   if (truth == verify::Truth::Unknown) return Verdict::Inconclusive;
   bool holds = truth == verify::Truth::True;
@@ -74,7 +73,7 @@ Verdict verdictOf(const codegen::Check& check, verify::Truth truth) {
   return holds ? Verdict::Unreachable : Verdict::Reachable;
 }
 
-/// Who reads the verdict on an own property on runs without end has to know which runs count.
+/// Whether the verdict on a property of the program depends on which infinite runs count.
 bool isOfAllRuns(const codegen::Model& model, const codegen::Check& check) {
   return check.kind == "property" && !check.fair && !model.provenance.byHand &&
          fiacre::isAboutEndlessRuns(model.fiacre.properties[check.property].pattern);
@@ -110,7 +109,7 @@ bool isBounded(const codegen::Model& model, const codegen::Check& check) {
   return pattern.within || pattern.forInterval || pattern.lasting;
 }
 
-/// The question whether time can go on, where verdicts on bounds are asked for without it.
+/// The question whether time can always go on, if bounds are checked without it.
 std::optional<verify::Question> progressBeside(const codegen::Model& model, const Asked& asked) {
   const auto bounded = [&](const auto* check) { return isBounded(model, *check); };
   const auto progress = [](const auto* check) { return isProgress(*check); };
@@ -123,7 +122,7 @@ std::optional<verify::Question> progressBeside(const codegen::Model& model, cons
 
 constexpr std::string_view kOfRunsWithTime = "of runs in which time goes on";
 
-/// A fair run never waits for ever for the end of what may take any time.
+/// In a fair run, an action without a time limit ends eventually.
 std::string unlessForEver(const codegen::Model& model) {
   constexpr std::size_t kMost = 3;
   std::set<std::string> names;
@@ -134,7 +133,7 @@ std::string unlessForEver(const codegen::Model& model) {
   return fmt::format("unless {} takes for ever", fmt::join(names, " or "));
 }
 
-/// A run in which time stands still breaks no bound, so it must be said that it does not count.
+/// Runs in which time stops violate no bound; says that they do not count.
 /// \param progress whether time can always go on
 void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictRow& row) {
   if (row.verdict != Verdict::Holds || !isBounded(model, *row.check)) return;
@@ -152,7 +151,7 @@ void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictR
   }
 }
 
-/// Where the question whether time can go on stands; nothing where it is not asked.
+/// Index of the question whether time can go on; nullopt if it is not asked.
 std::optional<std::size_t> placeOfProgress(const Asked& asked, std::size_t questions) {
   const auto found =
       std::ranges::find_if(asked.checks, [](const auto* it) { return isProgress(*it); });
@@ -173,7 +172,7 @@ syntax::Rational difference(Rational later, Rational earlier) {
   return syntax::add(later, Rational{-earlier.numerator, earlier.denominator}).value_or(Rational{});
 }
 
-/// The last origin that says something names the step.
+/// The last origin with a description names the step.
 StepName nameOf(const verify::Step& step, const fiacre::Provenance& provenance) {
   StepName name;
   for (auto id : step.origins) {

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t kMost = 4;
 
-/// The step is described as what has happened: "has waited for `(door Open)`", "`drive` returns".
+/// The wait for a step, from the step's description: "has waited for `(door Open)`", "`drive`
+/// returns".
 std::string waitText(const fiacre::Origin& next) {
   constexpr std::string_view kPast = "has waited ";
   const std::string_view step = next.description;

@@ -28,7 +28,7 @@ std::string supportText(const std::vector<Support>& support) {
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// A sum with the values of its variables in their places.
+/// A sum with its variables replaced by their values.
 std::string withValues(const std::string& sum, const std::vector<Support>& support) {
   std::string text;
   for (std::size_t i = 0; i < sum.size();) {
@@ -42,7 +42,7 @@ std::string withValues(const std::string& sum, const std::vector<Support>& suppo
   return text;
 }
 
-/// Says what the grounds of a step came to.
+/// Writes the reasons of a step.
 class Reasons {
 public:
   Reasons(const verify::Trace& of, const codegen::Model& with) : trace(of), model(with) {}
@@ -93,7 +93,7 @@ private:
                                       : fmt::format("above `:max` {}", high)));
   }
 
-  /// Of a step that a condition let come: the condition, "`(place Dock)` is false: …".
+  /// The condition that enabled a step: "`(place Dock)` is false: …".
   std::string conditionsOf(const verify::Step& step) {
     Reasons other(trace, model);
     for (const auto& value : step.grounds) {
@@ -146,7 +146,7 @@ std::string afterText(const Trace& trace) {
                      syntax::toString(trace.steps.back().date));
 }
 
-/// The step itself, with its reason.
+/// The step and its reason.
 std::string stepText(const Trace& trace, std::size_t number) {
   const auto& step = trace.steps[number - 1];
   return fmt::format("{} {} {}{}{}", whenText(trace, number), step.actor, step.description,
@@ -158,7 +158,7 @@ std::string repeatText(const Trace& trace) {
                      trace.steps.size());
 }
 
-/// What a condition of the last state was decided by: variables, and steps of what has no name.
+/// What decided a condition of the last state: variables, and steps if there is no variable.
 std::string shownText(const Trace& trace, const std::vector<Support>& support) {
   auto text = supportText(support);
   std::vector<std::size_t> steps;
@@ -198,8 +198,8 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
-/// What did not come, or came, in the program's words: "`(called lift)` does not follow
-/// `(running drive)`". Of what is not the program's own pattern, the description.
+/// What did or did not happen, in the program's words: "`(called lift)` does not follow `(running
+/// drive)`". For other properties the description.
 std::string failureText(const codegen::Check& check, const codegen::Model& model) {
   using fiacre::PatternKind;
   const auto kind = model.fiacre.properties[check.property].pattern.kind;
@@ -226,7 +226,7 @@ bool waitsForSomething(const codegen::Check& check, const codegen::Model& model)
          kind != PatternKind::Precedes;
 }
 
-/// A run as a whole shows it.
+/// A violation that only the run as a whole shows.
 std::string runText(const codegen::Check& check, const codegen::Model& model, const Trace& trace) {
   const auto failure = failureText(check, model);
   if (trace.loop) return fmt::format("{}, and then {}", repeatText(trace), failure);
