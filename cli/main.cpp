@@ -1,7 +1,7 @@
-// The `proskill` program. Each subcommand has its own file, `cli/NAME.cpp`, and offers one
-// function, `addNAME(CLI::App&, int& exitCode)`, which adds the subcommand with its options and
-// leaves its result in `exitCode` when it has run. A new one is added in two places here: the
-// include and the list in main().
+// The `proskill` program. Each subcommand has a file of its own, `cli/commands/NAME.cpp` or
+// `cli/execution/NAME.cpp`. Its function `addNAME(CLI::App&, int& exitCode)` adds the subcommand
+// with its options; when the subcommand has run, its result is in `exitCode`. A new subcommand is
+// added in two places here: the include and the list in main().
 
 #include "cli/commands/check.h"
 #include "cli/commands/dap.h"
@@ -34,15 +34,15 @@
 
 namespace {
 
-/// What is closed at the beginning stays unusable: no file that is opened later gets its number,
-/// and with that what is printed, or is read as a client's messages.
+/// Occupies the standard descriptors that are closed. Otherwise a file that is opened later could
+/// get such a number, and receive output or be read as input.
 void occupyStandardDescriptors() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
     if (fcntl(descriptor, F_GETFD) == -1)
       (void)open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
 }
 
-/// An output that was lost is a failure of a command that has none otherwise.
+/// Lost output makes a successful command fail.
 int checkOutput(int exitCode) {
   std::cout.flush();
   return std::cout || exitCode != 0 ? exitCode
@@ -64,7 +64,7 @@ std::vector<std::string> commandNames(const CLI::App& app) {
   return names;
 }
 
-/// The first word, where it is meant as a command and there is none of that name.
+/// The first word, if it was meant as a command but is not one.
 std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "-";
   const auto names = commandNames(app);

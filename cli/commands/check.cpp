@@ -37,19 +37,20 @@ struct CheckArguments {
   bool style = false;
 };
 
-/// `FILE:3:14: there is no setting ...`
+/// An error in the settings with its place: `FILE:3:14: unknown setting …`
 std::string placed(const fs::path& file, const lsp::SettingsMistake& mistake) {
   const auto [line, column] = syntax::LineIndex(mistake.text).position(mistake.at.begin);
   return file.generic_string() + ":" + std::to_string(line + 1) + ":" + std::to_string(column + 1) +
          ": " + mistake.description;
 }
 
-/// The programs of the files given. One that another one includes is seen in that one's context.
+/// Loads the programs of the given files. A file that another one includes is checked as part of
+/// that program.
 class Loader {
 public:
   explicit Loader(const CheckArguments& arguments) : arguments(arguments) {}
 
-  /// False where a file cannot be read; that is said on standard error.
+  /// \return false if a file cannot be read, which was printed to standard error
   bool add(const std::string& file) {
     const fs::path canonical = disk.canonical(file);
     if (std::ranges::find(roots, canonical, &Root::canonical) != roots.end()) return true;
@@ -92,7 +93,7 @@ public:
     return checked;
   }
 
-  /// A file of settings was read and understood, wherever there was one.
+  /// Whether all files of settings were valid.
   [[nodiscard]] bool understood() const { return !mistaken; }
 
 private:
@@ -100,7 +101,7 @@ private:
     fs::path canonical;
     std::set<fs::path> includes;
     analysis::Program program;
-    std::optional<std::vector<syntax::Diagnostic>> found; ///< of Fiacre, when it was read
+    std::optional<std::vector<syntax::Diagnostic>> found; ///< findings in a Fiacre model
     bool included = false;
   };
 
@@ -112,7 +113,7 @@ private:
     return result;
   }
 
-  /// Of two files that include each other the later one stays.
+  /// Whether another file includes this one. If two include each other, the second is kept.
   [[nodiscard]] bool includedByOther(std::size_t i) const {
     return std::ranges::any_of(roots, [&](const Root& other) {
       return &other != &roots[i] && !other.included && other.includes.contains(roots[i].canonical);
@@ -125,7 +126,7 @@ private:
   bool mistaken = false;
 };
 
-/// What two programs share is told once.
+/// Removes findings in files that an earlier program has, too.
 void removeRepeated(std::vector<report::CheckedProgram>& programs) {
   std::set<std::tuple<std::string, syntax::Offset, syntax::Offset, std::string>> seen;
   for (report::CheckedProgram& checked : programs)
@@ -163,7 +164,7 @@ void write(const CheckArguments& arguments, const std::vector<report::CheckedPro
   }
 }
 
-/// \return all files could be read
+/// \return whether all files could be read
 bool load(const CheckArguments& arguments, std::vector<report::CheckedProgram>& programs) {
   Loader loader(arguments);
   bool readable = true;
@@ -173,7 +174,7 @@ bool load(const CheckArguments& arguments, std::vector<report::CheckedProgram>& 
   return readable && loader.understood();
 }
 
-/// Mends what can be mended, and looks again. \return all files could be read and written
+/// Applies fixes and checks again. \return whether all files could be read and written
 bool fix(const CheckArguments& arguments, std::vector<report::CheckedProgram>& programs) {
   auto fixed = applyFixes(programs);
   if (!fixed) {

@@ -24,7 +24,8 @@ int serve(rpc::Connection& connection) {
 }
 
 int runDap(std::optional<std::uint16_t> port) {
-  std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
+  std::signal(SIGPIPE, SIG_IGN); // if the client disconnects, writing must fail, not kill this
+                                 // process
   if (!port) return serve(*rpc::standardStreams());
   auto connection = rpc::acceptLoopback(*port, [](std::uint16_t opened) {
     std::cerr << "listening on port " << opened << std::endl;

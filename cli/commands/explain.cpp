@@ -31,7 +31,7 @@ struct ExplainArguments {
   ColourChoice colour = ColourChoice::Auto;
 };
 
-/// Lines for people are no longer than this, however wide the terminal is.
+/// Maximum width of text, however wide the terminal is.
 constexpr std::size_t kWidest = 100;
 constexpr std::size_t kNarrowest = 30;
 
@@ -57,7 +57,7 @@ std::string wrapped(std::string_view paragraph, std::size_t width) {
   return text;
 }
 
-/// The example line by line; what a terminal does not show is shown as `�`.
+/// The example line by line; characters that a terminal does not show become `�`.
 std::string shownExample(const syntax::CodeInfo& code, std::string_view indent) {
   std::string text;
   std::string_view rest = code.example;
@@ -89,7 +89,7 @@ void printList() {
               << std::string(9 - report::words(code.severity).size(), ' ') << titleOf(code) << '\n';
 }
 
-/// The page of the manual.
+/// Prints the page of the manual.
 void printMarkdown() {
   std::cout
       << "# Diagnostics\n\n"

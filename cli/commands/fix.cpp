@@ -22,8 +22,8 @@ struct Edited {
   std::vector<Edit> edits;
 };
 
-/// What a finding of the flow comes from is mostly for a person to decide; these edits change only
-/// how the program reads.
+/// Codes of the flow analysis that are fixed without asking, since the fix keeps the meaning. Other
+/// findings are for users to decide.
 constexpr std::string_view kWithoutAsking[] = {"PS0702", "PS0901", "PS1005", "PS1103", "PS1201"};
 
 bool isForPerson(const syntax::Diagnostic& diagnostic) {

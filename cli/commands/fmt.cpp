@@ -35,7 +35,7 @@ std::expected<std::string, std::string> readFile(const std::string& file) {
   return text;
 }
 
-/// What is left as it is, so that nobody takes it for laid out.
+/// Reports the parts that were not formatted.
 void tellUntouched(const std::string& file, const syntax::Document& document) {
   for (auto range : syntax::unformattable(document)) {
     auto line = document.lines().position(range.begin).line + 1;
@@ -53,7 +53,7 @@ int writeBack(const std::string& file, const std::string& text) {
   return failure ? fail(*failure) : kDone;
 }
 
-/// A text, and what lays it out.
+/// A text and its formatted form.
 struct Layout {
   syntax::Document document;
   std::vector<syntax::TextEdit> edits;
@@ -70,7 +70,7 @@ Layout layOut(const std::string& file, std::string text) {
   return {std::move(document), std::move(edits)};
 }
 
-/// Fiacre that cannot be read is left as it is, all of it.
+/// Formats a Fiacre model. One with syntax errors is left unchanged.
 Layout layOutFiacre(const std::string& file, std::string text) {
   auto edits = ide::formatFiacre(text);
   if (!edits)

@@ -42,7 +42,7 @@ template <class Value> Choices<std::optional<Value>> optional(const Choices<Valu
   return {choices.begin(), choices.end()};
 }
 
-/// As asked for, else as the output's name says, else SVG.
+/// The requested format, else that of the output's extension, else SVG.
 viz::Format formatOf(const GraphArguments& arguments) {
   if (arguments.format) return *arguments.format;
   const auto extension = std::filesystem::path(arguments.output).extension().string();
@@ -51,7 +51,7 @@ viz::Format formatOf(const GraphArguments& arguments) {
   return viz::Format::Svg;
 }
 
-/// The pictures that the arguments choose; the calls where they choose nothing and one is wanted.
+/// The pictures that the arguments select; by default the call graph, unless all are wanted.
 std::vector<viz::Request> choose(const analysis::Program& program,
                                  const GraphArguments& arguments) {
   std::vector<viz::Request> chosen;
@@ -84,7 +84,7 @@ std::string nameOf(const viz::Request& request) {
   return request.name.empty() ? kind : kind + "_" + request.name;
 }
 
-/// One file a picture, whose paths are printed.
+/// Writes one file per picture, and prints their paths.
 int drawAll(const analysis::Program& program, const GraphArguments& arguments,
             const std::vector<viz::Request>& requests) {
   const std::filesystem::path directory(arguments.directory);

@@ -32,7 +32,7 @@ struct LspArguments {
   bool noCache = false;
 };
 
-/// A file that every thread may write lines to; each is there at once, for whoever reads along.
+/// A log file for all threads. Each line is written at once.
 class LogFile {
 public:
   explicit LogFile(const std::string& path) : file(path, std::ios::app) {}
@@ -48,9 +48,9 @@ private:
   std::ofstream file;
 };
 
-/// What one thread has allocated another one frees, and each of many heaps would keep the most that
-/// it ever held. An answer of megabytes is put together in memory that was used before: to have the
-/// system make it anew each time takes as long as the answer.
+/// Threads free what others have allocated, so with many heaps each would keep its maximum. Large
+/// answers reuse memory, since returning it to the system and getting it back takes as long as the
+/// answer itself.
 void tuneHeaps() {
 #ifdef __GLIBC__
   constexpr int kMiB = 1 << 20;
@@ -60,8 +60,7 @@ void tuneHeaps() {
 #endif
 }
 
-/// Where the manual lies beside this program: installed, carried by an editor's extension, or in
-/// the tree that it was built in.
+/// The path of the manual: installed, in an editor's extension, or in the source tree.
 std::filesystem::path manual() {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -79,7 +78,8 @@ int serve(rpc::Connection& connection, lsp::ServerOptions options) {
 
 int runLsp(const LspArguments& arguments) {
   tuneHeaps();
-  std::signal(SIGPIPE, SIG_IGN); // a client that has gone is the end of a stream, not of us
+  std::signal(SIGPIPE, SIG_IGN); // if the client disconnects, writing must fail, not kill this
+                                 // process
   lsp::ServerOptions options;
   options.version = PROSKILL_VERSION;
   options.manual = manual();

@@ -32,7 +32,8 @@ namespace proskill::cli {
 
 namespace {
 
-/// Set by the first Ctrl-C: what is decided is then reported. The second one kills as usual.
+/// Set by the first Ctrl-C: the verdicts so far are then reported. The second Ctrl-C ends the
+/// process.
 std::atomic<bool> interrupted{false};
 
 void onInterrupt(int signal) {
@@ -44,7 +45,7 @@ double secondsSince(std::chrono::steady_clock::time_point moment) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment).count();
 }
 
-/// The time limit is one of the whole command.
+/// The time limit applies to the whole command.
 verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* progress) {
   verify::Options options;
   options.reductions = chosenReductions(arguments.reduce);
@@ -78,7 +79,7 @@ int exitCodeOf(const ide::VerificationReport& report, bool strict) {
   return std::ranges::any_of(report.rows, open) ? kInconclusive : kDone;
 }
 
-/// A name that selects nothing is a mistake of the caller's, not a good verdict.
+/// The first name that selects no property, which is an error.
 std::optional<std::string> unknownName(const codegen::Model& model,
                                        const std::vector<std::string>& names) {
   for (const auto& name : names)
@@ -88,7 +89,7 @@ std::optional<std::string> unknownName(const codegen::Model& model,
   return std::nullopt;
 }
 
-/// Prints and saves a finished report. Returns the exit code.
+/// Prints and saves a finished report. \return the exit code
 int deliver(const VerifyArguments& arguments, const report::VerifyReport& report) {
   write(arguments, report);
   if (!arguments.saveTraces.empty())
@@ -100,7 +101,7 @@ int deliver(const VerifyArguments& arguments, const report::VerifyReport& report
   return exitCodeOf(report.result, arguments.strict);
 }
 
-/// Only what is printed as text is chosen from; everything else has all of them.
+/// Text contains selected traces only; all other formats contain all.
 ide::WantedTraces wantedTraces(const VerifyArguments& arguments) {
   const bool isText =
       arguments.format == VerifyFormat::Text && arguments.backend.backend == Backend::Engine;
@@ -136,7 +137,8 @@ int verifyByTina(const VerifyArguments& arguments, const analysis::Program& prog
   return deliver(arguments, {program, model, run->said->report, model.mainSkill, "tina"});
 }
 
-/// What the engine says is the report; what Tina says beside it is a bug of one of them.
+/// Verifies with both. The report has the engine's verdicts; a difference from Tina's is a bug in
+/// one of them.
 int verifyByBoth(const VerifyArguments& arguments, const analysis::Program& program,
                  const codegen::Model& model) {
   const auto options = engineOptions(arguments, nullptr);
@@ -170,7 +172,7 @@ int verifyProperties(const VerifyArguments& arguments, const analysis::Program& 
     return fail(fmt::format("no property is called `{}`; `--list` shows their names", *unknown));
   std::signal(SIGINT, onInterrupt);
   if (arguments.backend.backend != Backend::Engine) {
-    std::signal(SIGTERM, onInterrupt); // so that no files are left behind
+    std::signal(SIGTERM, onInterrupt); // to remove temporary files
     std::signal(SIGHUP, onInterrupt);
     return arguments.backend.backend == Backend::Tina ? verifyByTina(arguments, program, model)
                                                       : verifyByBoth(arguments, program, model);
@@ -195,7 +197,7 @@ int runModel(const VerifyArguments& arguments, const analysis::Program& program,
   return verifyProperties(arguments, program, model);
 }
 
-/// Reads what a user adds to a model. \return it is all right; else that was said
+/// Reads an addition to a model. \return whether it is valid; errors were printed
 template <class Add>
 bool add(const VerifyArguments& arguments, const std::string& file, analysis::Program& program,
          codegen::Model& model, Add addTo) {
@@ -219,7 +221,7 @@ bool addAll(const VerifyArguments& arguments, analysis::Program& program, codege
   });
 }
 
-/// A model that was written by hand.
+/// Verifies a Fiacre model.
 int runFiacre(const VerifyArguments& arguments) {
   auto text = disk::DiskFileSystem().read(arguments.file);
   if (!text) return fail(fmt::format("cannot read `{}`: {}", arguments.file, text.error()));
@@ -238,7 +240,7 @@ int runFiacre(const VerifyArguments& arguments) {
   return runModel(arguments, read.program, read.model);
 }
 
-/// What goes to frac has to mean the same to it: see docs/semantics.md.
+/// frac needs an edition that it interprets as we do: see docs/semantics.md.
 codegen::Edition editionFor(const VerifyArguments& arguments) {
   if (arguments.backend.backend != Backend::Engine) return codegen::Edition::Tina;
   return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;

@@ -16,7 +16,7 @@ std::string reductionNames() {
   return names;
 }
 
-/// A former name becomes today's, with a hint. The error is empty where a name is known.
+/// Replaces a former name, with a hint. \return an error message; empty if the name is known
 std::string takeReduction(std::string& word) {
   if (word == "all" || word == "none") return "";
   for (const auto& it : verify::kReductionNames) {

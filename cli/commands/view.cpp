@@ -27,10 +27,10 @@ struct ViewArguments {
   std::uint16_t port = 0;
   bool noOpen = false;
   double timeLimit = 60;
-  std::uint64_t memoryLimit = 2048; // MiB
+  std::uint64_t memoryLimit = 2048; // in MiB
 };
 
-/// Where there is no browser, the address that is printed has to do.
+/// Does nothing if there is no browser; the address was printed.
 void openBrowser(const std::string& url) {
   std::string command = "xdg-open";
   std::string address = url;
@@ -44,7 +44,7 @@ void openBrowser(const std::string& url) {
   posix_spawn_file_actions_destroy(&actions);
 }
 
-/// By its name, or by its first character, which no program has.
+/// By the extension, or by the first character, which no program begins with.
 bool isJson(const std::filesystem::path& path, const std::string& text) {
   if (path.extension() == ".json") return true;
   const auto first = text.find_first_not_of(" \t\r\n");

@@ -25,7 +25,7 @@ namespace {
 struct ConformArguments {
   std::string recording;
   std::string file;
-  double tolerance = 0; ///< seconds
+  double tolerance = 0; ///< in seconds
   ColourChoice colour = ColourChoice::Auto;
 };
 

@@ -8,13 +8,13 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// What may wait for the disk.
+/// Limit of bytes that wait to be written.
 constexpr std::size_t kMostWaiting = std::size_t{32} << 20;
-/// In simulated time so much is written at once, or what there is after a moment: steps go by so
-/// fast that a write for each would take most of the time.
+/// In simulated time, this many bytes are written at once, or what there is after a short delay:
+/// steps come so fast that separate writes would dominate.
 constexpr std::size_t kBatch = std::size_t{64} << 10;
 constexpr auto kMoment = std::chrono::milliseconds(100);
-/// How often the disk is asked to have everything, so that it survives a power cut.
+/// Interval at which the file is synchronised with the disk, to survive a power failure.
 constexpr auto kSyncEvery = std::chrono::seconds(1);
 
 } // namespace

@@ -24,7 +24,7 @@ struct ReplayArguments {
   ColourChoice colour = ColourChoice::Auto;
 };
 
-/// A model of the program for each run: runs differ in their missions.
+/// Generates a model for each run, since runs may have different missions.
 std::expected<ide::SimulatedRun, std::string> begin(const analysis::Program& program,
                                                     const std::string& mainSkill) {
   codegen::Options options;

@@ -25,7 +25,7 @@ namespace proskill::cli {
 
 namespace {
 
-/// How often the user asked for the end, and what wakes the run that waits.
+/// Number of requests to end, and a descriptor that wakes the waiting run.
 std::atomic<int> stopRequests = 0;
 int stopDescriptor = -1;
 
@@ -43,7 +43,7 @@ void listenForStops() {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-/// Tells several what happens; in real time what is printed is seen at once.
+/// Passes on a run to several observers. In real time, output is flushed at once.
 class Observers final : public runtime::Observer {
 public:
   explicit Observers(bool atOnce) : flushes(atOnce) {}
@@ -122,8 +122,8 @@ private:
     return runOnProcess(std::move(settings), arguments.platform);
   }
 
-  /// The library is loaded in a process of its own, which speaks the protocol for it: so its
-  /// crashes and hangs are those of a program.
+  /// Loads the library in a separate process, which speaks the protocol for it. Its crashes and
+  /// hangs are then those of a program.
   int runOnLibrary(const std::string& text) {
     runtime::LibrarySettings settings;
     prepareForProcess(settings.process);
@@ -139,7 +139,7 @@ private:
                         arguments.platform + ":" + runtime::placeOfMember(text, "library"));
   }
 
-  /// Real programs take real time.
+  /// A program needs real time.
   void prepareForProcess(runtime::ProcessSettings& settings) {
     if (!arguments.script.empty()) throw Failed{fail("`--script` is for simulations")};
     if (arguments.clock == "simulated")
@@ -150,7 +150,7 @@ private:
         std::filesystem::absolute(std::filesystem::path(arguments.platform)).parent_path();
   }
 
-  /// \param place of what cannot be used
+  /// \param place shown in errors
   int runOnProcess(runtime::ProcessSettings settings, const std::string& place) {
     const auto factor = settings.speed;
     const auto platform =
@@ -164,7 +164,7 @@ private:
 
   int runOn(runtime::Platform& platform, std::optional<double> factor) {
     const auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
-    std::optional<Recorder> recorder; // outlives who adds to it
+    std::optional<Recorder> recorder; // declared before its users, to outlive them
     Observers observers(factor.has_value());
     const report::RunSubject subject{program, *executable};
     const bool colour = wantsColour(arguments.colour, STDOUT_FILENO);
@@ -205,7 +205,7 @@ private:
     return std::filesystem::path(path).extension() == ".mcap";
   }
 
-  /// In nanoseconds since 1970, as other recordings of the same robot count them.
+  /// In nanoseconds since 1970, to match other recordings of the robot.
   static std::uint64_t startOf(RunTime time) {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     return time == RunTime::Simulated

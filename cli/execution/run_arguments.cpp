@@ -10,7 +10,7 @@ namespace proskill::cli {
 
 namespace {
 
-/// A number at the beginning of a word; the word then is what follows it.
+/// Removes a number from the beginning of a word.
 std::optional<double> leadingNumber(std::string_view& word) {
   double number = 0;
   const auto read = std::from_chars(word.data(), word.data() + word.size(), number);

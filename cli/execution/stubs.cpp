@@ -32,8 +32,7 @@ struct StubArguments {
 
 enum class Fate : std::uint8_t { Write, Keep, Refuse };
 
-/// What a user wrote is never overwritten: neither a file of the user's, nor changes in a generated
-/// one.
+/// Files of users, and generated files that users have changed, are never overwritten.
 Fate fateOf(const runtime::StubFile& file, const std::filesystem::path& path) {
   std::error_code none;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, none))) return Fate::Write;
@@ -56,7 +55,8 @@ int writeStubs(const std::vector<runtime::StubFile>& files,
         fmt::format("cannot create `{}`: {}", directory.generic_string(), problem.message()));
   for (const auto& file : files) {
     const auto path = directory / file.name;
-    std::filesystem::create_directories(path.parent_path(), problem); // writing says what is wrong
+    std::filesystem::create_directories(path.parent_path(), problem); // writing the file reports
+                                                                      // errors
     const bool writes = fateOf(file, path) == Fate::Write;
     if (writes)
       if (const auto why = disk::writeFile(path, file.text)) return fail(*why);

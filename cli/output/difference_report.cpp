@@ -11,7 +11,7 @@ namespace proskill::cli {
 
 namespace {
 
-/// A block of text in a fence that is longer than any within it.
+/// Text in a fence that is longer than any in the text.
 std::string fenced(std::string_view text, std::string_view language = "") {
   constexpr std::size_t kMost = 200'000;
   std::string cut(text.substr(0, kMost));

@@ -15,7 +15,7 @@ namespace proskill::cli {
 
 namespace {
 
-/// One line, as sift ends, and the time.
+/// Prints one line with counts, in the form of sift, and the time.
 void printCounts(const verify::Exploration& counted) {
   fmt::print("{} classe(s), {} marking(s), {} domain(s), {} transition(s)\n{:.3f}s\n",
              counted.classes, counted.markings, counted.domains, counted.transitions,

@@ -11,7 +11,7 @@ namespace proskill::cli {
 
 namespace {
 
-/// Its script and its style stand in the page itself, and no others are let in.
+/// The policy allows only the page's own script and style.
 constexpr std::string_view kReportPage = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -30,7 +30,7 @@ constexpr std::string_view kReportPage = R"(<!DOCTYPE html>
 </html>
 )";
 
-/// No text of a program can end the element that holds it.
+/// Escapes `</`, so that no text of a program can end the element.
 std::string withinScript(const OrderedJson& json) {
   std::string out;
   for (const char c : json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace))
@@ -38,7 +38,8 @@ std::string withinScript(const OrderedJson& json) {
   return out;
 }
 
-/// The picture open and, where that is something else, folded; each for both grounds.
+/// Adds the unfolded picture and, if it differs, the folded one, each for light and dark
+/// background.
 void addPicture(OrderedJson& all, const analysis::Program& program, const viz::Request& request) {
   view::PictureParams params{request, viz::Format::Dot, false, std::vector<std::string>{}};
   const auto dot = view::pictureJson(program, params, false);

@@ -16,7 +16,7 @@ std::optional<std::string> variable(const std::string& name) {
   return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
 }
 
-/// `PROSKILL_FRAC` of `frac`.
+/// `PROSKILL_FRAC` for `frac`.
 std::string variableOf(std::string tool) {
   for (char& c : tool) c = static_cast<char>(c - 'a' + 'A');
   return "PROSKILL_" + tool;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kContext = 3;
 
-/// Lines of the old text that give way to new ones.
+/// Lines of the old text that are replaced by new ones.
 struct Change {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
@@ -35,7 +35,7 @@ class Diff {
 public:
   explicit Diff(const syntax::Document& before) : before(before) {}
 
-  /// Changes that share their context are one hunk.
+  /// Writes changes with common context as one hunk.
   void hunk(std::span<const Change> changes) {
     auto first = changes.front().first - std::min(changes.front().first, kContext);
     auto end = std::min(changes.back().end + kContext, lineCount());
@@ -57,7 +57,7 @@ public:
   std::string text;
 
 private:
-  /// Of these that have something in them: behind the last line end there may be none.
+  /// Number of lines; the one after the last line end counts only if it is not empty.
   [[nodiscard]] std::uint32_t lineCount() const {
     return before.lines().lineCount() - (before.text().ends_with('\n') ? 1 : 0);
   }
@@ -98,7 +98,7 @@ private:
   }
 
   const syntax::Document& before;
-  std::int64_t shift = 0; ///< lines that came in so far
+  std::int64_t shift = 0; ///< number of lines inserted so far
 };
 
 } // namespace

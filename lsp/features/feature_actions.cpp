@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 6> kKinds{"quickfix",        "refactor.ex
 
 std::string_view nameOf(ide::ActionKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
-/// Whether a kind is one of those asked for, or below one: `refactor` asks for `refactor.inline`.
+/// Whether a kind was requested, or is below a requested kind, as `refactor.inline` is below
+/// `refactor`.
 bool isAskedFor(std::string_view kind, const Json& params) {
   auto context = params.find("context");
   if (context == params.end() || !context->is_object()) return true;
@@ -30,7 +31,7 @@ bool isAskedFor(std::string_view kind, const Json& params) {
   });
 }
 
-/// The edits of each file, with the version that they belong to where the client can be told.
+/// The edits of each file, with the document version if the client supports it.
 Json workspaceEdit(const ide::Action& action, const Request& request) {
   const Converter convert(action.owner->program, request.snapshot.open(), request.client.encoding);
   std::map<analysis::FileId, std::vector<syntax::TextEdit>> files;
@@ -62,7 +63,7 @@ Json actionJson(const ide::Action& action, const Request& request) {
                             request.client.encoding);
     const auto diagnostic = diagnosticJson({action.owner, action.fixes}, convert, request.client);
     json["diagnostics"] =
-        Json::array({Json::parse(rpc::dump(diagnostic))}); // compared by `resolve`
+        Json::array({Json::parse(rpc::dump(diagnostic))}); // `resolve` compares it
   }
   if (!action.explains.empty())
     json["command"] = {{"title", action.title},
@@ -93,9 +94,9 @@ Answer codeAction(const Request& request) {
   return result;
 }
 
-/// Computes the actions again and takes the one that was chosen; its text must be the same still.
+/// Computes the actions again, and returns the chosen one if its text is unchanged.
 Answer resolveAction(const Request& request) {
-  if (request.params.contains("command")) return request.params; // some clients ask of all
+  if (request.params.contains("command")) return request.params; // some clients resolve all actions
   auto data = request.params.find("data");
   if (data == request.params.end() || !data->is_object() || !request.params.contains("title"))
     return std::unexpected(

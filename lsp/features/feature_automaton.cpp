@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <map>
 
-/// `proskill/automaton`: pictures, and which part of them is which place of the program.
+/// `proskill/automaton`: pictures, with the source ranges of their parts.
 namespace proskill::lsp {
 
 namespace {
 
-/// The picture of a definition; of what has none, the calls.
+/// The picture of a definition; by default the call graph.
 viz::Request pictureOf(const syntax::Form& form) {
   using viz::Kind;
   if (const auto* variable = form.as<syntax::StateVariable>())
@@ -30,7 +30,7 @@ viz::Request pictureAt(const ide::View& view, syntax::Offset at) {
   return {};
 }
 
-/// What is called so in the program, whatever it is.
+/// The picture of whatever has this name.
 std::expected<viz::Request, rpc::RpcError> pictureOf(const analysis::Program& program,
                                                      const std::string& name) {
   for (const auto& file : program.files)
@@ -53,7 +53,8 @@ std::expected<viz::Request, rpc::RpcError> pictureNamed(const analysis::Program&
   return viz::Request{*known, name.get<std::string>(), false};
 }
 
-/// The part with the smallest range around a place: nodes go before edges, these before clusters.
+/// The part with the smallest range around a position: nodes come before edges, and edges before
+/// clusters.
 Json partAt(const viz::Graph& graph, const std::string& file, syntax::Offset offset) {
   Json best;
   syntax::Offset length = 0;

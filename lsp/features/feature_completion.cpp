@@ -36,9 +36,9 @@ protocol::CompletionItemKind kindOf(CompletionKind kind) {
   return Text;
 }
 
-/// All that the items of one answer have in common.
+/// What all items of an answer share.
 struct Shared {
-  std::string insert; ///< ranges, written
+  std::string insert; ///< ranges, as JSON
   std::string replace;
   std::string uri;
   const ClientFeatures& client;
@@ -80,7 +80,7 @@ Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shar
   return rpc::written(json.close('}').str());
 }
 
-/// The character that was typed where that was what asked.
+/// The typed character that triggered the request, if any.
 ide::CompletionTrigger triggerOf(const Json& params) {
   const auto& character = rpc::memberAt(params, {"context", "triggerCharacter"});
   const bool typed = rpc::memberAt(params, {"context", "triggerKind"}) == 2;
@@ -109,7 +109,7 @@ Answer completion(const Request& request) {
   return Json{{"isIncomplete", !found.isComplete}, {"items", std::move(items)}};
 }
 
-/// The item that `data` is of; one of which nothing is known has no documentation.
+/// The item that `data` identifies; an unknown one has no documentation.
 ide::Completion itemOf(const Json& data) {
   ide::Completion item;
   item.symbol = symbolKey(rpc::memberAt(data, {"symbol"}));

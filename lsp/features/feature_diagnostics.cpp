@@ -31,7 +31,7 @@ protocol::DiagnosticSeverity severityOf(syntax::Severity severity) {
   return protocol::DiagnosticSeverity::Error;
 }
 
-/// What an editor shows faded: it could be taken out, and nothing would change.
+/// Whether editors show the code faded: removing it would change nothing.
 bool isUnnecessary(Code code) {
   constexpr std::array kCodes{Code::UnreachableStatement, Code::UnusedSkill,    Code::UnusedEvent,
                               Code::UnusedStateVariable,  Code::UnusedResource, Code::UnusedLabel,
@@ -73,10 +73,10 @@ void writeFixes(rpc::JsonWriter& json, const syntax::Diagnostic& diagnostic,
   json.close(']').close('}');
 }
 
-/// Names what the items say: the same items, the same name, in every session.
+/// Identifies a list of items, across sessions.
 std::string resultIdOf(const Json& items) { return fingerprint(rpc::dump(items)); }
 
-/// `unchanged` where the client has just this already.
+/// `unchanged` if the client has this result already.
 Json report(Json items, const Json& previous) {
   auto id = resultIdOf(items);
   if (previous == id) return {{"kind", "unchanged"}, {"resultId", id}};
@@ -97,7 +97,7 @@ Answer documentDiagnostics(const Request& request) {
 
 using Previous = std::map<std::filesystem::path, std::pair<std::string, Json>>;
 
-/// What the client was told before, by path: its URI and the result's identifier.
+/// Previous results of the client, by path: the URI and the result's identifier.
 Previous previousOf(const Json& params) {
   Previous result;
   const Json& list = rpc::memberAt(params, {"previousResultIds"});
@@ -119,12 +119,12 @@ Json itemOf(const Request& request, const std::filesystem::path& path, const Pre
   return item;
 }
 
-/// An empty report for what the client still shows of a file that is no more.
+/// An empty report for a file that was deleted, to clear what the client shows.
 Json goneItem(const std::string& uri) {
   return {{"uri", uri}, {"version", nullptr}, {"kind", "full"}, {"items", Json::array()}};
 }
 
-/// Of every file of the workspace, open or not; in parts where the client takes them.
+/// Diagnostics of all files of the workspace; in parts if the client supports it.
 Answer workspaceDiagnostics(const Request& request) {
   const auto previous = previousOf(request.params);
   std::vector<std::filesystem::path> files;

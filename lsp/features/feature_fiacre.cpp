@@ -10,7 +10,7 @@
 #include "lsp/protocol/numbers.h"
 #include "lsp/protocol/outline_json.h"
 
-/// Documents in Fiacre: their text alone answers.
+/// Handlers for Fiacre documents, which need only their text.
 namespace proskill::lsp {
 
 namespace {
@@ -103,7 +103,7 @@ Answer rename(const Request& request) {
   return workspaceEdit({{path, std::move(*places)}}, *name, request);
 }
 
-/// 3 says that a place gives the name its meaning, 2 that it reads it.
+/// Kinds of the protocol: 3 is a declaration or assignment, 2 a read.
 Answer documentHighlight(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
@@ -122,7 +122,7 @@ Answer foldingRange(const Request& request) {
   return foldsAnswer(request, ide::FiacreText(view->text()).folds());
 }
 
-/// Nothing changes in a text that cannot be read.
+/// A text with syntax errors is left unchanged.
 Answer formatting(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
@@ -131,7 +131,7 @@ Answer formatting(const Request& request) {
                    edits.value_or(std::vector<syntax::TextEdit>{}));
 }
 
-/// The edits that touch the range, of those of the whole text.
+/// The edits of the whole text that touch the range.
 Answer rangeFormatting(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
@@ -156,7 +156,7 @@ bool isInFiacre(const Request& request) {
   return path && ide::isFiacre(*path);
 }
 
-/// The fixes of what `check` says here.
+/// The fixes for findings here.
 Answer codeAction(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
@@ -184,7 +184,7 @@ Answer notDecided(const Request& /*request*/) {
       rpc::RpcError{rpc::ErrorCode::MethodNotFound, "not supported for Fiacre models"});
 }
 
-/// What each method does for a document in Fiacre; null: the same as for programs.
+/// Handlers of methods for Fiacre documents; null: same as for programs.
 const std::map<std::string, Handler, std::less<>>& handlers() {
   static const std::map<std::string, Handler, std::less<>> kHandlers{
       {"proskill/automaton", noProgram},

@@ -8,7 +8,7 @@ namespace {
 
 using Edits = std::vector<syntax::TextEdit>;
 
-/// The style is one, so the options of a request (`tabSize`, …) change nothing.
+/// There is one style, so options of the request (`tabSize`, …) are ignored.
 Answer formatting(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());

@@ -10,8 +10,8 @@ namespace {
 
 using Links = std::vector<ide::Link>;
 
-/// `CallHierarchyItem` and `TypeHierarchyItem` are the same. The file of the request is kept in it,
-/// so that the next request is answered in the same program.
+/// `CallHierarchyItem` and `TypeHierarchyItem` have the same form. The item contains the file of
+/// the request, so that the next request is answered in the same program.
 Json itemJson(const ide::View& view, analysis::SymbolId id, const Request& request) {
   const Converter convert(view, request);
   const auto& symbols = view.index().symbols();
@@ -40,7 +40,7 @@ struct Asked {
   analysis::SymbolId symbol;
 };
 
-/// What an item stands for now; nothing where the program has it no more.
+/// The symbol of an item; nullopt if the program no longer has it.
 std::optional<Asked> askedFor(const Request& request) {
   const auto& data = rpc::memberAt(request.params, {"item", "data"});
   auto view = viewOfData(request, data);
@@ -57,7 +57,7 @@ Json rangesJson(const std::vector<analysis::Location>& places, const Converter& 
   return ranges;
 }
 
-/// `end` is what the item at the other end is called in the answer.
+/// `end` is the answer's member for the item at the other end.
 Handler calls(Links (*find)(const ide::View&, analysis::SymbolId), const char* end) {
   return [find, end](const Request& request) -> Answer {
     auto asked = askedFor(request);

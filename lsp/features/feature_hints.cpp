@@ -28,13 +28,13 @@ protocol::InlayHintKind kindOf(ide::HintKind kind) {
                                              : protocol::InlayHintKind::Type;
 }
 
-/// Adds what is only of use to who looks at a hint.
+/// Adds what is needed only when the user points at a hint.
 void addTooltip(Json& json, const ide::InlayHint& hint) { json["tooltip"] = hint.tooltip; }
 void addLocation(Json& json, const ide::InlayHint& hint, const Converter& convert) {
   if (hint.about) json["label"][0]["location"] = convert.location(*hint.about);
 }
 
-/// A label that leads somewhere is a list of parts, here of one.
+/// A label with a link has to be a list of parts, here with one part.
 Json labelOf(const ide::InlayHint& hint) {
   return hint.about ? Json::array({{{"value", hint.label}}}) : Json(hint.label);
 }
@@ -69,10 +69,10 @@ Answer inlayHint(const Request& request) {
   return result;
 }
 
-/// Computes the hints of the place again; the text must be the same still.
+/// Computes the hints again; the text must be unchanged.
 Answer resolveHint(const Request& request) {
   const auto& data = rpc::memberAt(request.params, {"data"});
-  if (data.is_null()) return request.params; // it had all from the beginning
+  if (data.is_null()) return request.params; // the hint was complete from the beginning
   const Request ofText{data, request.snapshot, request.client, request.cancellation};
   auto view = documentView(ofText);
   if (!view) return std::unexpected(view.error());
@@ -90,7 +90,7 @@ Answer resolveHint(const Request& request) {
   return json;
 }
 
-/// What a debugger has not come to yet is not shown.
+/// Values after the debugger's position are omitted.
 Answer inlineValue(const Request& request) {
   auto asked = askedRange(request);
   if (!asked) return std::unexpected(asked.error());

@@ -17,7 +17,7 @@ Answer hover(const Request& request) {
               {"range", convert.range(at->view.file, found->range)}};
 }
 
-/// The protocol counts within labels in UTF-16, whatever is negotiated for texts.
+/// Offsets in labels are in UTF-16, whatever encoding was negotiated for texts.
 Json labelOf(const ide::Signature& signature, syntax::Range range, const ClientFeatures& client) {
   const auto& label = signature.label;
   if (!client.labelOffsets) return label.substr(range.begin, range.length());
@@ -51,7 +51,7 @@ Answer signatureHelp(const Request& request) {
   if (!found->documentation.empty())
     signature["documentation"] =
         markupContent(found->documentation, request.client.markdownSignature);
-  // A number beyond the parameters says that none of them is active.
+  // a number beyond the parameters means that none is active
   const auto active = found->active.value_or(found->parameters.size());
   signature["activeParameter"] = active;
   return Json{{"signatures", Json::array({signature})},

@@ -9,13 +9,13 @@ namespace {
 
 using ide::LensKind;
 
-/// What is verified; empty: all.
+/// What to verify; empty: everything.
 std::string_view nameOf(const ide::Lens& lens, const ide::View& view) {
   return lens.symbol == analysis::kNoSymbol ? std::string_view(lens.name)
                                             : view.index().symbols()[lens.symbol].name;
 }
 
-/// The commands are the client's; their argument is that of the request that they lead to.
+/// Commands belong to the client; their argument is that of the request that they send.
 void writeCommand(rpc::JsonWriter& json, const ide::Lens& lens, const ide::View& view,
                   std::string_view uri) {
   auto begin = [&](const char* name) {
@@ -40,7 +40,7 @@ void writeCommand(rpc::JsonWriter& json, const ide::Lens& lens, const ide::View&
   json.close('}').close(']').close('}');
 }
 
-/// Counting references is left to `resolve`.
+/// References are counted by `resolve`.
 void writeData(rpc::JsonWriter& json, const ide::View& view, analysis::SymbolId symbol,
                std::string_view uri) {
   json.key("data").open('{').member("uri", uri);
@@ -83,7 +83,7 @@ Json referencesCommand(const ide::View& view, analysis::SymbolId id, const Reque
                    convert.position(symbol.at.file, symbol.at.range.begin), std::move(locations)}));
 }
 
-/// A definition that is gone meanwhile has no references.
+/// A definition that no longer exists has no references.
 Answer resolveLens(const Request& request) {
   Json lens = request.params;
   const auto& data = rpc::memberAt(request.params, {"data"});

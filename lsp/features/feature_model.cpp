@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-/// `proskill/model` and `proskill/tests`: what a program means, and what there is to verify of it.
+/// `proskill/model` and `proskill/tests`: the model of a program, and its properties.
 namespace proskill::lsp {
 
 namespace {
@@ -20,7 +20,7 @@ std::string errorIn(const ide::View& view) {
   return {};
 }
 
-/// The model, or why there is none.
+/// The model, or an error message.
 std::expected<codegen::Model, std::string> modelOf(const ide::View& view,
                                                    codegen::Edition edition) {
   if (auto error = errorIn(view); !error.empty()) return std::unexpected(error);
@@ -77,7 +77,7 @@ Answer model(const Request& request) {
               {"texts", textsJson(view.program(), request.snapshot.open())}};
 }
 
-/// What the checks of a subject are about, and where that is defined.
+/// The subject of checks, and its definition.
 struct Subject {
   std::string kind;
   std::optional<analysis::Location> location;
@@ -146,8 +146,8 @@ Json programJson(const ide::View& view, const Request& request) {
   return json;
 }
 
-/// A program of the folders that has no open file: what there is to verify of it is listed when it
-/// is asked for by name, since making all models of a large workspace takes long.
+/// A program without an open file. Its properties are listed when it is requested by name, since
+/// generating all models of a large workspace takes long.
 Json closedJson(const std::filesystem::path& root) {
   return {{"uri", report::toUri(root)},
           {"label", root.filename().string()},
@@ -168,7 +168,7 @@ Answer tests(const Request& request) {
     for (const auto& [path, text] : request.snapshot.open()) files.push_back(path);
   }
   Json programs = Json::array();
-  std::set<std::filesystem::path> known; // the roots of programs
+  std::set<std::filesystem::path> known; // root files of programs
   for (const auto& file : files)
     for (const auto& view : request.snapshot.views(file)) {
       if (request.cancellation.isCancelled()) break;

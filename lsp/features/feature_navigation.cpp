@@ -15,7 +15,7 @@ Json locations(const Cursor& cursor, const Request& request, const Places& place
   return result;
 }
 
-/// A handler for a request that asks for the places that belong to a cursor.
+/// Handler for a request whose answer is a list of places for a cursor position.
 Handler places(std::function<Places(const Cursor&, const Request&)> find) {
   return [find = std::move(find)](const Request& request) -> Answer {
     auto at = cursor(request);

@@ -40,7 +40,7 @@ Answer linkedEditing(const Request& request) {
   return Json{{"ranges", std::move(ranges)}, {"wordPattern", "[A-Za-z_][A-Za-z0-9_]*"}};
 }
 
-/// What programs include goes on being found where an editor gives files other names.
+/// Updates includes when an editor renames files.
 Answer willRenameFiles(const Request& request) {
   const auto& files = rpc::memberAt(request.params, {"files"});
   std::vector<ide::Move> moves;
@@ -54,7 +54,7 @@ Answer willRenameFiles(const Request& request) {
   return edits.empty() ? Json() : workspaceEdit(edits, request);
 }
 
-/// Programs, models, and folders of them.
+/// Filters for programs, models and their directories.
 Json renamedFiles() {
   return {
       {"filters",

@@ -9,8 +9,8 @@
 #include <deque>
 #include <mutex>
 
-/// `proskill/simulate`: a run whose steps the client chooses. The client has the steps; that the
-/// server keeps the last runs only saves it from making them again.
+/// `proskill/simulate`: a run whose steps the client chooses. The steps are stored in the client;
+/// the server caches recent runs to avoid replaying them.
 namespace proskill::lsp {
 
 namespace {
@@ -30,7 +30,7 @@ std::expected<ide::SimulatedRun, std::string> begin(const ide::View& view,
   return ide::SimulatedRun::start(std::move(*model));
 }
 
-/// The last runs, by their programs. Any thread.
+/// Cache of recent runs, by program. Thread-safe.
 class Runs {
 public:
   Answer simulate(const Request& request) {
@@ -49,7 +49,7 @@ public:
 private:
   struct Known {
     std::weak_ptr<const ide::AnalysedProgram> program;
-    std::string mainSkill; ///< as asked for
+    std::string mainSkill; ///< as requested
     ide::SimulatedRun run;
   };
 

@@ -51,7 +51,7 @@ Answer documentSymbol(const Request& request, LastOfTexts<SymbolParts>& last) {
   return listAnswer(request, json.close(']').str());
 }
 
-/// SymbolPlaces in texts of which one after the other is looked at, each read once.
+/// SymbolPlaces for consecutive texts, each of which is read once.
 class SymbolPlaces {
 public:
   explicit SymbolPlaces(const Request& request) : request(request) {}

@@ -17,7 +17,7 @@ constexpr std::array kTypes{"keyword",   "property", "comment",  "string",     "
 /// In the order of the bits of `ide::TokenModifier`.
 constexpr std::array kModifiers{"definition", "modification", "unused"};
 
-/// The last answer about a text, so that the next one can be told as changes.
+/// The last answer for a text, to send the next one as changes.
 struct Known {
   std::string id;
   TokenAnswer tokens;

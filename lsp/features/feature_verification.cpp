@@ -52,7 +52,7 @@ unsigned percentageOf(const worker::WorkerProgress& now) {
   return now.total > 0 ? static_cast<unsigned>(100 * now.decided / now.total) : 0;
 }
 
-/// Of what was asked for: the model's order, as the report has it.
+/// The verdicts that were requested, in the order of the model.
 Json resultJson(const Verified& verified, const Converter& convert) {
   return {{"program", convert.uri(0)},
           {"main", verified.mainSkill.empty() ? Json() : Json(verified.mainSkill)},
@@ -74,7 +74,7 @@ Answer Verification::verifyRequested(const Request& request) {
   auto job = worker::jobFor(view->program());
   job.names = namesIn(request.params);
   job.budget = withLimits(chosen.requestBudget, request.params.value("limits", Json()));
-  // Limits of the request itself are no settings.
+  // limits of the request itself are not settings
   const auto limits = request.params.contains("limits") ? LimitSettings{} : kRequestLimits;
   const auto& open = request.snapshot.open();
   Progress workDone([this](std::string_view method,

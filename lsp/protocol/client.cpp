@@ -27,7 +27,7 @@ std::set<std::string> strings(const Json& json) {
   return result;
 }
 
-/// The capability for diagnostics was named in two ways.
+/// Capabilities to refresh; that for diagnostics has two names.
 std::set<std::string> refreshesOf(const Json& capabilities) {
   std::set<std::string> result;
   const auto& workspace = rpc::memberAt(capabilities, {"workspace"});
@@ -39,7 +39,7 @@ std::set<std::string> refreshesOf(const Json& capabilities) {
   return result;
 }
 
-/// Bytes are what the server counts in; where the client takes them, nothing has to be converted.
+/// Prefers UTF-8, the server's own encoding, which needs no conversion.
 syntax::Encoding chooseEncoding(const Json& capabilities) {
   for (const auto* offered : {&rpc::memberAt(capabilities, {"general", "positionEncodings"}),
                               &rpc::memberAt(capabilities, {"offsetEncoding"})})
@@ -48,9 +48,9 @@ syntax::Encoding chooseEncoding(const Json& capabilities) {
   return syntax::Encoding::Utf16;
 }
 
-/// Neovim asks for the diagnostics of the text that is edited, and never again for those of the
-/// other open ones: 0.10 cannot be told to, 0.12 then asks for those of the workspace and drops
-/// what is about open texts. It is told, as Neovims before 0.10 are.
+/// Whether the client requests diagnostics. Neovim requests them only for the edited text, so
+/// others would be outdated: 0.10 cannot refresh them, and 0.12 then requests those of the
+/// workspace but drops those of open texts. Therefore Neovim gets diagnostics pushed.
 bool asksForDiagnostics(const Json& capabilities, const Json& name) {
   return rpc::memberAt(capabilities, {"textDocument", "diagnostic"}).is_object() &&
          name != "Neovim";

@@ -4,7 +4,7 @@ namespace proskill::lsp {
 
 namespace {
 
-/// Longer than this nobody waits; and an absurd number must not overflow a clock.
+/// Limit, so that an absurd number does not overflow the clock.
 constexpr std::uint64_t kLongestDebounce = 60'000;
 
 void read(const Json& value, bool& setting) {

@@ -6,7 +6,7 @@ namespace proskill::lsp {
 
 namespace {
 
-/// A number that fits a position; what is beyond it is beyond every text as well.
+/// A coordinate; larger numbers are clamped, since they are beyond any text.
 std::optional<std::uint32_t> coordinate(const Json& position, const char* name) {
   if (!position.is_object()) return std::nullopt;
   auto found = position.find(name);

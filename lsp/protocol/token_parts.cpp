@@ -16,14 +16,14 @@ using syntax::Range;
 
 using Placed = std::span<const PlacedTokens>;
 
-/// Whether the names are those of a part, which begins at `begin` now.
+/// Whether these are the names of a part that now begins at `begin`.
 bool areSame(std::span<const Token> names, const std::vector<Token>& known, Offset begin) {
   return std::ranges::equal(names, known, [begin](const Token& a, const Token& b) {
     return a == Token{{b.range.begin + begin, b.range.end + begin}, b.type, b.modifiers};
   });
 }
 
-/// \param line the first of the region
+/// \param line first line of the region
 TokenPart partOf(const ide::View& view, const std::vector<Token>& tokens, std::uint32_t line,
                  syntax::Encoding encoding) {
   TokenPart part;
@@ -34,7 +34,7 @@ TokenPart partOf(const ide::View& view, const std::vector<Token>& tokens, std::u
   return part;
 }
 
-/// Puts one part behind the other.
+/// Concatenates parts.
 class Gathering {
 public:
   Gathering(const ide::View& view, syntax::Encoding encoding, const TokenAnswer& earlier)
@@ -117,8 +117,8 @@ void write(rpc::JsonWriter& json, std::span<const std::uint32_t> numbers) {
   json.close(']');
 }
 
-/// What is between the tokens that both begin with and those that both end with.
-/// \param start how many numbers are before `before`
+/// Writes the tokens between the common prefix and the common suffix.
+/// \param start number of values before `before`
 void writeEdit(rpc::JsonWriter& json, const Numbers& before, const Numbers& after,
                std::size_t start) {
   auto [head, tail] = syntax::commonEnds(before, after);

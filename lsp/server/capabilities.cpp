@@ -16,7 +16,7 @@ Json watchers() {
   return result;
 }
 
-/// Cells in ProSkill, whatever the notebook.
+/// ProSkill cells in notebooks of any kind.
 Json notebookSync() {
   const Json cells = Json::array({{{"language", "proskill"}}});
   return {{"notebookSelector", Json::array({{{"notebook", "*"}, {"cells", cells}}})},
@@ -26,7 +26,7 @@ Json notebookSync() {
 } // namespace
 
 Json capabilitiesFor(const ClientFeatures& client, Json features) {
-  // Diagnostics that are pushed are not offered to be pulled.
+  // either pushed or pulled, not both
   if (!client.pullDiagnostics) features.erase("diagnosticProvider");
   features["positionEncoding"] = nameOf(client.encoding);
   features["textDocumentSync"] = {{"openClose", true},

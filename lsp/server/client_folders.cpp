@@ -22,7 +22,7 @@ void ClientFolders::filesChanged(const std::vector<Path>& paths) {
   server.workspace.readFiles(paths);
 }
 
-/// Progress is shown from when the client has agreed to it; most folders are read before that.
+/// Progress is shown once the client has accepted it; most folders are read faster than that.
 void ClientFolders::read(std::vector<Path> some) {
   if (some.empty()) return;
   auto agreed = std::make_shared<std::atomic<bool>>(false);
@@ -49,7 +49,7 @@ void ClientFolders::read(std::vector<Path> some) {
   });
 }
 
-/// What was told while folders were read is newer than what was read.
+/// Applies changes that were reported while folders were read, since they are newer.
 void ClientFolders::catchUp() {
   if (!changedMeanwhile.empty()) server.workspace.readFiles(changedMeanwhile);
   if (!removedMeanwhile.empty()) server.workspace.forget(removedMeanwhile, folders);

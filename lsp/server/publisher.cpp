@@ -21,7 +21,7 @@ void Publisher::changed(std::chrono::milliseconds debounce) {
   ++revision;
   running.cancel();
   {
-    // Whoever has changed the texts holds the old ones, and forgets them when nobody waits.
+    // The caller holds the old texts, and releases them when nobody waits.
     const std::lock_guard lock(mutex);
     latest.reset();
   }
@@ -57,7 +57,7 @@ bool Publisher::isQuick() {
   return pace.isQuick();
 }
 
-/// What waits holds no texts: of those that a fast typist leaves behind there would be many.
+/// Pending work holds no texts; otherwise fast typing would leave many in memory.
 void Publisher::publishLatest(const Path& path, std::uint64_t asked) {
   std::shared_ptr<const ide::Snapshot> snapshot;
   {
@@ -67,7 +67,7 @@ void Publisher::publishLatest(const Path& path, std::uint64_t asked) {
   if (snapshot && snapshot->open().contains(path)) publish(*snapshot, path, asked);
 }
 
-/// An empty list for each text that is open no longer, or for all.
+/// Sends an empty list for each text that is no longer open, or for all.
 void Publisher::retract(const ide::Snapshot& snapshot, bool enabled) {
   const std::lock_guard lock(mutex);
   std::erase_if(told, [&](const auto& entry) {
@@ -86,7 +86,7 @@ bool Publisher::isTold(const Path& path, const Told& now) {
          std::ranges::equal(last.owners, now.owners, isSame<Owners::value_type>);
 }
 
-/// \param took without what others had to be waited for
+/// \param took without the time that others took
 void Publisher::finish(std::uint64_t asked, Pace::Duration took) {
   const std::lock_guard lock(mutex);
   pace.finish(asked, took);
@@ -112,8 +112,8 @@ void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::ui
     statistics.add(kMethod, std::chrono::steady_clock::now() - start);
     lock.unlock();
     onPublished(snapshot);
-    (void)snapshot.takeReplaced();     // now that nobody waits for it
-  } catch (const analysis::Stopped&) { // by an edit, which asks for the new ones
+    (void)snapshot.takeReplaced();     // no request waits for it now
+  } catch (const analysis::Stopped&) { // by an edit, which will request new ones
   } catch (const std::exception& error) {
     onFailure(kMethod, {{"uri", text.uri}}, error.what());
   }

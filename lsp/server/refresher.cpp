@@ -6,7 +6,7 @@ namespace proskill::lsp {
 
 namespace {
 
-/// Whether another open text belongs to a program that this file belongs to. That may be hundreds.
+/// Whether another open text shares one of the file's programs, of which there may be hundreds.
 bool sharesProgram(const ide::IncludeGraph& graph, const std::filesystem::path& file,
                    const ide::OpenTexts& open) {
   const auto roots = graph.rootsOf(file);
@@ -22,7 +22,7 @@ bool sharesProgram(const ide::IncludeGraph& graph, const std::filesystem::path& 
 
 void Refresher::changed(const Path& file, const ide::Snapshot& then,
                         std::chrono::milliseconds delay) {
-  if (client.refreshes.empty()) return; // nothing is kept for nobody
+  if (client.refreshes.empty()) return; // no client needs it
   if (!before) before = then.includes();
   files.insert(file);
   delayBy(delay);
@@ -42,7 +42,7 @@ void Refresher::delayBy(std::chrono::milliseconds delay) {
   if (!client.refreshes.empty()) dueAt = std::chrono::steady_clock::now() + delay;
 }
 
-/// An edit may separate what was one program, or join what was two.
+/// An edit may split a program, or join two.
 bool Refresher::concernsOthers(const ide::Snapshot& now) const {
   const auto& after = now.includes();
   return std::ranges::any_of(files, [&](const Path& file) {

@@ -13,13 +13,12 @@ namespace proskill::lsp {
 
 namespace {
 
-/// A result longer than this is sent in parts, where the client takes them.
+/// Longer results are sent in parts if the client supports it.
 constexpr std::size_t kPart = 200;
 
 const Json& idOf(const Json& params) { return rpc::memberAt(params, {"id"}); }
 
-/// Sends a list as parts; what is left for the answer is nothing. LSP 3.17: the answer of a request
-/// whose parts were sent is empty.
+/// Sends a list in parts. LSP 3.17 then requires an empty answer.
 Json inParts(Json list, const Progress& progress) {
   if (!progress.wantsParts() || !list.is_array() || list.size() <= kPart) return list;
   Json part = Json::array();
@@ -59,7 +58,7 @@ Server::Server(rpc::Connection& connection, std::shared_ptr<const analysis::File
                [this](const Request& request) { return execute(request.params); });
 }
 
-/// What was asked for is shown at once, however often: it is the user who asks.
+/// The user asked for it, so errors are always shown.
 Answer Server::execute(const Json& params) {
   const auto& command = rpc::memberAt(params, {"command"});
   if (command != kExplainCommand)
@@ -122,7 +121,7 @@ void Server::receive(const rpc::Frame& frame) {
   receive(std::move(*message));
 }
 
-/// Cancels on the spot: a cancellation must not wait behind what it cancels.
+/// Cancels immediately: a cancellation must not wait behind the request that it cancels.
 void Server::receive(rpc::Message message) {
   if (message.kind == rpc::MessageKind::Notification && message.method == "$/cancelRequest") {
     const Json& id = idOf(message.params);
@@ -140,7 +139,7 @@ void Server::receive(rpc::Message message) {
   inbox.put(rpc::Received{std::move(message), std::move(*cancellation)});
 }
 
-/// False where the server's life ends here.
+/// \return false if the server has to end
 bool Server::handle(rpc::InboxEvent& event) {
   if (std::holds_alternative<rpc::EndOfStream>(event)) return false;
   if (auto* received = std::get_if<rpc::Received>(&event)) return handleMessage(*received);
@@ -151,7 +150,7 @@ bool Server::handle(rpc::InboxEvent& event) {
   const auto& malformed = std::get<rpc::MalformedMessage>(event);
   log.write("malformed message: " + malformed.error.message);
   outbox.send(rpc::replyError(malformed.id, malformed.error));
-  // It may have been an edit, and nobody can ask a client for its texts.
+  // it may have been an edit, and a server cannot request texts from a client
   if (malformed.error.code == rpc::ErrorCode::ParseError && phase == Phase::Running)
     announcer.show(Announcer::Kind::Error,
                    "a message of the editor cannot be read; if ProSkill shows another text than "
@@ -159,7 +158,7 @@ bool Server::handle(rpc::InboxEvent& event) {
   return true;
 }
 
-/// What a message does to this thread is that message's error, and nobody's end.
+/// An exception becomes the error of this message only.
 bool Server::handleMessage(rpc::Received& received) {
   auto& message = received.message;
   if (message.isRepaired && phase == Phase::Running)
@@ -218,7 +217,7 @@ bool Server::handleNotification(rpc::Received& received) {
 
 namespace {
 
-/// Of a `range`, the lines.
+/// The lines of a `range`.
 std::optional<Verification::Lines> linesIn(const Json& params) {
   const auto& first = rpc::memberAt(params, {"range", "start", "line"});
   const auto& last = rpc::memberAt(params, {"range", "end", "line"});
@@ -265,7 +264,7 @@ void Server::dispatch(rpc::Received& received, const Method& method) {
   });
 }
 
-/// A bug in a handler is that request's error, and no other's.
+/// An exception in a handler becomes the error of this request only.
 void Server::answer(const rpc::Message& message, const Method& method, const Request& request) {
   auto start = std::chrono::steady_clock::now();
   Answer result;
@@ -302,20 +301,19 @@ void Server::reply(const rpc::Message& message, Answer result, Progress& progres
                      : rpc::replyError(message.id, result.error()));
 }
 
-/// The texts are as they were; what shows verdicts is told anew.
+/// Texts are unchanged, so only what shows verdicts is refreshed.
 void Server::verdictsChanged() {
   if (phase != Phase::Running) return;
   refresher.verdictsChanged();
   if (!client.pullDiagnostics) publisher.changed(std::chrono::milliseconds(0));
 }
 
-/// Hints of a large program do not wait for its flow, but the findings do: now it is there.
+/// Hints of a large program do not wait for its flow analysis. Findings do, so now it is available.
 void Server::findingsTold(const ide::Snapshot& snapshot) {
   if (snapshot.takeMissedFlow()) refresher.hintsChanged();
 }
 
-/// None where the last analysis took next to no time. Who wants to be left alone for longer than
-/// usual is.
+/// Zero if the last analysis was fast, unless the user set a longer delay.
 std::chrono::milliseconds Server::debounce() {
   const auto chosen = settings->debounce.value_or(options.debounce);
   return chosen <= kUsualDebounce && publisher.isQuick() ? std::chrono::milliseconds(0) : chosen;

@@ -2,8 +2,7 @@
 #include "lsp/server/server.h"
 #include "report/uri.h"
 
-/// From `initialize` on: what is settled with the client, and what it says of its folders and
-/// settings.
+/// From `initialize` on: negotiation with the client, its folders and settings.
 namespace proskill::lsp {
 
 namespace {
@@ -21,7 +20,7 @@ std::vector<std::filesystem::path> pathsIn(const Json& list) {
   return result;
 }
 
-/// The folders of `initialize`, whichever of its three ways of saying them the client uses.
+/// The folders of `initialize`, which clients send in one of three ways.
 std::vector<std::filesystem::path> foldersOf(const Json& params) {
   auto result = pathsIn(rpc::memberAt(params, {"workspaceFolders"}));
   if (!result.empty()) return result;

@@ -6,7 +6,7 @@ namespace proskill::lsp {
 
 namespace {
 
-/// So many edits are applied as one at most, that what comes behind them need not wait for long.
+/// Limit of edits that are combined, so that later messages need not wait long.
 constexpr unsigned kMostGathered = 1000;
 
 std::string uriOf(const Json& params) {
@@ -21,7 +21,7 @@ bool isEdit(const rpc::Message& message) {
          rpc::memberAt(message.params, {"textDocument", "version"}).is_number_integer();
 }
 
-/// Whether this is the edit after that one.
+/// Whether one edit directly follows the other.
 bool continues(const rpc::Message& next, const rpc::Message& edit) {
   return isEdit(next) && uriOf(next.params) == uriOf(edit.params) &&
          next.params["textDocument"]["version"] > edit.params["textDocument"]["version"];
@@ -29,8 +29,8 @@ bool continues(const rpc::Message& next, const rpc::Message& edit) {
 
 } // namespace
 
-/// The edits that wait behind one of the same text become one with it: what lies between them
-/// nobody has asked about, and a text is parsed sooner once than often.
+/// Combines an edit with those of the same text that wait behind it: no request refers to the
+/// states between, and parsing once is faster.
 void Server::gatherEdits(rpc::Message& edit) {
   for (unsigned i = 0; i < kMostGathered; ++i) {
     auto next = inbox.takeIf([&](const rpc::InboxEvent& event) {
@@ -91,7 +91,7 @@ void Server::handleNotebook(const rpc::Received& received) {
   if (!outcome.changed.empty()) textsChanged(outcome.changed, std::move(before));
 }
 
-/// By the client; the last of them is in view.
+/// The client changed texts; the last one is in view.
 void Server::textsChanged(const std::vector<Path>& texts,
                           std::shared_ptr<const ide::Snapshot> before) {
   changed();
@@ -101,7 +101,7 @@ void Server::textsChanged(const std::vector<Path>& texts,
   forget(std::move(before));
 }
 
-/// What was asked about the text before the edit, and is asked again by the client.
+/// Rejects requests about the text before the edit; the client sends them again.
 void Server::refuseStale(const std::string& uri, std::uint64_t order) {
   for (const auto& [id, method] : pending.about(uri, client.retried, order))
     if (pending.cancel(id))
@@ -117,7 +117,7 @@ void Server::changed() {
   if (!client.pullDiagnostics) publisher.changed(debounce());
 }
 
-/// Other texts than the one that a user edits.
+/// Texts changed other than by editing.
 void Server::textsChanged() {
   changed();
   verification.textsChanged(workspace.snapshot(), std::nullopt);

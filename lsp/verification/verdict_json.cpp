@@ -15,7 +15,7 @@ Json orNull(const std::optional<analysis::Location>& location, const Converter& 
   return location ? convert.location(*location) : Json();
 }
 
-/// The first line of a range: what is about a skill is not to underline all of it.
+/// The first line of a range, so that not a whole skill is underlined.
 analysis::Location firstLine(const analysis::Program& program, analysis::Location location) {
   const std::string_view text = program.files[location.file].document.text();
   const auto end = text.substr(0, location.range.end).find_first_of("\r\n", location.range.begin);
@@ -60,10 +60,10 @@ Json stepJson(const OrderedJson& step, const analysis::Program& program, const C
 
 struct Actor {
   std::string kind;
-  Json skill; ///< whose branch or watchdog it is
+  Json skill; ///< of the branch or watchdog
 };
 
-/// What an actor of a trace is, by the names that codegen/ gives to actors.
+/// Finds out the kind of an actor in a trace by its name, as codegen/ forms it.
 Actor actorNamed(const analysis::Program& program, std::string_view name) {
   constexpr std::string_view kBranch = " branch ";
   constexpr std::string_view kWatchdog = "watchdog of ";

@@ -27,7 +27,9 @@ bool hasChanged(const analysis::Program& program,
                 const ide::OpenTexts& open) {
   return std::ranges::any_of(program.files, [&](const analysis::File& file) {
     auto text = open.find(file.path);
-    if (text == open.end()) return wereOpen.contains(file.path); // closed: what is on disk, now?
+    if (text == open.end())
+      return wereOpen.contains(file.path); // closed: now the version on the
+                                           // disk counts
     return !file.document.isSameAs(text->second.document) &&
            file.document.text() != text->second.document.text();
   });
@@ -60,7 +62,7 @@ void VerdictStore::set(const std::shared_ptr<const ide::AnalysedProgram>& progra
   auto& state = entry(program);
   const bool isWhole = state.verified && !state.verified->verdicts->anyPending();
   if (now == VerificationState::Waiting && isWhole && !state.stale)
-    now = VerificationState::Done; // nothing is waited for
+    now = VerificationState::Done; // nothing is pending
   if (!isNew && now == state.state && message == state.message && wasStale == state.stale) return;
   state.state = now;
   state.message = std::move(message);

@@ -20,7 +20,7 @@ bool hasErrors(const ide::AnalysedProgram& program) {
       found, [](const auto& diagnostic) { return diagnostic.severity == syntax::Severity::Error; });
 }
 
-/// Environments and properties alone are no models.
+/// Whether there is a model: files with only environments and properties have none.
 bool isVerifiable(const ide::AnalysedProgram& program) {
   const auto& root = program.program.files.front();
   return !ide::isFiacre(root.path) || ide::FiacreText(root.document.text()).model().has_value();
@@ -103,7 +103,7 @@ void Verification::setView(const std::filesystem::path& path, std::optional<Line
     const std::lock_guard lock(mutex);
     if (!snapshot || !snapshot->open().contains(path)) return;
     if (lines) visible[path] = *lines;
-    if (!viewed.empty() && viewed.front() == path) return; // it was scrolled: nothing to do anew
+    if (!viewed.empty() && viewed.front() == path) return; // only scrolled: nothing to do
     view(path);
     due = std::chrono::steady_clock::now() + settings.delay;
   }
@@ -116,8 +116,9 @@ void Verification::view(const std::filesystem::path& path) {
   viewed.push_front(path);
 }
 
-/// Where the last one has been closed, as an editor does with a file that a refactoring changed,
-/// the one before. \pre the mutex is held
+/// The program in view. If its text was closed, as editors do after a refactoring, the previous
+/// one.
+/// \pre the mutex is held
 std::optional<std::filesystem::path> Verification::inView() {
   if (!snapshot) return std::nullopt;
   viewed.remove_if([&](const auto& path) { return !snapshot->open().contains(path); });
@@ -221,7 +222,7 @@ void Verification::checkProgram(const Programs& program, const ide::Snapshot& no
 
 namespace {
 
-/// From there on the whole of a program may take longer than its budget.
+/// The complete verification of a larger program may exceed its budget.
 constexpr std::size_t kLarge = 64 * 1024;
 
 std::size_t bytesOf(const analysis::Program& program) {
@@ -230,7 +231,7 @@ std::size_t bytesOf(const analysis::Program& program) {
   return bytes;
 }
 
-/// What is defined within some lines of a file: names that select properties.
+/// The definitions in some lines of a file: names that select properties.
 std::vector<std::string> definedIn(const analysis::Program& program,
                                    const std::filesystem::path& path, std::uint32_t first,
                                    std::uint32_t last) {
@@ -254,8 +255,8 @@ std::vector<std::string> definedIn(const analysis::Program& program,
 
 } // namespace
 
-/// Of a large program first what can be seen, in half the time: few properties need a small part of
-/// the model. Whatever goes wrong here, all of it is verified next.
+/// First verifies what is visible in a large program, with half of the time: few properties need
+/// only a small part of the model. Errors are ignored, since the whole program is verified next.
 void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
                                const VerificationSettings& chosen,
                                const rpc::Cancellation& cancellation) {
@@ -318,7 +319,7 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
 
 namespace {
 
-/// Whether it is enough to say which verdicts differ.
+/// Whether it is enough to send the verdicts that changed.
 bool sameRows(const std::shared_ptr<const ide::ProgramVerdicts>& before,
               const ide::ProgramVerdicts& now) {
   return before && before->program == now.program &&
@@ -328,7 +329,7 @@ bool sameRows(const std::shared_ptr<const ide::ProgramVerdicts>& before,
 
 } // namespace
 
-/// Called by the board, one at a time.
+/// Called by the board, by one thread at a time.
 void Verification::announce(const ProgramState& state) {
   std::shared_ptr<const ide::Snapshot> now;
   syntax::Encoding counted{};

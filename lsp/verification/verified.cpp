@@ -35,7 +35,7 @@ std::vector<ide::Waypoint> wayOf(const analysis::Program& program, const Ordered
   return way;
 }
 
-/// An inconclusive verdict that a limit is to blame for says how to get a better one.
+/// Adds the setting that raises the limit to an inconclusive verdict.
 std::string withSetting(const std::string& reason, const LimitSettings& limits) {
   const auto raisedBy = [&](std::string_view setting) {
     if (setting.empty()) return reason;
@@ -159,7 +159,8 @@ Verified merged(const Verified& older, Verified newer) {
   if (!ide::areCurrent(*older.verdicts, newer.verdicts->program->program)) return newer;
   auto all = std::make_shared<ide::ProgramVerdicts>(*newer.verdicts);
   all->properties = older.verdicts->properties;
-  std::unordered_map<std::string_view, std::size_t> rows; // of the older ones: thousands
+  std::unordered_map<std::string_view, std::size_t> rows; // an index of the older verdicts, of
+                                                          // which there may be thousands
   for (const auto& property : older.verdicts->properties) rows.emplace(property.name, rows.size());
   std::unordered_set<std::string_view> again;
   for (const auto& property : newer.verdicts->properties) {
@@ -168,9 +169,9 @@ Verified merged(const Verified& older, Verified newer) {
     if (row == rows.end())
       all->properties.push_back(property);
     else if (auto& known = all->properties[row->second]; !property.pending || known.pending)
-      known = property; // what is only being verified again stays known
+      known = property; // verification still runs, so the older verdict is kept
   }
-  // What the newer ones have no trace of has none any more.
+  // a property without a trace in the newer verdicts loses its older one
   for (const auto& [name, trace] : older.traces)
     if (!again.contains(name)) newer.traces.try_emplace(name, trace);
   newer.verdicts = std::move(all);

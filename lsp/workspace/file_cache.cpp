@@ -9,7 +9,8 @@ namespace proskill::lsp {
 
 namespace {
 
-/// Clocks of files are coarse: what was changed just now may change again without another stamp.
+/// File time stamps are coarse: a file that has just changed may change again without another
+/// stamp.
 bool isSettled(const FileStamp& stamp) {
   using std::chrono::nanoseconds;
   constexpr nanoseconds kCoarse = std::chrono::milliseconds(100);
@@ -48,7 +49,7 @@ std::filesystem::path FileCache::canonical(const std::filesystem::path& path) co
 
 std::expected<syntax::Document, std::string>
 FileCache::document(const std::filesystem::path& path) const {
-  // Before the text: what changes while it is read is then read again, never kept.
+  // read before the text: a change in between then causes another read
   const auto stamp = stampOf(path);
   {
     const std::lock_guard lock(mutex);

@@ -16,7 +16,7 @@ const Json& listAt(const Json& json, std::initializer_list<const char*> path) {
   return found.is_array() ? found : none;
 }
 
-/// Nothing, and a problem, where the member is no URI.
+/// \return nullopt, and a problem, if the member is not a URI
 std::optional<std::filesystem::path> pathAt(const Json& json, std::initializer_list<const char*> at,
                                             Notebooks::Outcome& outcome) {
   const auto& uri = rpc::memberAt(json, at);
@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> cellsIn(const Json& list, Notebooks::Outcome&
   return result;
 }
 
-/// Whether the client has such a text open by itself, which is that then and nothing else.
+/// Whether the client has opened this text by itself; it is then not a cell.
 bool isText(const Workspace& workspace, const std::filesystem::path& path,
             Notebooks::Outcome& outcome) {
   const auto& open = workspace.snapshot()->open();
@@ -87,7 +87,7 @@ Notebooks::Outcome Notebooks::close(const Json& params) {
   return outcome;
 }
 
-/// A cell that is closed and opened by one message is open after it.
+/// A cell that one message both closes and opens is open afterwards.
 void Notebooks::restructure(Notebook& notebook, const Json& structure, Outcome& outcome) {
   if (!structure.is_object()) return;
   for (const auto& text : listAt(structure, {"didClose"})) closeCell(notebook, text, outcome);
@@ -138,7 +138,7 @@ void Notebooks::changeCell(Notebook& notebook, const Json& change, Outcome& outc
   const auto changed = workspace.change({{"textDocument", change["document"]},
                                          {"contentChanges", rpc::memberAt(change, {"changes"})}});
   if (changed) return;
-  notebook.open.erase(*path); // it was dropped
+  notebook.open.erase(*path); // was removed
   outcome.problems.push_back(changed.error());
 }
 
@@ -162,7 +162,7 @@ void Notebooks::join(const Path& path, Outcome& outcome) {
     outcome.changed.insert(outcome.changed.begin(), path);
 }
 
-/// All of its texts, whatever the client says of them.
+/// Removes all cells, whatever the message lists.
 void Notebooks::drop(const Path& path, Outcome& outcome) {
   const auto notebook = notebooks.extract(path);
   if (!notebook) return;

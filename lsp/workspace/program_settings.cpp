@@ -24,7 +24,7 @@ std::optional<fs::path> nearest(const analysis::FileSystem& files, const fs::pat
   }
 }
 
-/// Takes the settings as they are read, so that it knows where a mistake stands.
+/// Reads settings with a SAX parser, to know the places of errors.
 class Reader : public nlohmann::json_sax<Json> {
 public:
   explicit Reader(const std::string& text) : text(text), stream(text) {}
@@ -96,7 +96,7 @@ private:
     return name == "$schema" || name == "style" || name == "severity";
   }
 
-  /// A value that its key, or the place, is not for.
+  /// Reports a value that the key or the place does not allow.
   bool otherValue() {
     if (depth == 0)
       return fail("settings must be a JSON object, such as {}", "`{\"style\": true}`");
@@ -113,7 +113,7 @@ private:
     return false;
   }
 
-  /// The string that has just been read, with its quotes: it ends where the reader is.
+  /// The string that was just read, with its quotes; it ends at the current position.
   [[nodiscard]] syntax::Range lastString() {
     auto end = static_cast<std::size_t>(stream.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in));
     auto isEscaped = [this](std::size_t at) {
@@ -134,7 +134,7 @@ private:
   int depth = 0; ///< 1: in the object of settings; 2: in that of severities
   std::string name;
   syntax::Code code{};
-  syntax::Range here; ///< of the key, or of the string behind it
+  syntax::Range here; ///< of the key, or of the string after it
 };
 
 } // namespace

@@ -9,12 +9,12 @@ namespace proskill::lsp {
 
 namespace {
 
-/// Changes farther apart than this, in bytes, are edits of their own.
+/// In bytes. Changes farther apart are separate edits.
 constexpr std::size_t kTogether = 4096;
-/// So many edits cost what it costs to parse a long text anew.
+/// Beyond this number of edits, parsing a long text again is faster.
 constexpr unsigned kMostEdits = 16;
 
-/// Whether it gives the text as a whole.
+/// Whether the change replaces the whole text.
 bool isWhole(const Json& change) { return !change.contains("range"); }
 
 std::optional<syntax::EditorPosition> editorPosition(const Json& json) {
@@ -24,13 +24,13 @@ std::optional<syntax::EditorPosition> editorPosition(const Json& json) {
   return syntax::EditorPosition{line.get<std::uint32_t>(), character.get<std::uint32_t>()};
 }
 
-/// The bytes that a change replaces, and what they become.
+/// The range of bytes that a change replaces, and the new text.
 struct Replacement {
   syntax::Range range;
   std::string text;
 };
 
-/// The character of two units that a place cuts in two: its bytes, or 0 where it cuts none.
+/// If a position splits a character of two units: the number of its bytes; otherwise 0.
 std::size_t cutAt(std::string_view text, const syntax::LineIndex& lines, syntax::Offset at,
                   syntax::EditorPosition position, syntax::Encoding encoding) {
   if (encoding != syntax::Encoding::Utf16) return 0;
@@ -40,8 +40,8 @@ std::size_t cutAt(std::string_view text, const syntax::LineIndex& lines, syntax:
   return length == 4 && isWithin ? length : 0;
 }
 
-/// Nothing where the range is none of the text. Half a character that stays becomes U+FFFD, of one
-/// unit as it was.
+/// \return nullopt if the range is outside the text. Half a character that remains becomes U+FFFD,
+/// which also has one unit.
 std::optional<Replacement> replacementIn(std::string_view text, const syntax::LineIndex& lines,
                                          const Json& range, std::string_view inserted,
                                          syntax::Encoding encoding) {
@@ -60,7 +60,7 @@ std::optional<Replacement> replacementIn(std::string_view text, const syntax::Li
   return result;
 }
 
-/// A document, and a text that differs from its own in one region.
+/// A document, and a text that differs from it in one region.
 class Edited {
 public:
   explicit Edited(syntax::Document from) : document(std::move(from)), text(document.text()) {}
@@ -125,7 +125,7 @@ private:
   unsigned edits = 0;
 };
 
-/// What typing sends, and so without a second text.
+/// The usual case when typing, without a copy of the text.
 std::optional<syntax::Document> changedOnce(const syntax::Document& document, const Json& change,
                                             syntax::Encoding encoding) {
   const Json& words = rpc::memberAt(change, {"text"});
@@ -138,7 +138,7 @@ std::optional<syntax::Document> changedOnce(const syntax::Document& document, co
   return document.edit(made->range, made->text);
 }
 
-/// The last change that gives the whole text heals whatever was wrong before it.
+/// The last change that replaces the whole text; earlier ones do not matter.
 Json::const_iterator firstThatCounts(const Json& changes) {
   auto it = changes.end();
   while (it != changes.begin())

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of more programs than this is no workspace but somebody's disk.
+/// A directory with more programs is probably a whole disk, not a workspace.
 constexpr std::size_t kMostFiles = 10'000;
 
 bool isSkipped(const fs::path& folder) {
@@ -23,7 +23,7 @@ bool isSkipped(const fs::path& folder) {
   return name.starts_with('.') || std::ranges::find(kNames, name) != kNames.end();
 }
 
-/// 0 where the client gives none: `null` is allowed.
+/// 0 if there is none: `null` is allowed.
 std::int64_t versionOf(const Json& document) {
   auto found = document.find("version");
   return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
@@ -33,12 +33,12 @@ bool isProgramFile(const fs::path& path) {
   return path.extension() == ".proskill" || ide::isFiacre(path);
 }
 
-/// It is not itself where its folder is, wherever that may be.
+/// Whether the file itself is a symbolic link; its directories do not count.
 bool isLink(const analysis::FileSystem& disk, const ide::KnownFile& file) {
   return disk.canonical(file.name.parent_path()) / file.name.filename() != file.canonical;
 }
 
-/// Its includes may lead elsewhere where one of these paths was changed: to a link, or from one.
+/// Resolves includes again if one of these paths has become a link, or was one.
 ide::IncludeGraph::File followedAnew(const analysis::FileSystem& disk,
                                      const ide::IncludeGraph::File& file,
                                      const std::set<std::string>& changed) {
@@ -111,7 +111,7 @@ Workspace::Outcome Workspace::saved(const Json& params) {
   return *path;
 }
 
-/// Mostly the cells lie in the notebook's folder; what is written there has no quotes.
+/// Cells usually belong to the notebook's directory. That path is written without quotes.
 bool Workspace::join(const fs::path& notebook, const std::string& uri,
                      const std::vector<fs::path>& cells) {
   std::string text;
@@ -146,7 +146,8 @@ FolderContents Workspace::read(const std::vector<fs::path>& folders, const OnFil
   return result;
 }
 
-/// Of several names in the folders a file goes by its own, or else by the first.
+/// Among several names in the folders, a file keeps its real name if it is there, otherwise the
+/// first.
 void Workspace::add(FolderContents contents) {
   for (const auto& file : contents.files) {
     auto& name = names[file.canonical];
@@ -205,7 +206,7 @@ void Workspace::readFiles(const std::vector<fs::path>& paths) {
   startAfresh();
 }
 
-/// What the disk has at a path, by the name that it went by, if that still leads there.
+/// The file on the disk at a path, under its previous name if that still leads there.
 std::optional<ide::KnownFile> Workspace::onDisk(const fs::path& path) {
   const auto canonical = disk->canonical(path).native();
   const auto document = disk->document(path);
@@ -228,7 +229,7 @@ std::string Workspace::identityOf(const fs::path& path) const {
   return isHeld(canonical) ? path.native() : canonical;
 }
 
-/// Most edits change no include: then nothing is looked up on the disk.
+/// Most edits change no include, and need no access to the disk.
 void Workspace::noteText(const fs::path& path) {
   const auto& document = texts.at(path).document;
   const auto& identity = identities.at(path);
@@ -237,8 +238,8 @@ void Workspace::noteText(const fs::path& path) {
   graph = graph->with(ide::knownText(*disk, path, identity, document));
 }
 
-/// What is no longer open is what the disk says of it, unless it is open by another name. What the
-/// disk has of a notebook is mostly no program.
+/// Replaces a closed text by the file on the disk, unless it is open under another name. Files of
+/// notebooks are usually not programs.
 void Workspace::drop(const fs::path& path) {
   const bool mayBeFile = texts.at(path).kind == ide::TextKind::File || isProgramFile(path);
   texts.erase(path);
@@ -254,15 +255,14 @@ void Workspace::drop(const fs::path& path) {
   refresh();
 }
 
-/// A text that is open by another name of the same file.
+/// A text of the same file that is open under another name.
 std::optional<fs::path> Workspace::otherTextOf(std::string_view canonical) const {
   for (const auto& [path, identity] : identities)
     if (disk->canonical(path).native() == canonical) return path;
   return std::nullopt;
 }
 
-/// Whatever was analysed with a file's old text, or by other settings, is out of date: nothing is
-/// taken over.
+/// Discards all analyses: a file's text or the settings have changed.
 void Workspace::startAfresh() {
   auto settings = [disk = disk, style = style](const fs::path& root) {
     auto found = settingsFor(*disk, root).settings;
