@@ -31,14 +31,14 @@ public:
     const SymbolId callee = context.symbols.find(SymbolKind::Skill, call.head.text);
     bool understood = callee != kNoSymbol;
     for (const Arm& arm : statement.arms) understood &= useNames(arm, callee);
-    if (!understood) return; // that has been said
+    if (!understood) return; // already reported
     left = outcomesOf(context.program.skills.all[context.symbols[callee].definition].node());
     for (const Arm& arm : statement.arms) take(arm, call.head);
     if (!left.empty()) reportMissing();
   }
 
 private:
-  /// \return all of them mean something
+  /// \return whether all tags are known
   bool useNames(const Arm& arm, SymbolId callee) {
     const auto& [status, tags, range] = arm.pattern;
     names.useStatus(status, kStatuses);
@@ -64,7 +64,7 @@ private:
       missing.push_back(toString(outcome));
       arms += " (" + missing.back() + ")";
     }
-    const syntax::Offset end = statement.range.end - 1; // its parenthesis
+    const syntax::Offset end = statement.range.end - 1; // the closing parenthesis
     context.findings
         .report(Code::CaseNotExhaustive, {body.file, statement.head.range},
                 syntax::enumerateNames(missing))
@@ -75,7 +75,7 @@ private:
   const Body& body;
   const syntax::Statement& statement;
   Names names;
-  std::vector<CallOutcome> left; ///< outcomes that no arm so far is for
+  std::vector<CallOutcome> left; ///< outcomes without an arm so far
 };
 
 } // namespace

@@ -10,7 +10,7 @@ namespace {
 
 struct Check {
   void (*run)(Context&);
-  bool ofDefinitions; ///< looks at one after the other, by the context's scope
+  bool ofDefinitions; ///< checks definitions one by one, according to the context's scope
 };
 
 constexpr Check kChecks[] = {

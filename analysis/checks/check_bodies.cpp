@@ -17,8 +17,8 @@ using syntax::StatementKind;
 
 namespace {
 
-/// What a body may do depends on whose it is: a skill acts, an environment only makes happen what
-/// the program cannot control.
+/// Checks what a body may do: a skill acts; an environment only generates what the program cannot
+/// control.
 class BodyCheck {
 public:
   BodyCheck(Context& context, const Body& body)
@@ -55,7 +55,7 @@ private:
     case StatementKind::Interrupt:
     case StatementKind::WaitTime:
     case StatementKind::If:
-    case StatementKind::Case: // its call is refused
+    case StatementKind::Case: // as part of its call
     case StatementKind::While:
     case StatementKind::DoUntil:
     case StatementKind::Break:
@@ -104,7 +104,7 @@ private:
     }
   }
 
-  /// What has `:every` says itself when it comes.
+  /// An event with `:every` occurs by itself only.
   void emit(const syntax::Name& name) {
     names.use(SymbolKind::Event, name, Role::Mention);
     const auto* event = context.program.events.find(name.text);
@@ -129,8 +129,8 @@ private:
       Arguments(context, body.file, body.owner).checkCall(statement, callee);
   }
 
-  /// In a body it has no effect on a skill that cannot be interrupted; an environment has no way
-  /// to it at all.
+  /// Interrupting a skill that cannot be interrupted has no effect in a body; in an environment it
+  /// is impossible.
   void interrupt(const syntax::Name& target) {
     const SymbolId symbol = names.use(SymbolKind::Skill, target, Role::Interrupt);
     if (symbol == kNoSymbol) return;

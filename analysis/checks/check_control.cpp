@@ -13,8 +13,8 @@ using syntax::StatementKind;
 
 namespace {
 
-/// Jumps. Each parallel branch is an automaton of its own, so nothing jumps into it or out of it;
-/// within one automaton a jump may go anywhere.
+/// Checks jumps. Each parallel branch is an automaton of its own, so a jump cannot enter or leave
+/// it. Within one automaton all jumps are allowed.
 class Control {
 public:
   Control(Context& context, const Body& body)
@@ -69,7 +69,8 @@ private:
   const Body& body;
   Names names;
   BranchId branches = 0;
-  std::unordered_map<std::string_view, BranchId> branchOf; ///< of each label, its first definition
+  std::unordered_map<std::string_view, BranchId> branchOf; ///< by label: the branch with its first
+                                                           ///< definition
   std::vector<Jump> jumps;
 };
 

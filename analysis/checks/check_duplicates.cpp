@@ -20,7 +20,7 @@ void checkNames(Context& context) {
   }
 }
 
-/// Whatever their names: an environment is all that may happen.
+/// A program has one environment, whatever its name.
 void checkEnvironments(Context& context) {
   const auto& all = context.program.environments.all;
   for (std::size_t i = 1; i < all.size(); ++i)

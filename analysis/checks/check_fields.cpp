@@ -26,7 +26,7 @@ constexpr std::string_view kSkill[] = {
     ":action",    ":interrupt",    ":interruptible", ":success",   ":failure",
     ":resources", ":monitor",      ":body"};
 
-/// The fields of one definition: which are there, which are there twice, which are missing.
+/// The fields of a definition: known, duplicate and missing ones.
 class Fields {
 public:
   Fields(Context& context, Location name, std::string what, const syntax::List<FieldUse>& uses,
@@ -53,8 +53,8 @@ public:
     if (!missing.empty()) report(Code::MissingField, missing);
   }
 
-  /// One mistake is told once: nothing is missing where a keyword was misspelt or a parenthesis
-  /// cut the definition short.
+  /// Avoids consequential errors: no field is reported missing if a keyword is misspelt, or a
+  /// parenthesis ends the definition early.
   void report(syntax::CodeFor<2> code, std::string_view detail = {}) {
     if (complete) context.findings.report(code, name, what, detail);
   }
@@ -161,7 +161,7 @@ private:
   }
 
   Context& context;
-  std::vector<Location> damage; ///< parentheses that are missing or too many
+  std::vector<Location> damage; ///< missing or superfluous parentheses
 };
 
 } // namespace

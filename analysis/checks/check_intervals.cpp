@@ -32,7 +32,7 @@ void checkInterval(Context& context, FileId file, const Interval& interval) {
   }
 }
 
-/// An event that has to come at once, again and again, leaves no time for anything else.
+/// An event that must occur again and again at once would stop time.
 void checkEvery(Context& context, const Definition<syntax::Event>& event) {
   const Interval& every = *event->every;
   checkInterval(context, event.file, every);

@@ -11,8 +11,8 @@ namespace {
 
 using Call = CallGraph::Call;
 
-/// Calls in two branches of one `//` that may want the same skill at the same time: itself, or
-/// through what they call. Two skills that start with the program are not compared.
+/// Finds calls in two branches of one `//` that may need the same skill at the same time, directly
+/// or not. Two skills that start with the program are not compared.
 class Parallel {
 public:
   Parallel(Context& context, FileId file, const syntax::Form& form)
@@ -28,7 +28,7 @@ public:
   }
 
 private:
-  /// Of each skill the call that may run it.
+  /// By skill: the call that may run it.
   using Running = std::unordered_map<std::size_t, const Statement*>;
 
   void compare(const Call& call, const Running& running) {
@@ -44,7 +44,8 @@ private:
     }
   }
 
-  /// The skill that is called and those that it calls, the nearest first, as far as they are new.
+  /// The new skills among the called one and those that it calls, directly or not; the nearest
+  /// first.
   std::vector<std::size_t> addReachable(const Call& call, Running& reached) {
     std::vector<std::size_t> found;
     auto add = [&](std::size_t skill) {

@@ -12,7 +12,7 @@ namespace proskill::analysis {
 
 namespace {
 
-/// By skill, one that stands for all who call each other with it.
+/// By skill: a representative of its component.
 using Components = std::vector<graph::Node>;
 
 Components componentsOf(const CallGraph& graph) {
@@ -22,13 +22,13 @@ Components componentsOf(const CallGraph& graph) {
   });
 }
 
-/// A call and who makes it.
+/// A call and its caller.
 struct Step {
   std::size_t caller;
   const CallGraph::Call* call;
 };
 
-/// The shortest way from a skill back to itself within its component; empty where there is none.
+/// The shortest cycle through a skill within its component; empty if there is none.
 std::vector<Step> shortestCycle(const CallGraph& graph, const Components& components,
                                 std::size_t start) {
   std::unordered_map<std::size_t, Step> reachedBy;
@@ -64,7 +64,8 @@ void reportCycle(Context& context, const std::vector<Step>& cycle) {
 
 } // namespace
 
-/// One report for each set of skills that call each other: the shortest cycle through its first.
+/// Makes one report for each set of mutually recursive skills: the shortest cycle through the
+/// first.
 void checkRecursion(Context& context) {
   const CallGraph& graph = context.calls;
   const Components components = componentsOf(graph);

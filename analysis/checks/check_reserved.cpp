@@ -16,14 +16,14 @@ Finding refuse(Context& context, std::string_view what, const Name& name, Locati
   return context.findings.report(Code::ReservedName, at, what, name.text);
 }
 
-/// `(= skill.res no_result)` asks whether there is a result at all.
+/// `(= skill.res no_result)` tests whether there is a result.
 void checkTag(Context& context, const Definition<syntax::Skill>& skill, const Name& tag) {
   const Location at = skill.at(tag.range);
   if (isTruth(tag.text)) refuse(context, "tag", tag, at);
   if (tag.text == kNoResult) refuse(context, "tag", tag, at).fix("call it `no_tag`", at, "no_tag");
 }
 
-/// In a condition these words are truth values, whatever they are called elsewhere.
+/// In a condition these words are truth values, even if something else has the same name.
 void checkVariable(Context& context, const Definition<syntax::StateVariable>& variable) {
   if (isTruth(variable->name.text))
     refuse(context, "state variable", variable->name, variable.at(variable->name.range));

@@ -18,7 +18,7 @@ void checkCapacity(Context& context, const Definition<syntax::Resource>& resourc
     context.findings.report(Code::BadCapacity, resource.at(capacity->range), resource.name());
 }
 
-/// The resources that a skill takes when it starts.
+/// Checks the resources that a skill takes when it starts.
 void checkTaken(Context& context, const Definition<syntax::Skill>& skill) {
   Names names(context, skill.file);
   std::map<std::string_view, syntax::Range> seen;

@@ -14,7 +14,7 @@ void checkOutcomes(Expressions& expressions, const syntax::List<syntax::Outcome>
   }
 }
 
-/// All but the body.
+/// Checks everything but the body.
 void checkSkill(Context& context, const Definition<syntax::Skill>& skill, SymbolId symbol) {
   Expressions expressions(context, skill.file);
   Names names(context, skill.file);

@@ -13,7 +13,7 @@ void checkInputs(Context& context, const Definition<syntax::Skill>& skill) {
 
 } // namespace
 
-/// What starts with the program has no caller that could pass it anything.
+/// A skill that starts with the program has no caller to pass arguments.
 void checkStart(Context& context) {
   for (const auto& skill : context.program.skills.all)
     if (skill.nodeAsRead().monitor) checkInputs(context, skill);

@@ -14,8 +14,8 @@ using syntax::StateVariable;
 
 namespace {
 
-/// A state variable is a part of every state of the model; more values than this, and no state
-/// space can be explored.
+/// Limit of values. State variables are part of every state of the model, so with more values the
+/// state space could not be explored.
 constexpr std::int64_t kMostValues = 65536;
 
 class StateVariables {
@@ -40,7 +40,7 @@ private:
     for (const Expr& other : variable->otherInits) refuseRepeated(other);
   }
 
-  /// The same value once more is no other choice.
+  /// Reports a value that occurs twice in `:init`.
   void refuseRepeated(const Expr& init) {
     for (const Expr* before = &variable->init; before != &init;
          before = before == &variable->init ? variable->otherInits.data() : before + 1) {
@@ -66,7 +66,7 @@ private:
       names.checkDomain(init, wanted);
   }
 
-  /// A truth value that is among the values, where it is refused.
+  /// Whether a truth value is among the values, which is reported there.
   [[nodiscard]] bool isListed(const Expr& init) const {
     return std::ranges::find(variable->states, textOf(init), &syntax::Name::text) !=
            variable->states.end();
@@ -85,7 +85,7 @@ private:
                               static_cast<std::uint64_t>(most - least) + 1, kMostValues);
   }
 
-  /// Says so where it is none.
+  /// Whether it is a natural; reports it otherwise.
   bool isNatural(const Expr& expr) {
     const bool natural =
         expr.kind == ExprKind::Number && typeOfNumber(expr).kind == TypeKind::Natural;

@@ -23,12 +23,12 @@ std::optional<std::string_view> commentIn(const syntax::Document& document, std:
   return syntax::commentLine(std::string_view(document.text()).substr(range.begin, range.length()));
 }
 
-/// Without the blanks in front.
+/// Without leading white space.
 std::string_view trimmed(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
 }
 
-/// The first symbol that is defined in a line.
+/// The first symbol that a line defines.
 SymbolId definedIn(const Index& index, FileId file, Range line) {
   for (const Occurrence& it : index.occurrences({file, line}))
     if (it.role == Role::Definition) return it.symbol;
@@ -52,7 +52,7 @@ void addDeprecations(const syntax::Document& document, FileId file, const Index&
     const Range below = lines.line(line, text);
     const auto symbol = definedIn(index, file, below);
     if (symbol != kNoSymbol) found.push_back({symbol, why});
-    at = below.begin; // one word of the comment is enough
+    at = below.begin; // one match per comment is enough
   }
 }
 

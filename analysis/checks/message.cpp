@@ -49,7 +49,7 @@ Type typeOf(Context& context, const Body& body, const Expr& argument) {
   return {};
 }
 
-/// `%` and the letter after it, which may be of several bytes.
+/// Length of `%` and the following letter, which may have several bytes.
 std::size_t letterLength(std::string_view format, std::size_t at) {
   std::size_t end = std::min(at + 2, format.size());
   while (end < format.size() && syntax::continuesCharacter(format[end])) ++end;
@@ -67,14 +67,14 @@ std::vector<Directive> directives(std::string_view format) {
 
 namespace {
 
-/// The format and its arguments, with what they turned out to be.
+/// The format and its arguments, with their types.
 struct Message {
   const syntax::Statement& statement;
   std::vector<Directive> directives; ///< those that take an argument
   std::vector<Type> types;           ///< of the arguments
 };
 
-/// False, with a diagnostic, where the format has a directive that means nothing.
+/// Reports invalid directives of the format. \return whether there are none
 bool checkDirectives(Context& context, FileId file, const Message& message) {
   bool known = true;
   const syntax::Name& format = message.statement.format;

@@ -16,14 +16,14 @@ using syntax::Diagnostic;
 constexpr std::string_view kMark = "proskill-ignore:";
 constexpr std::string_view kBetween = " \t,";
 
-/// One code of one comment.
+/// One code in one comment.
 struct Ignore {
-  Location at;           ///< of the code's word
-  syntax::Range comment; ///< with the line, where it stands there alone
-  bool isOnly = true;    ///< of the comment's codes
+  Location at;           ///< of the code
+  syntax::Range comment; ///< with its line, if it is alone there
+  bool isOnly = true;    ///< in the comment
   std::string_view word;
   const syntax::CodeInfo* code = nullptr;
-  std::uint32_t line = 0; ///< that it speaks of
+  std::uint32_t line = 0; ///< to which it applies
   bool used = false;
 };
 
@@ -66,8 +66,7 @@ private:
     return program.files[at.file].document.lines().position(at.range.begin).line;
   }
 
-  /// Comments of this kind may stand above each other; all of them speak of the line below the
-  /// last.
+  /// Several of these comments may follow each other; all apply to the line after the last.
   void read(FileId file) {
     const syntax::Document& document = program.files[file].document;
     const std::string_view text = document.text();

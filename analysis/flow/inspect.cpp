@@ -19,13 +19,13 @@ bool isStyle(const Diagnostic& diagnostic) {
   return syntax::info(diagnostic.code).id.starts_with("PS11");
 }
 
-/// Of a program's form, names and types, or of a model in Fiacre.
+/// Whether the error concerns form, names or types, or a Fiacre model.
 bool isFatal(const Diagnostic& diagnostic) {
   const auto id = syntax::info(diagnostic.code).id;
   return isError(diagnostic) && (id < "PS0500" || id.starts_with("PS13"));
 }
 
-/// \return it is told
+/// \return whether it is reported
 bool weigh(Diagnostic& diagnostic, const Settings& settings) {
   auto found = settings.severities.find(diagnostic.code);
   if (found == settings.severities.end()) return settings.style || !isStyle(diagnostic);

@@ -10,7 +10,7 @@ bool contains(syntax::Range outer, syntax::Range inner) {
   return outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-/// Calls `visit(point, node)` for each step of each process that the solver has looked at.
+/// Calls `visit(point, node)` for each reached step of each process.
 template <class Visit> void forEachPoint(const Flow& flow, FileId file, Visit&& visit) {
   for (ProcessId id = 0; id < flow.system.size(); ++id) {
     const Process& process = flow.system[id];
@@ -21,7 +21,7 @@ template <class Visit> void forEachPoint(const Flow& flow, FileId file, Visit&& 
   }
 }
 
-/// The texts of a step: of a start its preconditions and effects stand apart from each other.
+/// The ranges of a step's text. A start has two: its preconditions and its effects.
 template <class Visit> void forEachText(const Node& node, Visit&& visit) {
   visit(node.range);
   for (const auto* condition : node.conditions) visit(condition->range);
@@ -42,7 +42,7 @@ std::vector<Point> pointsAround(const Flow& flow, Location place) {
     found.push_back(point);
   };
   forEachPoint(flow, place.file, [&](Point point, const Node& node) {
-    // The step is what happens when the guard has failed; the guard is looked at all the time.
+    // the step happens after the guard has failed, but the guard is tested all the time
     if (node.invariant && contains(node.invariant->guard.range, place.range)) return;
     forEachText(node, [&](syntax::Range text) {
       point.at.range = text;

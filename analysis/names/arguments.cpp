@@ -70,7 +70,7 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   return {};
 }
 
-/// A natural can be a value of a state variable; whether it is one is told here.
+/// A natural may be a value of a state variable; this checks whether it is.
 Type Arguments::number(const Expr& argument, Type wanted) {
   const Type type = typeOfNumber(argument);
   if (type.kind != TypeKind::Natural || wanted.kind != TypeKind::Natural) return type;
@@ -90,7 +90,7 @@ void Arguments::checkCall(const Statement& call, SymbolId callee) {
   checkTypes(call, callee);
 }
 
-/// A misspelt name leaves its input without an argument: that is one mistake, not two.
+/// Reports unknown names of inputs. The input that was meant is then not reported as missing.
 void Arguments::checkNames(const Statement& call, SymbolId callee) {
   std::map<std::string_view, syntax::Range> given;
   bool complete = true;
@@ -129,7 +129,7 @@ void Arguments::checkTypes(const Statement& call, SymbolId callee) {
     const Type wanted =
         input ? typeNamed(context.program, context.symbols, input->type.text) : Type{};
     if (!input && argument.value.kind != ExprKind::Parameter) continue;
-    // It may be a value of the input's type, which was told to be unknown.
+    // it may be a value of the input's type, which is unknown and was reported
     if (!wanted.known() && argument.value.kind == ExprKind::Symbol) continue;
     const Type given = type(argument.value, wanted);
     if (fits(given, wanted)) continue;

@@ -16,14 +16,14 @@ using syntax::Name;
 
 namespace {
 
-/// The words of a property's atoms; in a condition the parser takes them for state variables.
+/// The keywords of a property's atoms; in a condition the parser reads them as state variables.
 constexpr std::string_view kAtomWords[] = {"running", "called", "ended", "occurs", "at", "value"};
 
 bool isAtomWord(std::string_view word) {
   return std::ranges::find(kAtomWords, word) != std::end(kAtomWords);
 }
 
-/// A skill that has ended has one of these.
+/// The statuses of a skill that has ended.
 std::span<const std::string_view> endedWords() { return statusWords().subspan(1); }
 
 } // namespace
@@ -90,7 +90,7 @@ Type Expressions::variable(const Name& name, Role role) {
   return symbol == kNoSymbol ? Type{} : context.typeOfVariable(symbol);
 }
 
-/// `value` is what the variable `name` is compared with or set to.
+/// `value` is compared with the variable `name`, or assigned to it.
 void Expressions::valueOf(const Name& name, const Expr& value, Role role) {
   const Type wanted = variable(name, role);
   const Type given = operand(value, wanted);
@@ -115,7 +115,7 @@ void Expressions::equality(const Expr& expr) {
     return it.kind != ExprKind::Symbol ||
            context.symbols.find(SymbolKind::StateVariable, it.name.text) != kNoSymbol;
   };
-  // What has a type of its own tells what the other word can be.
+  // the operand with a type of its own determines the meaning of the other word
   const bool swapped = !hasOwnType(expr.operands[0]) && hasOwnType(expr.operands[1]);
   const Expr& anchor = expr.operands[swapped ? 1 : 0];
   const Expr& other = expr.operands[swapped ? 0 : 1];

@@ -34,7 +34,7 @@ bool isNumber(const std::optional<syntax::Expr>& expr) {
   return expr && expr->kind == syntax::ExprKind::Number;
 }
 
-/// Words that start a statement: a call of none of the skills may be one of these, misspelt.
+/// Keywords of statements: a call of an unknown skill may be a misspelt keyword.
 constexpr std::string_view kStatementWords[] = {"if",      "case", "while",  "do",     "break",
                                                 "label",   "goto", "set",    "printf", "success",
                                                 "failure", "emit", "choose", "race"};

@@ -18,12 +18,12 @@ using syntax::Form;
 using syntax::Range;
 using syntax::Replacement;
 
-/// Moves what points into a file that was edited.
+/// Moves locations in a file that was edited.
 struct Move {
   FileId file;
   Replacement edit;
 
-  /// \return it has a new place
+  /// \return whether the place has changed
   bool operator()(Location& at) const {
     if (at.file != file) return true;
     const auto range = edit.moved(at.range);
@@ -41,8 +41,9 @@ bool touches(Location at, FileId file, Range range) {
   return at.file == file && at.range.begin <= range.end && range.begin <= at.range.end;
 }
 
-/// Whether a fix of such a finding may look at the white space and the comments around it. Those of
-/// moves, of which a program may have many, write words and quote what they replace.
+/// Whether a fix of such a finding may depend on the surrounding white space and comments. Findings
+/// about moves, which may be numerous, do not: their fixes write words, and quote what they
+/// replace.
 bool looksAround(Code code) {
   constexpr std::array kOfMoves{Code::ForbiddenMove,       Code::MayBeForbiddenMove,
                                 Code::EventMayBeForbidden, Code::LeavesRange,
@@ -50,7 +51,7 @@ bool looksAround(Code code) {
   return std::ranges::find(kOfMoves, code) == kOfMoves.end();
 }
 
-/// Its text, or a fix, may quote what white space or comment was edited.
+/// Whether its text, or a fix, may quote edited white space or comments.
 bool quotes(const Diagnostic& diagnostic, const FileChange& edit) {
   const auto edited = edit.change.layout->before();
   const auto around = looksAround(diagnostic.code) ? edit.change.regions.before() : edited;
@@ -64,12 +65,12 @@ bool anyQuotes(const std::vector<Diagnostic>& diagnostics, const FileChange& edi
   return std::ranges::any_of(diagnostics, [&](const Diagnostic& it) { return quotes(it, edit); });
 }
 
-/// Whether it ends where another begins, or before.
+/// Whether it ends at or before the start of the other.
 bool isBefore(Location it, Location other) {
   return it.file < other.file || (it.file == other.file && it.range.end <= other.range.begin);
 }
 
-/// Those that define something, or include it.
+/// The forms that are definitions or includes.
 std::vector<const Form*> definitionsIn(const syntax::Document& document, Range range) {
   std::vector<const Form*> result;
   for (const Form& form : document.formsIn(range))
@@ -82,13 +83,13 @@ bool isSameNumber(const std::optional<syntax::Expr>& a, const std::optional<synt
   return a->kind == b->kind && a->number == b->number;
 }
 
-/// What others see of a state variable beside its name and those of its values: its type.
+/// Whether the two have the same type; names are compared elsewhere.
 bool looksSame(const syntax::StateVariable& a, const syntax::StateVariable& b) {
   return a.states.empty() == b.states.empty() && isSameNumber(a.min, b.min) &&
          isSameNumber(a.max, b.max);
 }
 
-/// What others see of an event beside its name: whether it comes by itself.
+/// Whether both occur by themselves, or neither does; names are compared elsewhere.
 bool looksSame(const syntax::Event& a, const syntax::Event& b) {
   return a.every.has_value() == b.every.has_value();
 }
@@ -97,14 +98,14 @@ bool isSameInput(const syntax::Input& a, const syntax::Input& b) {
   return a.name.text == b.name.text && a.type.text == b.type.text;
 }
 
-/// What others see of a skill beside its name and those of its parts.
+/// Compares what others see of a skill, apart from the names of it and its parts.
 bool looksSame(const syntax::Skill& a, const syntax::Skill& b) {
   return a.monitor == b.monitor && a.interrupt.has_value() == b.interrupt.has_value() &&
          a.unstoppable == b.unstoppable && outcomesOf(a) == outcomesOf(b) &&
          std::ranges::equal(a.inputs, b.inputs, isSameInput);
 }
 
-/// Whether nobody else sees a difference, the names aside.
+/// Compares what others see of a definition, apart from names.
 bool looksSame(const Form* a, const Form* b) {
   if (!a->isAs(*b)) return false;
   if (const auto* skill = a->as<syntax::Skill>()) return looksSame(*skill, *b->as<syntax::Skill>());
@@ -116,9 +117,8 @@ bool looksSame(const Form* a, const Form* b) {
 
 using Names = std::set<std::string_view>;
 
-/// Adds the definitions of which others see a difference beside the symbols. An include may matter
-/// anywhere.
-/// \return there is none
+/// Adds the definitions whose visible parts have changed, apart from symbols.
+/// \return false if an include has changed, which may matter anywhere
 bool addThoseSeen(const std::vector<const Form*>& before, const std::vector<const Form*>& now,
                   Names& names) {
   const auto isInclude = [](const Form* form) { return form->is<syntax::Include>(); };
@@ -132,7 +132,7 @@ bool addThoseSeen(const std::vector<const Form*>& before, const std::vector<cons
   return true;
 }
 
-/// Adds the skills with inputs of these types, and so on: who calls them gives them values.
+/// Adds the skills with inputs of these types, transitively, since their callers pass values.
 void addThoseTyped(const Program& program, Names& names) {
   const auto isOne = [&](const syntax::Input& input) { return names.contains(input.type.text); };
   for (auto before = names.size() + 1; before != names.size();) {
@@ -142,7 +142,7 @@ void addThoseTyped(const Program& program, Names& names) {
   }
 }
 
-/// Calls `visit` with each place of the word.
+/// Calls `visit` for each occurrence of the word.
 template <class Visit>
 void forEachPlace(std::string_view text, std::string_view word, Visit visit) {
   for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
@@ -153,7 +153,7 @@ void forEachPlace(std::string_view text, std::string_view word, Visit visit) {
   }
 }
 
-/// The regions of a text that have one of the words.
+/// The regions of a text that contain one of the words.
 std::set<std::size_t> regionsWith(const syntax::Document& document,
                                   std::span<const syntax::Region> regions, const Names& words) {
   std::set<std::size_t> result;
@@ -166,7 +166,7 @@ std::set<std::size_t> regionsWith(const syntax::Document& document,
   return result;
 }
 
-/// Where one of the words stands, and what the edit has put in.
+/// The places that contain one of the words, and the edited ones.
 Scope scopeOf(const Program& program, const Names& words, FileId file, Range edited) {
   Scope scope{false, {{file, edited}}};
   const auto isEdited = [&](FileId each, Range range) {
@@ -249,7 +249,7 @@ Reuse::Reuse(FileId file, Replacement edit, Scope scope, SymbolChange change)
 
 bool Reuse::isGone(const Location& at) const { return gone.holds(at.file, at.range.begin); }
 
-/// \return it is there still
+/// \return whether it still exists
 bool Reuse::moveSymbol(SymbolId& symbol) const {
   if (symbol == kNoSymbol) return true;
   symbol = symbols.now[symbol];

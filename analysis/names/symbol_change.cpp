@@ -42,7 +42,7 @@ private:
     nameLabels(now, middle(freshParts, front, back));
   }
 
-  /// Notes which of the two lists begin and end alike.
+  /// Finds the common beginning and end of the two lists.
   syntax::CommonEnds commonEnds(Ids old, Ids fresh) {
     const auto ends = syntax::commonEnds(old, fresh, [this](SymbolId a, SymbolId b) {
       return before[a].kind == now[b].kind && isSame(before[a].name, now[b].name);
@@ -53,7 +53,7 @@ private:
     return ends;
   }
 
-  /// Most are the very same.
+  /// Usually both are the same memory.
   static bool isSame(std::string_view a, std::string_view b) {
     return a.size() == b.size() && (a.data() == b.data() || a == b);
   }

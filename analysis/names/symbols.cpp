@@ -40,7 +40,7 @@ SymbolTable::SymbolTable(const Program& program, const Program& before,
     : SymbolTable(program, Before{before, symbolsBefore}) {}
 
 SymbolTable::SymbolTable(const Program& program, const std::optional<Before>& before) {
-  // About four values, tags and inputs to each.
+  // estimated: four values, tags and inputs per definition
   const auto count = 5 * (program.stateVariables.all.size() + program.skills.all.size());
   symbols.reserve(count);
   byName.reserve(count);
@@ -97,7 +97,7 @@ std::span<const SymbolId> SymbolTable::labels(std::string_view name) const {
   return found->second;
 }
 
-/// So that the first of a name comes first.
+/// So that lookup finds the first of equal names.
 void SymbolTable::sortParts(SymbolId owner) {
   const Ids parts = ofDefinitions[owner];
   byName.insert(byName.end(), parts.begin(), parts.end());

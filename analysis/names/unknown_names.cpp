@@ -19,27 +19,27 @@ using syntax::Diagnostic;
 
 constexpr std::size_t kMostRelated = 10;
 
-/// Thousands of unknown names among thousands of known ones, as where a library is missing, are
-/// not misspelt: what was meant is not looked for any longer.
+/// Limit of comparisons for suggestions. Thousands of unknown names, as with a missing library, are
+/// not spelling errors.
 constexpr std::size_t kMostComparisons = 2'000'000;
 
-/// Because of these a program has definitions that are not known.
+/// Errors because of which some definitions are unknown.
 bool hidesDefinitions(Code code) {
   return code == Code::UnreadableFile || code == Code::TextTooLong || code == Code::FormTooLarge ||
          code == Code::NestedTooDeep || code == Code::MissingPath;
 }
 
-/// Because of these a definition has parts that are not known.
+/// Errors because of which parts of a definition are unknown.
 bool hidesParts(Code code) {
   return code == Code::UnknownField || code == Code::MalformedValue ||
          code == Code::MalformedName || code == Code::MalformedOutcome ||
          code == Code::MissingValue || code == Code::MissingTag;
 }
 
-/// A candidate for what was meant.
+/// A candidate for a suggestion.
 struct Near {
   std::string_view word;
-  SymbolId symbol = kNoSymbol; ///< none: a word of the language
+  SymbolId symbol = kNoSymbol; ///< none: a keyword
 };
 
 class Reporter {
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  /// The word that is nearest, if any is near: of all, or of those that nobody mentions.
+  /// The nearest word, if any is near: among all, or among those without uses.
   [[nodiscard]] Near nearest(const UnknownName& use, bool unmentioned) {
     syntax::Suggestion suggestion(use.text);
     Near found;
@@ -141,7 +141,7 @@ private:
            syntax::editDistance(use.text, b.word, limit);
   }
 
-  /// Something that was told already hides what the name means.
+  /// Whether an error that was reported hides the meaning of the name.
   [[nodiscard]] bool isConsequence(const UnknownName& use) const {
     if (use.owner == kNoSymbol)
       return definitionsHidden || unreadNames.contains(use.text) || isUnnamed(use);
@@ -152,7 +152,7 @@ private:
     });
   }
 
-  /// One of its kind has no name.
+  /// Whether a definition of this kind lacks a name.
   [[nodiscard]] bool isUnnamed(const UnknownName& use) const {
     return std::ranges::any_of(unnamed, [&](SymbolId id) {
       const Symbol& symbol = symbols[id];
@@ -164,15 +164,15 @@ private:
   const Program& program;
   const SymbolTable& symbols;
   Findings& findings;
-  std::vector<bool> mentioned; ///< of each symbol
+  std::vector<bool> mentioned; ///< by symbol
   std::vector<SymbolId> unnamed;
   std::size_t comparisons = 0;
   bool definitionsHidden = false;
-  std::vector<Location> hidden;           ///< where parts of definitions were not read
-  std::set<std::string_view> unreadNames; ///< of definitions that were not read
+  std::vector<Location> hidden;           ///< places where parts of definitions could not be parsed
+  std::set<std::string_view> unreadNames; ///< of definitions that could not be parsed
 };
 
-/// A type may be a state variable: both are about one name.
+/// A type may be a state variable, so both codes are about the same name.
 Code codeOfKey(Code code) { return code == Code::UnknownType ? Code::UnknownStateVariable : code; }
 
 } // namespace

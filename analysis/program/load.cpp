@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Builds a program file by file. An include is followed where it stands, so that the definitions
-/// come in the order in which a reader would meet them.
+/// Builds a program file by file. Includes are followed at their places, so that definitions are in
+/// the order in which a reader meets them.
 class Loader {
 public:
   Loader(const FileSystem& files, Program& program) : files(files), program(program) {}
@@ -29,10 +29,11 @@ public:
   }
 
 private:
-  /// A file that is being read, and its include that is being followed.
+  /// A file whose includes are being followed, with the position of the current one.
   struct OpenFile {
     fs::path canonical;
-    fs::path path; ///< by which it was reached: what it includes is looked for beside it
+    fs::path path; ///< the path through which it was reached, relative to which its includes are
+                   ///< found
     Location include;
   };
 
@@ -91,7 +92,7 @@ private:
     program.diagnostics.push_back(std::move(diagnostic));
   }
 
-  /// Deeper chains are generated, or endless through links.
+  /// Deeper chains are generated, or endless because of links.
   static constexpr std::size_t kDeepestInclude = 200;
 
   const FileSystem& files;

@@ -33,7 +33,7 @@ bool isForEver(const Statement& loop, ExprKind condition) {
   return loop.condition.kind == condition && !hasBreak(loop.branches[0]);
 }
 
-/// Control may come to what stands behind the statement.
+/// Whether control may reach the statement after this one.
 bool mayGoOn(const Statement& statement) {
   switch (statement.kind) {
   case StatementKind::Success:

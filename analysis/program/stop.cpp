@@ -6,7 +6,7 @@ namespace proskill::analysis {
 
 namespace {
 
-/// What this thread works on; null where nobody can stop it.
+/// the work of this thread; null if it cannot be stopped
 thread_local const StopWhen* current = nullptr;
 
 } // namespace

@@ -3,14 +3,14 @@
 
 #include <map>
 
-/// Parallel branches that set the same state variable, themselves or by what they call.
+/// Finds parallel branches that set the same state variable, directly or by calls.
 namespace proskill::analysis::flow {
 
 namespace {
 
 struct Written {
   Location at;
-  bool locked = false; ///< taken by test-and-set, as a lock is
+  bool locked = false; ///< set by test-and-set, like a lock
 };
 using Writes = std::map<VariableId, Written>;
 
@@ -50,7 +50,7 @@ private:
     }
   }
 
-  /// What a call sets is told at the call.
+  /// Reports what a call sets at the call.
   void collectCalled(ProcessId callee, Location call, Writes& writes) const {
     forEach(report.system().activity(callee), [&](std::size_t id) {
       const auto process = static_cast<ProcessId>(id);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-/// Bodies that take less or more time than their skill's `:time_interval` says.
+/// Finds bodies that take less or more time than their skill's `:time_interval`.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -17,7 +17,7 @@ using Told = syntax::CodeFor<2>;
 
 constexpr std::size_t kMostParts = 5;
 
-/// A body of at most `most` always ends before the interval begins.
+/// Whether a body that takes at most `most` always ends before the interval begins.
 bool alwaysShort(const Interval& interval, const std::optional<Rational>& most) {
   return most && (*most < interval.lower || (*most == interval.lower && interval.lowerOpen));
 }
@@ -44,7 +44,7 @@ std::string asInterval(const Duration& duration) {
   return fmt::format("[{},{}]", toString(duration.least), toString(*duration.most));
 }
 
-/// The first few steps of the body that take time, where they take it.
+/// Adds the first few steps of the body that take time, with their durations.
 void addParts(Finding& finding, const Report& report, Durations& durations, ProcessId id) {
   std::size_t left = kMostParts;
   for (NodeId node = 0; left > 0 && node < report.system()[id].actions.size(); ++node) {
@@ -70,8 +70,8 @@ void checkDurations(Report& report) {
     const Interval& interval = *skill->timeInterval;
     auto code = verdict(interval, *duration);
     if (!code) continue;
-    // Where it is stopped it ends before its body has: then only some runs take too long, and a
-    // later beginning of the interval would make the others too short.
+    // A skill that can be stopped may end before its body does. Then only some runs take too long,
+    // and a later start of the interval would make the others too short.
     const bool isStopped = code->code == Code::AlwaysTooLong && durations.mayEndEarly(id);
     if (isStopped) code = Told(Code::MayMissInterval);
     Finding finding =

@@ -1,7 +1,7 @@
 #include "analysis/flow/checks/checks.h"
 #include "syntax/diagnostics/codes.h"
 
-/// `(x.interrupt)` where nobody can have called x.
+/// Finds `(x.interrupt)` at places where x cannot have been called.
 namespace proskill::analysis::flow {
 
 void checkInterrupts(Report& report) {
@@ -10,8 +10,10 @@ void checkInterrupts(Report& report) {
         ProcessId target = process.actions[node].target;
         if (each.kind != NodeKind::Interrupt || target == kNoProcess) return;
         const System& system = report.system();
-        if (!system.skill(system[target]).interrupt) return; // PS0424 has said so
-        if (!report.solver.started(target)) return;          // why nobody calls it is told there
+        if (!system.skill(system[target]).interrupt) return; // reported by PS0424
+        if (!report.solver.started(target))
+          return; // another finding says why it is never
+                  // called
         VariableId called = report.variables().of(VariableKind::Called, system[target].definition);
         auto slot = process.slots.find(called);
         if (!slot || report.solver.before(id, node).values[*slot].contains(1)) return;

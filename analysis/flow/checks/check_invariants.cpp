@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 
-/// Effects of one skill that break an invariant of another that may be running.
+/// Finds effects of one skill that violate an invariant of another that may be running.
 namespace proskill::analysis::flow {
 
 namespace {
 
-/// An invariant of a skill, and what is true while the skill runs.
+/// An invariant of a skill, and the states in which it runs.
 struct Watched {
   ProcessId process = kNoProcess;
   const syntax::Invariant* invariant = nullptr;
   const Condition* guard = nullptr;
-  State inside; ///< where the guard holds
+  State inside; ///< in which the guard is true
 };
 
 class Breakers {
@@ -65,7 +65,7 @@ private:
     return system.concurrent(watched).contains(writer) || system.activity(watched).contains(writer);
   }
 
-  /// With the value that is set, whatever it was before, the guard cannot hold.
+  /// Whether the guard is false after the assignment, whatever the value was before.
   [[nodiscard]] bool breaks(const Assignment& assignment, const Watched& watched) const {
     const Process& process = report.system()[watched.process];
     auto slot = process.slots.find(assignment.variable);

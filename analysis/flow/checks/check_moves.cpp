@@ -8,27 +8,27 @@
 #include <optional>
 #include <set>
 
-/// Moves that a state variable is not allowed to make, and naturals that leave their range.
+/// Finds forbidden moves of state variables, and naturals that leave their range.
 namespace proskill::analysis::flow {
 
 namespace {
 
 using syntax::Code;
 
-constexpr unsigned kMostAlternatives = 4; ///< in a condition that a fix writes
+constexpr unsigned kMostAlternatives = 4; ///< in a condition written by a fix
 
-/// All that an assignment of the text may do, over all the nodes that make it.
+/// The possible effects of an assignment in the text, over all its nodes.
 struct Assigned {
   VariableId variable = 0;
-  std::size_t order = 0; ///< in which the program comes to them
+  std::size_t order = 0; ///< in which the program reaches them
   Location at;
   const syntax::Effect* effect = nullptr;
-  const syntax::Statement* set = nullptr; ///< a `set` of nothing else
+  const syntax::Statement* set = nullptr; ///< a `set` with no other effect
   bool byEvent = false;
   ValueSet from;
-  ValueSet clean;                         ///< of `from`: no move from here is wrong
-  ValueSet broken;                        ///< of `from`: every move from here is wrong
-  std::map<unsigned, ValueSet> forbidden; ///< moves that are not allowed
+  ValueSet clean;                         ///< of `from`: no move from here is forbidden
+  ValueSet broken;                        ///< of `from`: every move from here is forbidden
+  std::map<unsigned, ValueSet> forbidden; ///< the forbidden moves
   bool fallsShort = false;
   bool overshoots = false;
 };
@@ -80,7 +80,7 @@ private:
     }
   }
 
-  /// An event occurs whatever the state of affairs is.
+  /// An event may occur in any state.
   void visitEvents() {
     const System& system = report.system();
     const Process& process = system[system.ofEvents()];
@@ -117,7 +117,8 @@ private:
     return here;
   }
 
-  /// A certain mistake explains those that come of it, and the others from the same values.
+  /// Whether a certain error explains it: it is a consequence of one, or starts from the same
+  /// values.
   bool follows(const Assigned& it) {
     if (it.from != it.broken) return false;
     ValueSet& known = explained[it.variable];
@@ -142,13 +143,15 @@ private:
                                              variables.words(it.variable, to));
     for (const Origin& origin : origins.of(it.variable, from))
       finding.related(origin.at, origin.description);
-    bool isWhole = !entailed.contains(it.variable); // else the next wrong move comes to light
+    bool isWhole = !entailed.contains(it.variable); // otherwise the next forbidden move would
+                                                    // appear
     if (from.count() == 1 && to.count() == 1 && isWhole)
       offerTransition(finding, it.variable, from, to);
     offerWait(finding, it);
   }
 
-  /// Test and set, in one step; where others may bring about what is waited for.
+  /// Offers to wait until the move is allowed, and to move in the same step, if others can change
+  /// the variable.
   void offerWait(Finding& finding, const Assigned& it) {
     if (!it.set || !endsWell(it)) return;
     auto condition = conditionFor(it.variable, it.clean);
@@ -159,8 +162,8 @@ private:
                 {it.at.file, it.set->range}, fmt::format("(^ {} :effects {})", *condition, effect));
   }
 
-  /// An event leads to where the move is right. It comes whatever the program does; what skills
-  /// would do depends on what this one did.
+  /// Whether some event leads to a value from which the move is allowed. Events come whatever the
+  /// program does; what other skills do may depend on this one.
   [[nodiscard]] bool endsWell(const Assigned& it) const {
     const System& system = report.system();
     if (!system.hasFreeEvents()) return false;
@@ -173,7 +176,7 @@ private:
     return ends;
   }
 
-  /// That the variable has one of the values; nothing where that would be long, or cannot be.
+  /// A condition for any of these values; nullopt if it is long or impossible.
   [[nodiscard]] std::optional<std::string> conditionFor(VariableId id, ValueSet values) const {
     if (values.empty()) return std::nullopt;
     const Variable& variable = report.variables()[id];
@@ -225,8 +228,9 @@ private:
   Report& report;
   Origins origins;
   std::map<std::pair<const void*, VariableId>, Assigned> found;
-  std::map<VariableId, ValueSet> explained; ///< values whose wrong moves have been told
-  std::set<VariableId> entailed;            ///< those of which some wrong moves come of others
+  std::map<VariableId, ValueSet> explained; ///< values whose forbidden moves were reported
+  std::set<VariableId> entailed;            ///< variables with forbidden moves that are
+                                            ///< consequences of others
 };
 
 } // namespace

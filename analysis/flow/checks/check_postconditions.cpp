@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <map>
 
-/// Postconditions that are false whenever their outcome comes.
+/// Finds postconditions that are false in every state in which their outcome is returned.
 namespace proskill::analysis::flow {
 
 namespace {
 
-/// Over all the nodes that return one outcome.
+/// The states in which an outcome is returned, over all its nodes.
 struct Returned {
   ProcessId process = kNoProcess;
   std::vector<State> after;
@@ -36,7 +36,7 @@ std::optional<Expected> expectedBy(const syntax::Expr& condition) {
   return std::nullopt;
 }
 
-/// Effects of an outcome with one more.
+/// Offers to add an effect to the outcome.
 void offerEffect(Finding& finding, const Report& report, FileId file,
                  const syntax::Outcome& outcome, const std::string& effect) {
   const std::string& text = report.program.files[file].document.text();
@@ -54,8 +54,8 @@ void offerEffect(Finding& finding, const Report& report, FileId file,
   }
 }
 
-/// The postcondition as the outcome's own effect has it; or where it has none, the effect. What a
-/// move would break is left to a person.
+/// Offers to change the postcondition to match the outcome's effect, or to add the effect if there
+/// is none. If that would be a forbidden move, there is no fix.
 void offerEdit(Finding& finding, const Report& report, const Process& process,
                const Returned& returned, const syntax::Outcome& outcome) {
   const auto expected = expectedBy(*outcome.postcondition);

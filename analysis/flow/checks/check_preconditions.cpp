@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-/// Conditions of a skill that nothing can meet, and calls that are always refused.
+/// Finds unsatisfiable conditions of skills, and calls that are always refused.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -17,7 +17,7 @@ State unknown(const Report& report, const Process& process) {
   return state;
 }
 
-/// The first condition that cannot hold together with those before it; their number if all can.
+/// The first condition that contradicts those before it; the number of conditions if there is none.
 std::size_t firstConflict(State state, const std::vector<Condition>& conditions) {
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     refine(state, conditions[i], true);
@@ -98,7 +98,7 @@ private:
   std::set<ProcessId> contradictory;
 };
 
-/// Guards that exclude each other, or that the skill's own start makes false.
+/// Finds guards that contradict each other, or that the start of the skill makes false.
 class Guards {
 public:
   explicit Guards(Report& report) : report(report) {}
@@ -132,8 +132,8 @@ private:
       }
   }
 
-  /// A body watches the guards where it waits: what it sets before that may make them true, and
-  /// where it never waits nobody looks.
+  /// Whether a guard stays false until it is tested. Bodies test guards where they wait; earlier
+  /// effects may make them true, and without a wait they are never tested.
   [[nodiscard]] bool lasts(ProcessId id, const Condition& guard) const {
     const Process& process = report.system()[id];
     if (!report.system().skill(process).isComposite()) return true;

@@ -4,7 +4,7 @@
 #include "analysis/flow/result/loops.h"
 #include "syntax/diagnostics/codes.h"
 
-/// Loops in which no time passes, and waits that take none.
+/// Finds loops in which no time passes, and waits without delay.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -24,7 +24,7 @@ public:
   }
 
 private:
-  /// It counts towards its end, or chooses to leave.
+  /// Whether the loop counts to its end, or may choose to leave.
   [[nodiscard]] bool mayLeave(const std::vector<NodeId>& loop) const {
     std::set<NodeId> inside(loop.begin(), loop.end());
     std::set<VariableId> changed;

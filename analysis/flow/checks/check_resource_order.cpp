@@ -7,15 +7,16 @@
 #include <fmt/format.h>
 #include <map>
 
-/// Resources that are asked for while others are held: in different orders by skills that may run
-/// at once, or beyond what there is.
+/// Finds resources that are taken while others are held: in different orders by parallel skills, or
+/// beyond their capacity.
 namespace proskill::analysis::flow {
 
 namespace {
 
 using syntax::Code;
 
-constexpr std::size_t kMostLooks = 2'000'000; ///< a program must be very large to need more
+constexpr std::size_t kMostLooks = 2'000'000; ///< limit of steps, which only very large programs
+                                              ///< reach
 
 /// A skill that holds `held` calls something that takes `wanted`.
 struct Nesting {
@@ -53,7 +54,7 @@ private:
     return report.variables()[report.variables().of(VariableKind::Used, resource)].domain.max();
   }
 
-  /// All calls that the skill or its branches make while it holds the resource.
+  /// Follows all calls that the skill or its branches make while it holds the resource.
   void follow(std::size_t skill, std::size_t held) {
     const System& system = report.system();
     ProcessId holder = system.ofSkill(skill);
@@ -97,10 +98,10 @@ private:
         .related(skills[wanter].at(placeOf(skills[wanter].node(), resource)), "wanted here");
   }
 
-  /// Of a resource that there is more of: how many those have taken who are on the way to a call.
+  /// Adds up what the callers on a path take of a resource with a capacity.
   void addUp() {
     const System& system = report.system();
-    std::vector<std::size_t> order; // whoever calls comes before what is called
+    std::vector<std::size_t> order; // callers come before callees
     for (std::size_t skill = 0; skill < needs.size(); ++skill)
       if (system[system.ofSkill(skill)].analysed) order.push_back(skill);
     std::ranges::sort(order, std::ranges::greater(),
@@ -160,11 +161,11 @@ private:
   }
 
   Report& report;
-  std::vector<std::vector<std::size_t>> needs; ///< of each skill
+  std::vector<std::vector<std::size_t>> needs; ///< by skill
   std::deque<Nesting> nestings;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<const Nesting*>> known;
-  std::size_t looks = 0; ///< at skills that are called, directly or not
-  /// Of each skill, who on the way to it may have taken a resource.
+  std::size_t looks = 0; ///< number of skills examined
+  /// By skill: the callers on a path to it that may have taken a resource.
   std::vector<std::map<std::size_t, std::vector<std::size_t>>> held;
   std::set<std::tuple<std::size_t, FileId, syntax::Offset>> told;
   std::set<std::pair<std::size_t, std::size_t>> never; ///< resource and holder

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <unordered_set>
 
-/// Calls of skills that can fail, made by a skill that never looks at how they went.
+/// Finds calls of skills that can fail whose outcome the caller never tests.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -28,7 +28,7 @@ std::unordered_set<std::string_view> skillsRead(const syntax::Block& body) {
   return read;
 }
 
-/// Calls that are never made, or about which more has been said.
+/// Calls that are never made, or that have another finding.
 std::unordered_set<const syntax::Statement*> silentCalls(const Report& report) {
   std::unordered_set<const syntax::Statement*> silent;
   forEachNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
@@ -38,7 +38,7 @@ std::unordered_set<const syntax::Statement*> silentCalls(const Report& report) {
   return silent;
 }
 
-/// Some failure of the skill is ever returned.
+/// Whether the skill ever returns a failure.
 bool canFail(const Report& report, ProcessId skill) {
   const Process& process = report.system()[skill];
   for (NodeId node = 0; node < process.actions.size(); ++node) {
@@ -49,7 +49,7 @@ bool canFail(const Report& report, ProcessId skill) {
   return false;
 }
 
-/// A start, which changes nothing of what the skill does: what to do then is for a person.
+/// A branch for the user to fill in, which does not change what the skill does.
 std::string lookAt(std::string_view callee) {
   return fmt::format("(if (/= {0}.status success) (printf \"{0} has failed\"))", callee);
 }

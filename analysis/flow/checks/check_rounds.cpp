@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-/// Loops that go round in no time because a call is refused, or a wait does not wait.
+/// Finds loops that repeat without time passing, because a call is refused or a wait does not wait.
 namespace proskill::analysis::flow {
 
 namespace {

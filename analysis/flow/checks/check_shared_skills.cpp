@@ -6,16 +6,16 @@
 #include <set>
 #include <tuple>
 
-/// Skills that are called by more than one of those that start with the program: the mission and
-/// the monitors. Parallel branches are the matter of analysis/checks/check_parallel.cpp.
+/// Finds skills that both the mission and a monitor, or two monitors, call. For parallel branches
+/// see analysis/checks/check_parallel.cpp.
 namespace proskill::analysis::flow {
 
 namespace {
 
 constexpr std::size_t kMostRelated = 10;
 
-/// Who calls a skill: a skill, or a branch of it, within what starts with the program. All calls of
-/// one caller are contested, or none.
+/// Caller of a skill: a skill or a branch that starts with the program. Either all calls of one
+/// caller conflict, or none.
 struct Caller {
   ProcessId root = kNoProcess;
   ProcessId skill = kNoProcess;
@@ -47,7 +47,7 @@ public:
 
 private:
   void checkSkill(ProcessId skill) {
-    // Whoever calls it holds a lock, so that it is free.
+    // all callers hold a lock, so the skill is free
     if (system.exclusive(skill).contains(skill)) return;
     const Calls calls = callsOf(skill);
     Places contested;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-/// Statuses and results that a skill cannot have, and those that are read too early.
+/// Finds statuses and results that a skill cannot have, and those that are read too early.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -25,7 +25,8 @@ public:
           id = process;
           node = nodeId;
           if (!each.statement) return;
-          if (each.statement->kind == syntax::StatementKind::Case) return; // has to name them all
+          if (each.statement->kind == syntax::StatementKind::Case)
+            return; // a `case` has to name all
           for (const Expr* condition : each.conditions) visit(self, *condition);
           if (each.statement->kind == syntax::StatementKind::Printf)
             for (const auto& argument : each.statement->arguments) print(self, argument.value);
@@ -64,7 +65,7 @@ private:
     }
   }
 
-  /// Nobody can have called the skill when its status is read here.
+  /// Whether the skill cannot have been called when its status is read here.
   bool readTooEarly(const Process& process, const Expr& access, std::size_t skill) {
     const Variables& variables = report.variables();
     bool isStatus = access.member.text == "status";
@@ -85,7 +86,8 @@ private:
     return true;
   }
 
-  /// Some call of the skill leads to the node: it was refused, or another statement is to blame.
+  /// Whether a call of the skill precedes the node. Then it was refused, or another statement is
+  /// the cause.
   [[nodiscard]] bool calledBefore(std::size_t skill) const {
     ProcessId callee = report.system().ofSkill(skill);
     const auto& sites = report.system().callers(callee);
@@ -111,7 +113,7 @@ private:
     return false;
   }
 
-  /// The reason, for the place where the skill is defined; nothing where it can have the status.
+  /// The reason, for the place of the skill's definition; nullopt if it can have the status.
   [[nodiscard]] std::optional<std::string> whyNever(std::size_t index,
                                                     std::string_view status) const {
     const syntax::Skill& skill = report.program.skills.all[index].node();

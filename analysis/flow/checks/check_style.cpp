@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-/// What is right and could read better.
+/// Hints of style.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -25,14 +25,14 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
-/// The tags of a skill's ends are compared with one `.res`, whatever end they are of.
+/// All tags of a skill's outcomes are compared with `.res`, so they form one family.
 SymbolKind family(SymbolKind kind) {
   bool ends = kind == SymbolKind::FailureTag || kind == SymbolKind::InvariantTag;
   return ends ? SymbolKind::SuccessTag : kind;
 }
 
-/// Names of one kind and owner that a reader may take for each other.
-/// \return those of which this was told
+/// Finds similar names of one kind and owner, which readers may confuse.
+/// \return the names that were reported
 std::set<const Symbol*> checkSimilarNames(Report& report) {
   std::set<const Symbol*> told;
   std::map<std::tuple<SymbolKind, SymbolId, std::string>, const Symbol*> known;
@@ -47,7 +47,7 @@ std::set<const Symbol*> checkSimilarNames(Report& report) {
   return told;
 }
 
-/// Values have a capital, all else has none.
+/// Values are capitalised, all other names are not.
 void checkNaming(Report& report, const std::set<const Symbol*>& told) {
   for (const Symbol& symbol : report.index.symbols().all()) {
     if (symbol.name.empty() || told.contains(&symbol)) continue;
@@ -59,7 +59,7 @@ void checkNaming(Report& report, const std::set<const Symbol*>& told) {
   }
 }
 
-/// `(= battery Good)` where `(battery Good)` says the same.
+/// Finds `(= battery Good)`, which can be written `(battery Good)`.
 class Equalities {
 public:
   Equalities(Report& report, FileId file) : report(report), file(file) {}
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  /// A number reads well with `=`.
+  /// Numbers are excluded: they read well with `=`.
   static bool isValue(const Domain& domain, const Expr& value) {
     return !domain.isNumeric() && value.kind == ExprKind::Symbol &&
            domain.numberOf(value.name.text).has_value();

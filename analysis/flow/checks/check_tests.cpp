@@ -1,7 +1,7 @@
 #include "analysis/flow/checks/checks.h"
 #include "syntax/diagnostics/codes.h"
 
-/// Tests of `if`, `while` and `do` that always go the same way.
+/// Finds conditions of `if`, `while` and `do` that are always true or always false.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -9,12 +9,12 @@ namespace {
 using syntax::Code;
 using syntax::StatementKind;
 
-/// `(while true …)` and `(do … until false)` are how a loop without an end is written.
+/// `(while true …)` and `(do … until false)` are the idioms for endless loops.
 bool isIdiom(const Node& node, const Condition& condition) {
   return condition.kind == Condition::Kind::Constant && node.statement->kind != StatementKind::If;
 }
 
-/// What comes after the arm with this test when it fails; a test that always holds wastes it.
+/// Whether another arm follows, which a condition that is always true makes unreachable.
 bool hasOtherArm(const Node& node) {
   const syntax::Statement& statement = *node.statement;
   return statement.kind == StatementKind::If &&
@@ -45,7 +45,7 @@ void checkTest(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
 
 void checkTests(Report& report) {
   forEachReachedNode(report, [&](ProcessId id, const Process&, NodeId node, const Node& each) {
-    // The arms of a `case` are for outcomes that the skill declares, whether they come or not.
+    // the arms of a `case` are required for all declared outcomes, even for impossible ones
     if (each.kind == NodeKind::Test && each.statement->kind != StatementKind::Case &&
         !report.isExplained(id, node))
       checkTest(report, id, node, each);

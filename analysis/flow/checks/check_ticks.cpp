@@ -7,23 +7,23 @@
 #include <fmt/format.h>
 #include <optional>
 
-/// Bounds of time that the executor's usual rate cannot express.
+/// Finds bounds of time that the executor's default rate cannot represent.
 namespace proskill::analysis::flow {
 
 namespace {
 
 using syntax::Rational;
 
-constexpr std::int64_t kUsualRate = 100; ///< ticks a second
+constexpr std::int64_t kUsualRate = 100; ///< in ticks per second
 
-/// The least multiple of ten at which the bound is a whole number of ticks.
+/// The least multiple of ten for which the bound is an integer number of ticks.
 std::optional<std::int64_t> rateFor(Rational bound) {
   for (std::int64_t rate = kUsualRate; rate <= 1'000'000; rate *= 10)
     if (rate % bound.denominator == 0) return rate;
   return std::nullopt;
 }
 
-/// The nearest whole tick; nothing where that would be no time at all.
+/// The nearest tick; nullopt if that is 0.
 std::optional<Rational> rounded(Rational bound) {
   const syntax::Wide ticks = (syntax::Wide{bound.numerator} * kUsualRate * 2 + bound.denominator) /
                              (syntax::Wide{bound.denominator} * 2);
@@ -33,7 +33,7 @@ std::optional<Rational> rounded(Rational bound) {
                                            static_cast<std::int64_t>(ticks) % kUsualRate));
 }
 
-/// The interval in whole ticks, as it was written: `0.33`, `[0.33,1]`.
+/// The interval rounded to ticks, in the notation of the user: `0.33`, `[0.33,1]`.
 std::optional<std::string> inTicks(const syntax::Interval& interval, bool plain) {
   const auto lower = rounded(interval.lower);
   const auto upper = interval.upper ? rounded(*interval.upper) : std::nullopt;

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-/// Statements that nothing leads to, and outcomes that no way through a body returns.
+/// Finds unreachable statements, and outcomes that no path through a body returns.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -52,7 +52,7 @@ private:
     seen.reached |= reached;
   }
 
-  /// A `do` is reached where its body is.
+  /// A `do` is reached if its body is.
   [[nodiscard]] bool reached(const Statement& statement) const {
     if (statement.kind == StatementKind::DoUntil && !statement.branches.empty() &&
         !statement.branches.front().statements.empty() &&
@@ -77,7 +77,7 @@ private:
     }
   }
 
-  /// The last statement of the block before one that is reached in another way.
+  /// The last statement of a block before one that is reached by other paths.
   [[nodiscard]] const Statement& lastUnreached(const Block& block, const Statement& first) const {
     const Statement* last = &first;
     const Statement* end = block.statements.data() + block.statements.size();
@@ -97,7 +97,7 @@ private:
              withSpaceAround(report, {file, {statement.range.begin, last.range.end}}), "");
   }
 
-  /// Nothing where something else has been said about it.
+  /// The reason; nullopt if another finding covers it.
   [[nodiscard]] std::optional<std::string> whyNothingFollows(const Statement& before) const {
     switch (before.kind) {
     case StatementKind::Success:
@@ -124,7 +124,7 @@ private:
     std::unreachable();
   }
 
-  /// An outcome that some statement names is that statement's matter.
+  /// Outcomes that a statement names are reported at that statement instead.
   void checkOutcomes(const Definition<syntax::Skill>& skill) {
     if (!skill->isComposite()) return;
     auto check = [&](const syntax::List<syntax::Outcome>& outcomes, StatementKind kind) {

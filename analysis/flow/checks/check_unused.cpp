@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-/// Definitions that nothing in the program needs.
+/// Finds definitions that the program does not need.
 namespace proskill::analysis::flow {
 
 namespace {
@@ -50,14 +50,14 @@ private:
     if (!used) report.findings.report(code, symbol.at, symbol.name);
   }
 
-  /// Nothing refers to it, so that nothing is missed.
+  /// Reports a definition without references, which can be removed.
   void reportRemovable(syntax::CodeFor<1> code, const Symbol& symbol) {
     report.findings.report(code, symbol.at, symbol.name)
         .fix(fmt::format("remove `{}`", symbol.name),
              withSpaceAround(report, {symbol.at.file, symbol.extent}), "");
   }
 
-  /// That nobody sets any value of it says the same.
+  /// A variable that is never set has a finding of its own.
   void checkVariable(SymbolId id, const Symbol& symbol) {
     if (isNamed(id)) return;
     reportRemovable(Code::UnusedStateVariable, symbol);

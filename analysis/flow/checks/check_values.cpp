@@ -3,14 +3,15 @@
 
 #include <fmt/format.h>
 
-/// Values that a state variable never has, moves that nobody makes, values without a way out.
+/// Finds values that a state variable never has, moves that are never made, and values that are
+/// never left.
 namespace proskill::analysis::flow {
 
 namespace {
 
 using syntax::Code;
 
-/// What the effects of the text set, reached or not: the latter is told where they stand.
+/// The values that effects set, including unreachable effects, which are reported at their places.
 std::vector<ValueSet> writtenAnywhere(const Report& report) {
   std::vector<ValueSet> written(report.variables().size());
   for (const Process& process : report.system().all())
@@ -44,7 +45,7 @@ public:
   }
 
 private:
-  /// Of a very large enumeration, values share classes.
+  /// The values of a very large enumeration share classes.
   [[nodiscard]] bool isMerged() const {
     return variable.domain.size() < variable.domain.allWords().size();
   }
@@ -68,8 +69,8 @@ private:
     }
   }
 
-  /// A value that is entered and never left is taken for meant: the last of a life. One that is
-  /// neither, or that the variable starts with, is more likely a transition forgotten.
+  /// Whether a value is never left, probably by mistake. A value that is entered but never left is
+  /// probably intended as final; the initial value, or one that is neither, is not.
   bool isFrozen() {
     if (variable.allowed.empty()) return false;
     for (const syntax::Name& state : definition->states) {

@@ -77,7 +77,7 @@ bool mayCompare(const Condition& condition, const State& state, bool holds) {
   return false;
 }
 
-/// A class stays where the comparison may hold with it.
+/// Keeps the classes of values for which the comparison may be true.
 void refineCompare(State& state, const Condition& condition, bool holds) {
   for (Slot slot : condition.slots) {
     ValueSet before = state.values[slot];

@@ -11,7 +11,7 @@ constexpr std::size_t kMuchSmaller = 8;
 } // namespace
 
 bool IdSet::insert(Run run) {
-  auto first = std::ranges::lower_bound(runs, run.begin, {}, &Run::end); // touches, or is behind
+  auto first = std::ranges::lower_bound(runs, run.begin, {}, &Run::end); // touches or follows
   if (first == runs.end() || first->begin > run.end) {
     runs.insert(first, run);
     return true;

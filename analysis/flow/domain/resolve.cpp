@@ -29,7 +29,7 @@ void moveToFirstSlot(Term& term) {
   for (Term& operand : term.operands) moveToFirstSlot(operand);
 }
 
-/// A comparison that reads one variable is a question to that variable's value alone.
+/// Turns a comparison that reads one variable into a set of that variable's values.
 Condition simplified(Condition condition) {
   if (condition.slots.size() != 1) return condition;
   const Term& variable =
@@ -61,7 +61,7 @@ Comparison mirrored(Comparison comparison) {
   std::unreachable();
 }
 
-/// Whether it holds between some number of the span, and the number.
+/// Whether it is true for some number of the span and this number.
 bool mayHold(Comparison comparison, Span span, std::int64_t number) {
   switch (comparison) {
   case Comparison::Equal: return span.first <= number && number <= span.last;
@@ -74,12 +74,12 @@ bool mayHold(Comparison comparison, Span span, std::int64_t number) {
   return true;
 }
 
-/// Whether it fails between some number of the span, and the number.
+/// Whether it is false for some number of the span and this number.
 bool mayFail(Comparison comparison, Span span, std::int64_t number) {
   return mayHold(negated(comparison), span, number);
 }
 
-/// Most comparisons are of a variable with a value: what `simplified` gives, without the detour.
+/// Shortcut for the most common comparison, of a variable with a value; the same as `simplified`.
 Condition withNumber(Comparison comparison, const Term& variable, std::int64_t number) {
   Condition member{.kind = Condition::Kind::Member, .slot = variable.slot};
   const Domain& domain = *variable.domain;
@@ -156,7 +156,7 @@ Term Resolver::term(const Expr& expr, const Domain* beside, const Slots& slots) 
 
 Condition Resolver::compare(Comparison comparison, const Expr& left, const Expr& right,
                             const Slots& slots) const {
-  // The first that is a variable with words tells what the other word means.
+  // the first variable with named values determines the meaning of the other word
   const Domain* leftWords = wordsOf(left);
   const Domain* rightWords = leftWords ? nullptr : wordsOf(right);
   Term first = term(left, rightWords, slots);

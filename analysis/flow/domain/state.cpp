@@ -6,8 +6,8 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-/// The more slots, the dearer is a box, and the less likely that the next one tells more.
-constexpr std::size_t kMostSlots = 1024; ///< of all the boxes of a point together
+/// Limits: with more slots, boxes take more memory and add less precision.
+constexpr std::size_t kMostSlots = 1024; ///< of all boxes of a point together
 
 std::size_t mostFor(std::size_t slots, std::size_t most) {
   return std::clamp<std::size_t>(kMostSlots / std::max<std::size_t>(slots, 1), 1, most);
@@ -19,7 +19,7 @@ bool isWithin(const State& inner, const State& outer) {
   return true;
 }
 
-/// How many slots differ; no more than `limit` are counted.
+/// The number of different slots, up to `limit`.
 std::size_t difference(const State& a, const State& b, std::size_t limit) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.values.size() && count < limit; ++i)
@@ -37,7 +37,7 @@ bool Cases::add(State box, std::size_t most) {
   return true;
 }
 
-/// Two boxes that differ in one slot are one without loss.
+/// Two boxes that differ in one slot can be joined without loss.
 void Cases::absorb(State box, std::size_t most) {
   for (;;) {
     std::erase_if(boxes, [&](const State& known) { return isWithin(known, box); });

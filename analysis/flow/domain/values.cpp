@@ -17,7 +17,8 @@ std::vector<Span> oneEach(std::int64_t min, std::int64_t max) {
   return classes;
 }
 
-/// Classes that begin at the numbers of `starts`; where they are too many, every other start goes.
+/// Splits a range into classes that begin at `starts`; halves the number of starts while there are
+/// too many.
 std::vector<Span> cutAt(std::int64_t min, std::int64_t max, const std::set<std::int64_t>& starts) {
   std::vector<std::int64_t> kept(starts.begin(), starts.end());
   while (std::ssize(kept) > kMostClasses) {

@@ -12,7 +12,7 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-/// A domain is never empty, whatever the text says.
+/// A domain is never empty, even if the text has no values.
 Domain wordsOrOne(std::vector<std::string_view> words) {
   if (words.empty()) words.emplace_back();
   return Domain::ofWords(std::move(words));
@@ -42,7 +42,7 @@ ValueSet initialOf(const syntax::StateVariable& node, const Domain& domain) {
   return all;
 }
 
-/// To stay is always allowed.
+/// Keeping the value is always allowed.
 std::vector<ValueSet> allowedMoves(const syntax::StateVariable& node, const Domain& domain) {
   std::vector<ValueSet> allowed(domain.size());
   for (unsigned i = 0; i < domain.size(); ++i) allowed[i] = ValueSet::of(i);

@@ -11,7 +11,7 @@ CallOrder::CallOrder(std::vector<std::vector<ProcessId>> all) : started(std::mov
   for (std::size_t i = 0; i < order.size(); ++i) ranks[order[i]] = i;
 }
 
-/// With a stack of its own: skills may call each other in a very long chain.
+/// With an explicit stack, since chains of calls may be long.
 void CallOrder::visit(ProcessId root, std::vector<bool>& seen) {
   if (seen[root]) return;
   seen[root] = true;
@@ -31,8 +31,8 @@ void CallOrder::visit(ProcessId root, std::vector<bool>& seen) {
 }
 
 void CallOrder::closeOver(std::vector<IdSet>& sets) const {
-  // Once is enough, unless a program is recursive: then its loops are another check's matter, but
-  // not a reason to be wrong.
+  // One pass is enough unless the program is recursive, which another check reports. Even then the
+  // result must be correct.
   for (bool grew = true; grew;) {
     grew = false;
     for (ProcessId id : order)
@@ -40,7 +40,7 @@ void CallOrder::closeOver(std::vector<IdSet>& sets) const {
   }
 }
 
-/// In one pass: what is missing in a recursive program is only known less well.
+/// In one pass; for recursive programs, the result is less precise.
 std::vector<IdSet> CallOrder::inherited(const std::vector<IdSet>& sets, std::size_t most) const {
   std::vector<IdSet> all(sets.size());
   for (ProcessId id : order)

@@ -8,7 +8,7 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-/// Which resources a skill takes, and how many of each.
+/// The resources that a skill takes, with amounts.
 std::map<std::size_t, std::int64_t> resourcesOf(const System& system, const Process& process) {
   std::map<std::size_t, std::int64_t> taken;
   const auto& table = system.program().resources;
@@ -24,16 +24,16 @@ const syntax::Effects* effectsOf(const System& system, const Node& node) {
   return event ? &(*event)->effects : nullptr;
 }
 
-/// The variables of the skill itself that its transitions change.
+/// The variables for the skill itself that its transitions change.
 class Bookkeeping {
 public:
   Bookkeeping(const System& system, const Process& process, std::vector<Assignment>& assignments)
       : system(system), process(process), assignments(assignments) {}
 
   void start() { use(Term::Kind::Add); }
-  /// The call has reset what is known of the last run.
+  /// The call has reset the outcome of the last run.
   void refused() { set(VariableKind::Called, 0); }
-  /// An end without a tag has no result.
+  /// Without a tag there is no result.
   void end(Status status, std::string_view tag) {
     const Domain& tags = system.variables()[of(VariableKind::Result)].domain;
     set(VariableKind::Result, tags.numberOf(tag).value_or(0));

@@ -17,19 +17,19 @@ const Outcome* findOutcome(const syntax::List<Outcome>& outcomes, std::string_vi
   return found == outcomes.end() ? nullptr : &*found;
 }
 
-/// A step of a body, before which the guards are looked at.
+/// Whether it is a step of a body, before which guards are tested.
 bool isStep(const Node& node) {
   return !node.atomic && (node.statement || node.kind == NodeKind::Outcome);
 }
 
-/// An edge that does not have its target yet.
+/// An edge without a target.
 struct Loose {
   NodeId from = kNoNode;
   std::size_t edge = 0;
 };
 using LooseEnds = std::vector<Loose>;
 
-/// Turns the statements of one thread into a graph, and those of its branches into further ones.
+/// Turns the statements of a thread into a graph, and those of its branches into further graphs.
 class Builder {
 public:
   Builder(SkillGraph& all, const Skill* skill, GraphId id) : all(all), skill(skill), id(id) {}
@@ -45,7 +45,7 @@ private:
   void connect(NodeId from, NodeId target, bool sets) {
     connect({edge(from, Guard::None, sets)}, target);
   }
-  /// A node for the statement, after `ends`.
+  /// Adds a node for the statement after `ends`.
   NodeId place(NodeKind kind, const Statement& statement, const LooseEnds& ends);
   LooseEnds simple(NodeKind kind, const Statement& statement, const LooseEnds& ends);
 
@@ -72,7 +72,7 @@ private:
   GraphId id;
   std::vector<std::pair<std::string_view, NodeId>> labels;
   std::vector<std::pair<std::string_view, Loose>> jumps;
-  std::vector<LooseEnds> breaks; ///< of the loops around
+  std::vector<LooseEnds> breaks; ///< of the surrounding loops
 };
 
 NodeId Builder::add(Node node) {
@@ -136,7 +136,7 @@ LooseEnds Builder::statement(const Statement& s, LooseEnds ends) {
     return {};
   case StatementKind::Break: {
     Loose out = edge(place(NodeKind::Step, s, ends));
-    if (breaks.empty()) return {out}; // diagnosed elsewhere: as if it were not there
+    if (breaks.empty()) return {out}; // reported elsewhere; ignored here
     breaks.back().push_back(out);
     return {};
   }
@@ -169,7 +169,8 @@ LooseEnds Builder::conditional(const Statement& s, LooseEnds ends) {
   for (const Arm& arm : s.arms) {
     if (arm.condition) {
       NodeId node = test(s, *arm.condition, ends);
-      graph().nodes[node].atomic = &arm != s.arms.data(); // all tests are made at one moment
+      graph().nodes[node].atomic = &arm != s.arms.data(); // all conditions are tested at the same
+                                                          // moment
       ends = block(arm.body, {edge(node, Guard::Holds)});
       after.insert(after.end(), ends.begin(), ends.end());
       ends = {edge(node, Guard::Fails)};
@@ -181,8 +182,8 @@ LooseEnds Builder::conditional(const Statement& s, LooseEnds ends) {
   return after;
 }
 
-/// All arms are tried in the step that sees the return. One of them is for the outcome, so none is
-/// behind the last one.
+/// All arms are tried in the step in which the call returns. One of them matches, so no path
+/// continues after the last.
 LooseEnds Builder::outcomes(const Statement& s, LooseEnds ends) {
   if (const Statement* call = callOf(s)) ends = simple(NodeKind::Call, *call, ends);
   LooseEnds after;
@@ -249,7 +250,7 @@ LooseEnds Builder::fork(const Statement& s, const LooseEnds& ends) {
   return {edge(node)};
 }
 
-/// The outcomes that a branch, or a branch of it, may end the skill with.
+/// The outcomes with which a branch, or a nested branch, may end the skill.
 void Builder::leaveFrom(NodeId fork, const Block& block) {
   for (const Statement& s : block.statements) {
     bool success = s.kind == StatementKind::Success;
@@ -293,7 +294,7 @@ void Builder::resolveJumps() {
   }
 }
 
-/// When an invariant fails or, where the node waits, the skill is to stop.
+/// Adds the edges for a failed invariant and, where the node waits, for a stop request.
 void Builder::addStops(NodeId node, const std::vector<NodeId>& exits) {
   for (NodeId exit : exits) {
     Loose stop = edge(node);

@@ -12,11 +12,11 @@ namespace {
 
 /// A step that sets the variable.
 struct Write {
-  ValueSet from; ///< what the conditions of the step leave
+  ValueSet from; ///< values that the conditions of the step allow
   ValueSet to;
 };
 
-/// All that the program does with one variable.
+/// All uses of one variable.
 struct Usage {
   std::map<std::pair<ProcessId, NodeId>, Write> writes;
   std::set<ProcessId> writers;
@@ -29,7 +29,7 @@ State unknownState(const System& system, const Process& process) {
   return state;
 }
 
-/// One variable as a lock, or not.
+/// Tests whether a variable is used as a lock.
 class Lock {
 public:
   Lock(const System& system, const Usage& usage) : system(system), usage(usage) {
@@ -41,7 +41,7 @@ public:
     if (isLock) inherit();
   }
 
-  /// The skills that hold it whenever they run.
+  /// Skills that hold the lock whenever they run.
   [[nodiscard]] IdSet holders() const {
     IdSet found;
     if (!isLock) return found;
@@ -51,7 +51,7 @@ public:
     return found;
   }
 
-  /// Skills that are only called by who holds it.
+  /// Skills that are called only while the caller holds the lock.
   [[nodiscard]] const std::set<ProcessId>& called() const { return inherits; }
 
 private:
@@ -67,7 +67,7 @@ private:
       visit(it->first.second, it->second);
   }
 
-  /// Of a process, by node.
+  /// The writes of a process, by node.
   [[nodiscard]] std::vector<const Write*> writesOf(ProcessId id, std::size_t nodes) const {
     std::vector<const Write*> result(nodes, nullptr);
     eachWrite(id, [&](NodeId node, const Write& write) { result[node] = &write; });
@@ -79,7 +79,8 @@ private:
     return !takes(write) && !(write.to & free).empty();
   }
 
-  /// Where the thread holds the lock for sure; it is none if somebody else frees it.
+  /// Computes where the thread certainly holds the lock; it is not a lock if another thread frees
+  /// it.
   void follow(ProcessId id) {
     const Process& process = system[id];
     if (!process.graph) {
@@ -117,7 +118,7 @@ private:
     });
   }
 
-  /// A call that a holder makes is made under the lock.
+  /// Callees of a holder run under the lock.
   void inherit() {
     std::vector<ProcessId> pending(usage.writers.begin(), usage.writers.end());
     while (!pending.empty()) {
@@ -149,8 +150,8 @@ private:
   ValueSet free;  ///< F
   ValueSet taken; ///< C
   bool isLock = false;
-  std::map<ProcessId, std::vector<bool>> holds; ///< of those who write it, by node
-  std::set<ProcessId> inherits;                 ///< whoever calls them holds it
+  std::map<ProcessId, std::vector<bool>> holds; ///< by process that writes it, and node
+  std::set<ProcessId> inherits;                 ///< all callers hold it
 };
 
 void collect(const System& system, ProcessId id, std::map<VariableId, Usage>& usages) {

@@ -9,10 +9,10 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-constexpr std::size_t kMostCases = 32;           ///< of a point
-constexpr std::size_t kMostCasesInAll = 200'000; ///< so that large programs do not take long
+constexpr std::size_t kMostCases = 32;           ///< at a point
+constexpr std::size_t kMostCasesInAll = 200'000; ///< limit for large programs
 
-/// A call changes it, even one that never starts.
+/// Whether calling changes it, even if the skill does not start.
 bool isOfCall(VariableKind kind) {
   return kind == VariableKind::Status || kind == VariableKind::Result ||
          kind == VariableKind::Called;
@@ -28,9 +28,9 @@ Solver::Solver(const System& system) : model(system), moves(system.variables()) 
   summarise();
 }
 
-// Preparation -------------------------------------------------------------------------------------
+// --- Preparation
 
-/// While a skill runs, those that it excludes can only be refused.
+/// While a skill runs, the skills that it excludes can only be refused.
 Solver::Closing Solver::closingOf(ProcessId process, bool inside) {
   IdSet beside = model.concurrent(process);
   if (inside) beside.eraseAll(model.exclusive(process));
@@ -133,7 +133,7 @@ void Solver::prepareEvents() {
   for (NodeId event = 0; event < model[id].actions.size(); ++event) record(anything, id, event);
 }
 
-// Steps -------------------------------------------------------------------------------------------
+// --- Steps
 
 void Solver::close(State& state, const Closing& closing) {
   if (!state.reachable) return;
@@ -142,7 +142,7 @@ void Solver::close(State& state, const Closing& closing) {
     state.values[slot] = closing.relations[slot]->closure(state.values[slot]);
 }
 
-/// Others may come in before it. A basic skill's action and its end are one step.
+/// Whether others may interleave before the node. A basic skill's action and its end are one step.
 bool Solver::isPoint(ProcessId process, NodeId node) const {
   const Process& self = model[process];
   NodeKind kind = (*self.graph)[node].kind;
@@ -161,7 +161,7 @@ void Solver::wake(ProcessId process, NodeId node) {
   if (reachable(process, node)) pending[process].insert(node), schedule(process);
 }
 
-/// Somebody makes a move that is new to the reader.
+/// Handles a move that a reader has not seen yet.
 void Solver::grow(const Reader& reader) {
   if (reader.node != kNoNode) return wake(reader.process, reader.node);
   std::vector<Slot>& moving = (reader.inside ? relyInside : rely)[reader.process].moving;
@@ -170,7 +170,7 @@ void Solver::grow(const Reader& reader) {
   schedule(reader.process);
 }
 
-/// Of the slots that have grown.
+/// Checks the slots that have grown.
 bool Solver::isClosed(ProcessId process, NodeId node) const {
   const Closing& closing = relyAt(process, node);
   return std::ranges::all_of(cases(process, node), [&](const State& state) {
@@ -184,7 +184,9 @@ void Solver::closeAgain(ProcessId process) {
   const Graph& graph = *model[process].graph;
   for (NodeId node = 0; node < graph.nodes.size(); ++node) {
     if (!reachable(process, node)) continue;
-    if (graph[node].kind == NodeKind::Call) wake(process, node); // what has returned meets others
+    if (graph[node].kind == NodeKind::Call)
+      wake(process, node); // others may have changed the
+                           // state meanwhile
     if (!isPoint(process, node) || isClosed(process, node)) continue;
     Cases closed;
     for (State state : cases(process, node)) {
@@ -231,7 +233,7 @@ void Solver::step(ProcessId process, NodeId id) {
 
 void Solver::flow(ProcessId process, NodeId id, const Edge& edge) {
   const Process& self = model[process];
-  // One that its caller has stopped returns to nobody who goes on.
+  // a skill that was stopped returns to a caller that does not continue
   bool returns = (*self.graph)[id].kind != NodeKind::Interrupted || interrupted[process];
   const std::vector<State> all = cases(process, id);
   for (State state : all) {
@@ -265,14 +267,14 @@ bool Solver::stop(ProcessId process, NodeId id, const Edge& edge) {
     State state = during(before, process, id);
     if (fails) refineAll(state, exit.conditions, false);
     possible |= state.reachable;
-    // The branches go on until they have returned.
+    // the branches continue until they have returned
     if (!calls && state.reachable) arrive(process, edge.target, during(state, process, id));
   }
   if (calls && possible) stopCall(process, id, edge.target);
   return possible;
 }
 
-/// A variable of the skill itself.
+/// Sets a variable for the skill itself.
 void Solver::set(State& state, ProcessId process, VariableKind kind, unsigned to) {
   const Process& self = model[process];
   VariableId variable = model.variables().of(kind, self.definition);
@@ -304,7 +306,7 @@ bool Solver::mayFail(ProcessId process, NodeId node, const Condition& condition)
                              [&](const State& state) { return flow::mayFail(state, condition); });
 }
 
-// Results of steps --------------------------------------------------------------------------------
+// --- Results of steps
 
 State Solver::after(State state, const Process& process, NodeId id) const {
   return assigned(std::move(state), process, id, false);

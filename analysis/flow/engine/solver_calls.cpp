@@ -1,6 +1,6 @@
 #include "analysis/flow/engine/solver.h"
 
-/// What a process knows while it has called others, and when these have returned or are to stop.
+/// The knowledge of a process during its calls, at their returns, and when they are stopped.
 namespace proskill::analysis::flow {
 
 State Solver::project(const State& state, const Process& from, const Process& to) const {
@@ -13,7 +13,7 @@ State Solver::project(const State& state, const Process& from, const Process& to
   return result;
 }
 
-/// The call resets the skill's status and result first, so that is what its preconditions see.
+/// The call first resets the skill's status and result; its preconditions see them reset.
 State Solver::entryOf(const State& before, ProcessId caller, NodeId call) const {
   const Process& self = model[caller];
   const Process& callee = model[self.actions[call].target];
@@ -45,7 +45,7 @@ std::vector<State> Solver::atCallee(ProcessId caller, NodeId call) const {
   return entries;
 }
 
-/// A call resets what the skill tells of its last run.
+/// A call resets the outcome of the last run.
 void Solver::enter(ProcessId process, State state) {
   if (!state.reachable) return;
   if (model[process].kind == ProcessKind::Skill) {
@@ -63,8 +63,8 @@ bool Solver::entersCall(const State& before, ProcessId process, NodeId id) const
   return entry.reachable;
 }
 
-/// After a call that was served: what holds both for this return of the callee and for whatever may
-/// have happened since this call.
+/// The state after a call that was served: the intersection of what is known for this return of the
+/// callee, and for everything that may have happened since the call.
 State Solver::returned(const State& before, const State& exit, ProcessId process, NodeId id) const {
   const Process& self = model[process];
   const Process& callee = model[self.actions[id].target];
@@ -106,8 +106,8 @@ void Solver::call(ProcessId process, NodeId id, NodeId next) {
   }
 }
 
-/// When the caller is stopped it waits until its callee has returned, which may have come to any of
-/// its ends, or was refused, or has not started.
+/// A caller that is stopped waits for its callee to return. The callee may have ended in any way,
+/// or was refused, or has not started.
 void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
   const Process& self = model[process];
   ProcessId target = self.actions[id].target;
@@ -130,7 +130,7 @@ void Solver::stopCall(ProcessId process, NodeId id, NodeId exit) {
   }
 }
 
-/// What is known, and what holds for the end of the branch.
+/// Combines what is known with the end of the branch.
 Cases Solver::endedBranch(const Cases& known, ProcessId process, ProcessId branch) const {
   const Process& self = model[process];
   const Process& thread = model[branch];
@@ -149,7 +149,7 @@ Cases Solver::endedBranch(const Cases& known, ProcessId process, ProcessId branc
   return result;
 }
 
-/// After all branches; after a race, what holds for the end of one of them.
+/// After all branches; for a race, after the end of one of them.
 Cases Solver::joined(const State& before, ProcessId process, NodeId id) const {
   const Process& self = model[process];
   Cases during;
@@ -190,13 +190,13 @@ void Solver::fork(ProcessId process, NodeId id, NodeId next) {
 
 bool Solver::mayStop(ProcessId process) const { return interrupted[process] || stopped[process]; }
 
-/// Once it runs: only its call can be stopped.
+/// Whether the skill cannot be stopped while it runs. Its pending call can.
 bool Solver::isUnstoppable(ProcessId process) const {
   const Process& self = model[process];
   return self.kind == ProcessKind::Skill && model.skill(self).unstoppable;
 }
 
-/// Whatever may end a node from outside stops what the node has called.
+/// Whatever may end a node from outside also stops its callees.
 void Solver::stopCallees(ProcessId process, NodeId id, bool stops) {
   if (!stops) return;
   const Action& action = model[process].actions[id];
@@ -205,7 +205,7 @@ void Solver::stopCallees(ProcessId process, NodeId id, bool stops) {
   for (ProcessId branch : action.branches) mark(stopped, branch);
 }
 
-/// A skill that was called but has not started returns with `interrupted`, without effects.
+/// A skill that was called but has not started returns `interrupted`, without effects.
 void Solver::stopBeforeStart(ProcessId process) {
   const Process& self = model[process];
   if (self.kind != ProcessKind::Skill) return;

@@ -11,14 +11,14 @@ namespace proskill::analysis::flow {
 
 namespace {
 
-/// How many values the states of all points of one thread, and of the program, may have. A program
-/// must be very large before a variable is left out.
+/// Limits of the number of values in the states of all points of a thread, and of the program. Only
+/// very large programs exceed them; then some variables are not tracked.
 constexpr std::size_t kMostInThread = 16'000'000;
 constexpr std::size_t kMostInherited = 2'000'000;
-constexpr std::size_t kEnough = 64; ///< variables that are followed however many points there are
+constexpr std::size_t kEnough = 64; ///< number of variables that are always tracked
 
-/// What the process itself looks at, as long as that is not too much, and what others that it calls
-/// do. The values of what is left out are those that the variable has anywhere.
+/// The variables to track: those that the process reads, within the limits, then those that its
+/// callees read. Other variables may have any of their values.
 IdSet followed(const IdSet& own, const IdSet& inherited, std::size_t nodes) {
   IdSet all = own;
   all.keepFirst(std::max(kEnough, kMostInThread / std::max<std::size_t>(nodes, 1)));
@@ -141,7 +141,7 @@ void System::linkNode(ProcessId id, NodeId nodeId) {
     if (node.kind == NodeKind::Call && action.target != kNoProcess)
       sites[action.target].push_back({id, nodeId});
   }
-  // Branches stand behind the thread that forks them, in the order of the graphs.
+  // branches come after the thread that forks them, in the order of the graphs
   if (node.kind == NodeKind::Fork) {
     ProcessId first = id;
     while (processes[first].kind == ProcessKind::Branch) --first;
@@ -191,10 +191,10 @@ void System::findActivities() {
               [this](std::size_t id) { processes[id].analysed = true; });
 }
 
-/// Each of the group, with all that it calls, runs beside the others.
+/// Each member of the group, with everything that it calls, runs in parallel with the others.
 void System::letRunTogether(const std::vector<ProcessId>& group) {
   IdSet all;
-  IdSet twice; ///< what more than one of them calls runs beside itself
+  IdSet twice; ///< skills that several of them call, which run in parallel with themselves
   for (ProcessId id : group) {
     twice.insertAll(all.common(activities[id]));
     all.insertAll(activities[id]);

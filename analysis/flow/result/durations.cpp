@@ -30,7 +30,7 @@ Duration ofInterval(const std::optional<syntax::Interval>& interval) {
 Durations::Durations(const Solver& solver)
     : solver(solver), system(solver.system()), known(system.size()), busy(system.size()) {}
 
-/// With a stack of its own: skills may call each other in a very long chain.
+/// With an explicit stack, since chains of calls may be long.
 std::optional<Duration> Durations::of(ProcessId process) {
   std::vector<ProcessId> stack{process};
   while (!stack.empty()) {
@@ -46,7 +46,7 @@ std::optional<Duration> Durations::of(ProcessId process) {
   return known[process]->whole;
 }
 
-/// Adds what it starts and is not known yet, unless that has been begun.
+/// Adds the callees whose durations are unknown, unless they are being computed.
 bool Durations::isReady(ProcessId process, std::vector<ProcessId>& needed) const {
   const std::size_t before = needed.size();
   auto need = [&](ProcessId other) {
@@ -86,7 +86,7 @@ bool Durations::mayEndEarly(ProcessId skill) const {
   return false;
 }
 
-/// The call may have to wait until the skill or its resources are free.
+/// Whether the call may have to wait until the skill or its resources are free.
 bool Durations::mayBeAwaited(ProcessId caller, ProcessId callee) const {
   return system.concurrent(caller).contains(callee) ||
          !system.skill(system[callee]).resources.empty();
@@ -113,7 +113,7 @@ Duration Durations::ofFork(ProcessId process, NodeId node) {
   Duration all{{0, 1}, Rational{0, 1}};
   for (ProcessId branch : system[process].actions[node].branches) {
     if (!known[branch]) return {{0, 1}, std::nullopt};
-    // One that ends the whole skill, or never ends, has no end of its own.
+    // a branch that ends the whole skill, or never ends, has no end of its own
     if (known[branch]->whole) all.least = std::max(all.least, known[branch]->whole->least);
     const Date& last = known[branch]->latestExit;
     all.most = all.most && last ? Date(std::max(*all.most, *last)) : std::nullopt;
@@ -121,7 +121,8 @@ Duration Durations::ofFork(ProcessId process, NodeId node) {
   return all;
 }
 
-/// The first to end; a branch that has called what must not be stopped keeps the others waiting.
+/// The duration of the fastest branch, unless a branch has called a skill that must not be stopped,
+/// for which all wait.
 Duration Durations::ofRace(ProcessId process, NodeId node) {
   Date least;
   Date first;
@@ -176,8 +177,8 @@ Duration Durations::ofNode(ProcessId process, NodeId id) {
   std::unreachable();
 }
 
-/// The shortest way; nothing where there is none. By relaxation: bodies are almost acyclic, so that
-/// few rounds do. R. Bellman, "On a routing problem", 1958.
+/// The shortest path; nullopt if there is none. By relaxation, which needs few rounds since bodies
+/// are almost acyclic. R. Bellman, "On a routing problem", 1958.
 Durations::Date Durations::earliestEnd(const Unrolled& ways, const std::vector<Duration>& times) {
   const Graph& graph = ways.graph;
   std::vector<Date> dates(graph.nodes.size());
@@ -190,7 +191,7 @@ Durations::Date Durations::earliestEnd(const Unrolled& ways, const std::vector<D
       for (const Edge& edge : graph[node].edges) {
         NodeKind kind = graph[edge.target].kind;
         if (kind == NodeKind::InvariantFailure || kind == NodeKind::Interrupted) continue;
-        // A branch that ends the skill may do so at any time of the fork.
+        // a branch that ends the skill may do so at any time during the fork
         Date date = edge.stops ? dates[node] : sum(dates[node], times[node].least);
         if (dates[edge.target] && *dates[edge.target] <= *date) continue;
         dates[edge.target] = date;
@@ -201,8 +202,7 @@ Durations::Date Durations::earliestEnd(const Unrolled& ways, const std::vector<D
   return graph.end == kNoNode ? Date() : dates[graph.end];
 }
 
-/// The longest way to the end, or to where a branch ends its skill; nothing where there is none
-/// that is longest.
+/// The longest path to the end, or to where a branch ends its skill; nullopt if it is unbounded.
 Durations::Date Durations::latestExit(const Unrolled& ways, const std::vector<Duration>& times) {
   const Graph& graph = ways.graph;
   if (!loopsOf(graph, [](NodeId) { return true; }).empty()) return std::nullopt;
@@ -214,7 +214,7 @@ Durations::Date Durations::latestExit(const Unrolled& ways, const std::vector<Du
     for (NodeId node = 0; node < graph.nodes.size(); ++node) {
       if (!dates[node]) continue;
       Date leaving = sum(dates[node], times[node].most);
-      if (!leaving) return std::nullopt; // it may stay there, whether or not a way leads on
+      if (!leaving) return std::nullopt; // it may stay there, whatever edges leave it
       for (const Edge& edge : graph[node].edges) {
         if (dates[edge.target] && *dates[edge.target] >= *leaving) continue;
         dates[edge.target] = leaving;

@@ -11,10 +11,9 @@ namespace proskill::analysis::flow {
 namespace {
 
 constexpr std::size_t kMostSteps = 5000;  ///< of the search in one loop
-constexpr std::size_t kMostRepeats = 100; ///< until the values of a round stay what they are
+constexpr std::size_t kMostRepeats = 100; ///< until the values no longer change from round to round
 
-/// One step without time: over an edge of a node, or, for a call, with a precondition that is
-/// false.
+/// A step without delay: along an edge of a node or, for a call, past a false precondition.
 struct Pass {
   NodeId node = kNoNode;
   std::size_t edge = 0;
@@ -26,7 +25,7 @@ bool hasNode(const Process& process, NodeKind kind) {
          std::ranges::find(process.graph->nodes, kind, &Node::kind) != process.graph->nodes.end();
 }
 
-/// A thread, those that forked it or called its skill, and so on.
+/// A thread with those that forked it or called its skill, transitively.
 IdSet threadsAround(const System& system, ProcessId thread) {
   IdSet around;
   std::vector<ProcessId> todo{thread};
@@ -42,7 +41,7 @@ IdSet threadsAround(const System& system, ProcessId thread) {
   return around;
 }
 
-/// It is a branch of a race that one of the threads is another branch of.
+/// Whether it belongs to a race against one of these threads.
 bool racesWith(const System& system, const Process& branch, const IdSet& threads) {
   const NodeId fork = branch.graph->fork;
   if (!(*system[branch.parent].graph)[fork].isRace()) return false;
@@ -50,8 +49,8 @@ bool racesWith(const System& system, const Process& branch, const IdSet& threads
   return std::ranges::any_of(branches, [&](ProcessId each) { return threads.contains(each); });
 }
 
-/// Others may end it at once: a guard of who forked or called it, a branch beside one of them that
-/// ends the skill or wins a race, or an interrupt.
+/// Whether others may end it at once: by a guard of a caller, by a parallel branch that ends the
+/// skill or wins a race, or by an interrupt.
 bool mayBeEnded(const System& system, ProcessId thread) {
   const IdSet around = threadsAround(system, thread);
   for (ProcessId other = 0; other < system.size(); ++other) {
@@ -72,7 +71,7 @@ bool mayBeEnded(const System& system, ProcessId thread) {
   return false;
 }
 
-/// What a condition leaves of a state: where it is certain, all of it.
+/// How a condition restricts a state: `Certain` requires it to be true in all of the state.
 enum class Need : std::uint8_t { Possible, Certain };
 
 bool require(State& state, const Condition& condition, bool holds, Need need) {
@@ -133,7 +132,7 @@ private:
     return all;
   }
 
-  /// Or is another check's matter.
+  /// Also true for what another check reports.
   [[nodiscard]] static bool takesTime(const Node& node, const Edge& edge) {
     const bool isTimeout = node.kind == NodeKind::Wait && edge.guard != Guard::Holds;
     return edge.stops || isTimeout;
@@ -146,10 +145,10 @@ private:
     return system[self.actions[node].target];
   }
 
-  /// Goes on from what a round left until nothing changes; then every step has to be certain.
+  /// Repeats a round until nothing changes; then every step has to be certain.
   bool repeats(State state) const {
     if (std::ranges::none_of(path, [&](const Pass& pass) { return mayWait(pass.node); }))
-      return false; // another check's matter
+      return false; // reported by another check
     if (dependsOnOthers()) return false;
     for (std::size_t i = 0; i < kMostRepeats; ++i) {
       const State before = state;
@@ -164,8 +163,9 @@ private:
     return nodeOf(node).kind == NodeKind::Wait || nodeOf(node).kind == NodeKind::Call;
   }
 
-  /// Of values that others set, only single events make each combination possible for sure: skills
-  /// beside may keep to an order that the solver does not see, and so may events with an `:every`.
+  /// Whether it depends on values that others set. Only single events make each combination
+  /// certainly possible: parallel skills may keep an order that the solver does not see, as may
+  /// events with `:every`.
   [[nodiscard]] bool dependsOnOthers() const {
     const IdSet read = variablesRead();
     for (ProcessId other = 0; other < system.size(); ++other)
@@ -187,14 +187,14 @@ private:
     return system.program().events.all[event]->every.has_value();
   }
 
-  /// It is about what follows a refusal, whether that is possible or not.
+  /// Whether the round contains a refused call; the finding is then about what follows a refusal.
   [[nodiscard]] bool isRefused() const {
     return std::ranges::any_of(
         path, [&](const Pass& pass) { return nodeOf(pass.node).kind == NodeKind::Call; });
   }
 
-  /// Nothing but one wait looks at anything, at one variable, and this wait does not end before an
-  /// event has set that: whenever it is reached the round follows.
+  /// Whether the loop tests nothing but one variable in one wait that does not end before an event
+  /// has set it. Then the round follows whenever the loop is reached.
   [[nodiscard]] bool isAwaited() const {
     NodeId waiting = kNoNode;
     for (const Pass& pass : path) {
@@ -217,7 +217,7 @@ private:
     return slots;
   }
 
-  /// The round itself does.
+  /// Whether the round itself sets it.
   [[nodiscard]] bool sets(Slot slot) const {
     return std::ranges::any_of(path, [&](const Pass& pass) {
       const auto& assignments = self.actions[pass.node].assignments;
@@ -259,7 +259,7 @@ private:
     return std::ranges::all_of(path, [&](const Pass& pass) { return take(pass, state, need); });
   }
 
-  /// \return it is possible, or certain
+  /// \return whether the pass is possible, or certain
   bool take(const Pass& pass, State& state, Need need) const {
     for (NodeId guard : guards)
       if (!require(state, self.actions[guard].conditions.at(0), true, need)) return false;
@@ -273,7 +273,7 @@ private:
     return state.reachable;
   }
 
-  /// What is interrupted may set something that the loop reads.
+  /// Whether what is interrupted may set something that the loop reads.
   [[nodiscard]] bool disturbs(NodeId node) const {
     const ProcessId interrupted = self.actions[node].target;
     if (interrupted == kNoProcess) return false;
@@ -283,7 +283,7 @@ private:
     });
   }
 
-  /// The call resets it before the preconditions are looked at.
+  /// The call resets it before the preconditions are tested.
   [[nodiscard]] bool isReset(const Process& callee, VariableId variable) const {
     return variable == system.variables().of(VariableKind::Status, callee.definition) ||
            variable == system.variables().of(VariableKind::Result, callee.definition);
@@ -331,7 +331,7 @@ private:
   std::size_t steps = 0;
 };
 
-/// Others may have the call wait: they call the same skill, or hold what it needs.
+/// Whether others may delay the call: they call the same skill, or hold what it needs.
 bool mayBeHeldUp(const System& system, ProcessId caller, ProcessId callee) {
   const auto& needed = system.skill(system[callee]).resources;
   const auto holds = [&](ProcessId other) {

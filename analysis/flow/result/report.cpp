@@ -39,7 +39,7 @@ Location withSpaceAround(const Report& report, Location part) {
     while (end < text.size() && isSpace(end)) ++end;
     return {part.file, {begin, end}};
   }
-  // What follows must not become part of a comment before it.
+  // what follows must not become part of a preceding comment
   bool comment = std::ranges::any_of(document.comments(), [begin](const syntax::Range& each) {
     return each.begin < begin && begin <= each.end;
   });

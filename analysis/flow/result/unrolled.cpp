@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostNodes = 10'000;
 
-/// Of each counter the class of its value, in the order of their slots.
+/// The class of each counter's value, in the order of their slots.
 using Counts = std::vector<unsigned>;
 
 class Unroller {
@@ -24,7 +24,7 @@ public:
         process(system[id]),
         counters(std::move(counters)) {}
 
-  /// False where it would be too large.
+  /// \return false if the result would be too large
   bool run() {
     for (const Counts& counts : choices(solver.before(id, 0))) place(0, counts);
     for (std::size_t next = 0; next < result.original.size(); ++next) {
@@ -41,7 +41,7 @@ public:
   Unrolled result;
 
 private:
-  /// Each way in which the counters may have one value each.
+  /// All combinations of single values of the counters.
   [[nodiscard]] std::vector<Counts> choices(const State& state) const {
     std::vector<Counts> all{{}};
     for (Slot slot : counters) {
@@ -57,7 +57,7 @@ private:
   }
 
   NodeId place(NodeId node, const Counts& counts) {
-    // What has ended is one place, whatever the counters are.
+    // the end is a single place, whatever the counters are
     const bool ends = node == process.graph->end;
     auto [entry, isNew] =
         known.try_emplace({node, ends ? Counts() : counts}, result.original.size());
@@ -84,7 +84,7 @@ private:
     }
   }
 
-  /// What is true behind an edge that is taken with the counters of the place.
+  /// The state after an edge that is taken with the counters of the place.
   [[nodiscard]] State taken(State state, NodeId from, const Edge& edge) const {
     NodeId node = result.original[from];
     for (std::size_t i = 0; i < counters.size(); ++i) {
@@ -103,10 +103,10 @@ private:
   const Process& process;
   std::vector<Slot> counters;
   std::map<std::pair<NodeId, Counts>, std::size_t> known;
-  std::vector<Counts> countsOf; ///< of each node of the result
+  std::vector<Counts> countsOf; ///< by node of the result
 };
 
-/// Somebody else may set it while the process runs: who runs beside it, or whom it calls.
+/// Whether others may set it while the process runs: parallel processes, or callees.
 bool isSetByOthers(const Solver& solver, ProcessId id, VariableId variable) {
   const System& system = solver.system();
   IdSet others = system.concurrent(id);
