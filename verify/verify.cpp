@@ -6,7 +6,7 @@
 #include "verify/explore/search.h"
 #include "verify/reduce/monitor_view.h"
 #include "verify/reduce/prepared.h"
-#include "verify/slice_search.h"
+#include "verify/slice/slice_search.h"
 #include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 

@@ -1,4 +1,4 @@
-#include "verify/reduce/slicer.h"
+#include "verify/slice/slicer.h"
 
 #include "verify/reduce/path_facts.h"
 #include "verify/state/state_layout.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verify/reduce/slicer.h"
+#include "verify/slice/slicer.h"
 #include "verify/trace/dates.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "verify/trace/whole_run.h"
+#include "verify/slice/whole_run.h"
 
 #include "verify/trace/simulator.h"
 

@@ -1,11 +1,11 @@
-#include "verify/slice_search.h"
+#include "verify/slice/slice_search.h"
 
 #include "verify/model/nodes.h"
 #include "verify/reduce/prepared.h"
 #include "verify/reduce/recurrent_steps.h"
+#include "verify/slice/whole_run.h"
 #include "verify/state/run.h"
 #include "verify/state/state_layout.h"
-#include "verify/trace/whole_run.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "verify/reduce/instant_waits.h"
+#include "verify/slice/instant_waits.h"
 
 #include "verify/model/nodes.h"
 #include "verify/state/evaluate.h"

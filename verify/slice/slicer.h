@@ -3,7 +3,7 @@
 #include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/model/nodes.h"
-#include "verify/reduce/instant_waits.h"
+#include "verify/slice/instant_waits.h"
 
 #include <map>
 #include <vector>

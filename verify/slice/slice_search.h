@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verify/explore/search.h"
-#include "verify/reduce/slicer.h"
+#include "verify/slice/slicer.h"
 #include "verify/verify.h"
 
 #include <functional>
