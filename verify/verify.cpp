@@ -114,10 +114,6 @@ private:
     return [this](Reduction reduction) { return takes(reduction); };
   }
 
-  [[nodiscard]] Extrapolation extrapolation() const {
-    return takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
-  }
-
   /// Answers what was decided before: first what needs no replay, which takes time.
   void findKnown() {
     if (!options.answers) return;
@@ -186,16 +182,16 @@ private:
     const Prepared prepared(compiled.system, goals, may(), limits);
     const Witness witness(whole, prepared.reductions, provenance, limits);
     auto found = search(
-        prepared.system, goals, prepared.reductions, extrapolation(), limits,
+        prepared.system, goals, prepared.reductions, prepared.extrapolation, limits,
         [&](std::size_t i, const Evidence& evidence) { answerBy(which[i], evidence, witness); },
         pause);
     if (found.failure) return found.failure;
     if (found.paused) {
-      found.statistics.complete = true;
-      found.statistics.stopped.clear();
+      addCounts(result.exploration, found.statistics);
+      return std::nullopt;
     }
     add(result.exploration, found.statistics);
-    for (std::size_t i = 0; i < goals.size() && !found.paused; ++i)
+    for (std::size_t i = 0; i < goals.size(); ++i)
       if (!found.goals[i]) answerWithout(which[i], found.statistics, found.progressStopped);
     return std::nullopt;
   }

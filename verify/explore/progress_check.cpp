@@ -54,7 +54,7 @@ const std::vector<ProgressCheck::Thresholds>& ProgressCheck::thresholds(Signatur
 }
 
 std::optional<StuckMoment> ProgressCheck::find() {
-  if (std::ranges::all_of(recurrent, [](Word bits) { return bits == 0; })) return std::nullopt;
+  if (isEmpty(recurrent)) return std::nullopt;
   // In an urgent state it is plain to see that time has stopped; elsewhere it does so at a bound.
   if (auto found = findAmong(true)) return found;
   return findAmong(false);

@@ -95,12 +95,16 @@ std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>&
 
 } // namespace
 
-void add(Exploration& to, const Exploration& more) {
+void addCounts(Exploration& to, const Exploration& more) {
   to.classes += more.classes;
   to.markings += more.markings;
   to.domains += more.domains;
   to.transitions += more.transitions;
   to.bytes = std::max(to.bytes, more.bytes);
+}
+
+void add(Exploration& to, const Exploration& more) {
+  addCounts(to, more);
   to.seconds = more.seconds;
   to.complete = to.complete && more.complete;
   if (to.stopped.empty()) to.stopped = more.stopped;

@@ -35,7 +35,10 @@ struct SearchResult {
   std::optional<Unsupported> failure;
 };
 
-/// Adds the numbers of another exploration of the same system.
+/// Adds the sizes of another exploration.
+void addCounts(Exploration& to, const Exploration& more);
+
+/// Adds the sizes, the time and the end of another exploration of the same system.
 /// \param more the later exploration; its time includes the earlier one
 void add(Exploration& to, const Exploration& more);
 

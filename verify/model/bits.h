@@ -39,6 +39,16 @@ public:
       words[i] &= ~other.words[i];
     return *this;
   }
+  Bits& operator&=(const Bits& other) {
+    if (words.size() > other.words.size()) words.resize(other.words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] &= other.words[i];
+    return *this;
+  }
+  [[nodiscard]] bool isWithin(const Bits& other) const {
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if ((words[i] & ~(i < other.words.size() ? other.words[i] : 0)) != 0) return false;
+    return true;
+  }
   [[nodiscard]] bool meets(const Bits& other) const {
     for (std::size_t i = 0; i < words.size() && i < other.words.size(); ++i)
       if ((words[i] & other.words[i]) != 0) return true;

@@ -117,7 +117,7 @@ private:
       const Path& path = system.paths[part];
       const Node& guard = system.nodes[path.guard];
       if (path.mayFail || guard.op != NodeOp::Number || guard.number == 0) return std::nullopt;
-      const auto sure = surelyWritten(path, path.writes);
+      const auto sure = surelyWritten(path);
       for (const auto& assignment : path.assignments) {
         if (assignment.target != cell) continue;
         const Node& value = system.nodes[assignment.value];

@@ -17,12 +17,6 @@ bool grow(Bits& set, const Bits& more) {
   return !(set == before);
 }
 
-void intersect(Bits& set, const Bits& other) {
-  Bits outside = set;
-  outside -= other;
-  set -= outside;
-}
-
 } // namespace
 
 LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped,
@@ -39,7 +33,7 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
   writing.resize(system.cells.size());
   for (PathId i = 0; i < system.paths.size(); ++i) {
     limits.check();
-    written.push_back(surelyWritten(system.paths[i], allCells));
+    written.push_back(surelyWritten(system.paths[i]));
     if (!used.contains(i)) continue;
     paths[system.paths[i].instance].push_back(i);
     system.paths[i].writes.each([&](CellId cell) { writing[cell].push_back(i); });
@@ -111,7 +105,7 @@ Bits LiveVariables::rewrittenFor(InstanceId instance, NodeId condition) const {
   read.each([&](CellId cell) {
     for (auto id : writing[cell])
       if (system.paths[id].instance != instance && mayMakeTrue(system, system.paths[id], condition))
-        for (const auto& [_, sure] : written[id]) intersect(cells, sure);
+        for (const auto& [_, sure] : written[id]) cells &= sure;
   });
   return cells;
 }

@@ -8,7 +8,9 @@ Prepared::Prepared(const System& whole, const std::vector<Goal>& goals,
                    const std::function<bool(Reduction)>& takes, LimitWatch& limits)
     : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)
                                                 : everything(whole)),
-      system(withStateLayout(whole, relevance.cells)) {
+      system(withStateLayout(whole, relevance.cells)),
+      extrapolation(takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper
+                                                    : Extrapolation::Least) {
   const Bits& dropped = reductions.dropped = relevance.dropped;
   reductions.inclusion = takes(Reduction::Inclusion);
   if (takes(Reduction::StubbornSets))

@@ -6,6 +6,7 @@
 #include "verify/reduce/private_moves.h"
 #include "verify/reduce/reductions.h"
 #include "verify/reduce/stubborn_sets.h"
+#include "verify/state/timing.h"
 #include "verify/verify.h"
 
 #include <functional>
@@ -28,6 +29,7 @@ struct Prepared {
   std::optional<FreeInputs> freeInputs;
   std::optional<PrivateMoves> privateMoves;
   Reductions reductions;
+  Extrapolation extrapolation;
 };
 
 } // namespace proskill::verify

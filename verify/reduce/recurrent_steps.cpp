@@ -204,7 +204,7 @@ private:
       const Path& path = system.paths[part];
       if (!path.writes.contains(cell)) continue;
       const auto [entry, isNew] = sure.try_emplace(part);
-      if (isNew) entry->second = surelyWritten(path, path.writes);
+      if (isNew) entry->second = surelyWritten(path);
       for (const auto& [to, cells] : entry->second)
         if (cells.contains(cell)) ends.emplace_back(id, path.instance, to);
     }

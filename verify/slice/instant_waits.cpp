@@ -1,6 +1,7 @@
 #include "verify/slice/instant_waits.h"
 
 #include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
 #include "verify/state/evaluate.h"
 
 #include <algorithm>
@@ -12,59 +13,23 @@ namespace {
 constexpr std::int64_t kMostCombinations = 4096;
 constexpr std::int64_t kMostPossible = 256;
 
-using Values = std::set<std::int64_t>;
+using CellValues = std::set<std::int64_t>;
 
-bool add(Values& to, const Values& more) {
+bool add(CellValues& to, const CellValues& more) {
   const auto before = to.size();
   to.insert(more.begin(), more.end());
   return to.size() != before;
 }
 
-/// What a cell may hold at each end of a path, from what it holds before: by target.
-std::map<std::uint32_t, Values> valuesBehind(const System& system, const Path& path, CellId cell,
-                                             const Values& before, const Values& all) {
-  std::vector<Values> at(path.code.size());
-  std::map<std::uint32_t, Values> ends;
-  if (at.empty()) return ends;
-  at[0] = before;
-  for (bool grew = true; grew;) { // code may jump back
-    grew = false;
-    for (std::size_t i = 0; i < path.code.size(); ++i) {
-      const auto& instruction = path.code[i];
-      Values now = at[i];
-      bool goesOn = true;
-      switch (instruction.kind) {
-      case InstructionKind::Assign:
-      case InstructionKind::Store:
-        for (auto k = instruction.first; k < instruction.last && !now.empty(); ++k) {
-          const auto& assignment = path.assignments[k];
-          if (assignment.target != cell) continue;
-          const Node& value = system.nodes[assignment.value];
-          now = value.op == NodeOp::Number ? Values{value.number} : all;
-        }
-        break;
-      case InstructionKind::JumpUnless: grew = add(at[instruction.last], now) || grew; break;
-      case InstructionKind::Jump:
-        grew = add(at[instruction.last], now) || grew;
-        goesOn = false;
-        break;
-      case InstructionKind::To:
-        add(ends[instruction.last], now);
-        goesOn = false;
-        break;
-      case InstructionKind::Loop:
-        add(ends[path.location], now);
-        goesOn = false;
-        break;
-      case InstructionKind::On:
-      case InstructionKind::Tag:
-      case InstructionKind::Origin:
-      case InstructionKind::Fail: break;
-      }
-      if (goesOn && i + 1 < at.size()) grew = add(at[i + 1], now) || grew;
-    }
-  }
-  return ends;
+/// What a cell may hold at each end of a path, from what it holds before.
+std::map<std::uint32_t, CellValues> valuesAfter(const System& system, const Path& path, CellId cell,
+                                                const CellValues& before, const CellValues& all) {
+  const auto assign = [&](CellValues& values, const Assignment& assignment) {
+    if (assignment.target != cell) return;
+    const Node& value = system.nodes[assignment.value];
+    values = value.op == NodeOp::Number ? CellValues{value.number} : all;
+  };
+  return alongPath(path, before, assign, add);
 }
 
 } // namespace
@@ -74,15 +39,19 @@ InstantWaits::InstantWaits(const System& of, LimitWatch& watch)
       limits(watch),
       evaluation(of),
       writer(of.cells.size(), kNone),
+      pathsOf(of.instances.size()),
       urgentOf(of.instances.size()),
       state(of.words),
       unknown(of.words, ~Word{0}) {
   Bits shared;
-  for (const auto& path : system.paths)
+  for (PathId i = 0; i < system.paths.size(); ++i) {
+    const Path& path = system.paths[i];
+    pathsOf[path.instance].push_back(i);
     path.writes.each([&](CellId cell) {
       if (writer[cell] != kNone && writer[cell] != path.instance) shared.insert(cell);
       writer[cell] = path.instance;
     });
+  }
   shared.each([&](CellId cell) { writer[cell] = kNone; });
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
     if (system.transitions[i].urgent && !system.transitions[i].tentative)
@@ -135,11 +104,7 @@ bool InstantWaits::isUrgentWith(const std::vector<CellId>& cells) {
     const auto instance = writer[cell];
     if (instance == kNone) continue;
     const Bits here = locationsWith(instance, cell, readCell(system, cell, state.data()));
-    const auto [entry, isNew] = places.try_emplace(instance, here);
-    if (isNew) continue;
-    Bits outside = entry->second;
-    outside -= here;
-    entry->second -= outside;
+    places.try_emplace(instance, here).first->second &= here;
   }
   return std::ranges::any_of(places, [&](const auto& place) {
     bool all = true;
@@ -179,24 +144,25 @@ Bits InstantWaits::locationsWith(InstanceId instance, CellId cell, std::int64_t 
 }
 
 /// What a cell may hold while its only writer is in each location; empty: anything.
-const std::vector<Values>& InstantWaits::valuesAt(CellId cell) {
+const std::vector<CellValues>& InstantWaits::valuesAt(CellId cell) {
   const auto [entry, isNew] = known.try_emplace(cell);
   const Cell& of = system.cells[cell];
   if (!isNew || of.high - of.low >= kMostPossible) return entry->second;
   const InstanceId instance = writer[cell];
   auto& values = entry->second;
   values.resize(system.instances[instance].locations.size());
-  Values all;
+  CellValues all;
   for (auto value = of.low; value <= of.high; ++value) all.insert(value);
   const auto start = system.cells[system.instances[instance].location].initial;
   values[static_cast<std::size_t>(start)].insert(of.initial);
   for (bool grew = true; grew;) {
     grew = false;
-    for (const auto& path : system.paths) {
-      if (path.instance != instance || values[path.location].empty()) continue;
+    for (auto id : pathsOf[instance]) {
+      const Path& path = system.paths[id];
+      if (values[path.location].empty()) continue;
       limits.check();
-      for (const auto& [to, behind] : valuesBehind(system, path, cell, values[path.location], all))
-        grew = add(values[to], behind) || grew;
+      for (const auto& [to, after] : valuesAfter(system, path, cell, values[path.location], all))
+        grew = add(values[to], after) || grew;
     }
   }
   return values;

@@ -22,11 +22,11 @@ public:
   [[nodiscard]] bool isInstant(NodeId condition);
 
 private:
-  using Values = std::set<std::int64_t>;
+  using CellValues = std::set<std::int64_t>;
 
   [[nodiscard]] bool isUrgentWith(const std::vector<CellId>& cells);
   [[nodiscard]] Bits locationsWith(InstanceId instance, CellId cell, std::int64_t value);
-  [[nodiscard]] const std::vector<Values>& valuesAt(CellId cell);
+  [[nodiscard]] const std::vector<CellValues>& valuesAt(CellId cell);
   [[nodiscard]] bool someIsEnabled(InstanceId instance, std::uint32_t location);
   void set(CellId cell, std::int64_t value);
   void forget(CellId cell);
@@ -34,9 +34,10 @@ private:
   const System& system;
   LimitWatch& limits;
   PartialEvaluation evaluation;
-  std::vector<InstanceId> writer; ///< by cell: the only instance that writes it, or kNone
+  std::vector<InstanceId> writer;           ///< by cell: the only instance that writes it, or kNone
+  std::vector<std::vector<PathId>> pathsOf; ///< by instance
   std::vector<std::vector<TransitionId>> urgentOf; ///< by instance
-  std::map<CellId, std::vector<Values>> known;     ///< by location of the writer
+  std::map<CellId, std::vector<CellValues>> known; ///< by location of the writer
   std::map<NodeId, bool> decided;
   std::vector<Word> state;
   std::vector<Word> unknown;

@@ -1,6 +1,7 @@
 #include "verify/slice/slice_search.h"
 
 #include "verify/model/nodes.h"
+#include "verify/reduce/path_facts.h"
 #include "verify/reduce/prepared.h"
 #include "verify/reduce/recurrent_steps.h"
 #include "verify/slice/whole_run.h"
@@ -19,15 +20,7 @@ bool isSmall(const Bits& cone, const Bits& all) { return cone.count() * 4 <= all
 
 /// What can be explored together at little more than the cost of the larger alone.
 bool isExploredWith(const Bits& cone, const Bits& larger) {
-  Bits outside = cone;
-  outside -= larger;
-  return outside.empty() && (cone.empty() || cone.count() * 2 > larger.count());
-}
-
-bool mayFail(const System& system, const Transition& transition) {
-  return transition.fails || std::ranges::any_of(transition.parts, [&](PathId part) {
-           return system.paths[part].mayFail;
-         });
+  return cone.isWithin(larger) && (cone.empty() || cone.count() * 2 > larger.count());
 }
 
 /// Whether it is possible in every state: its processes have one place only, and it asks for no
@@ -39,7 +32,7 @@ bool isAlwaysPossible(const System& system, TransitionId id) {
   bool isFixed = true;
   read.each(
       [&](CellId cell) { isFixed = isFixed && system.cells[cell].low == system.cells[cell].high; });
-  return isFixed && !transition.tentative && !mayFail(system, transition) &&
+  return isFixed && !transition.tentative && !mayBeAnError(system, id) &&
          isEnabled(system, id, initialState(system).data());
 }
 
@@ -96,8 +89,6 @@ void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
   const Enabling enabling(allCells);
   const Prepared prepared(slice.system, own, takes, limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
-  const auto extrapolation =
-      takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper : Extrapolation::Least;
   const auto onFound = [&](std::size_t i, const Evidence& evidence) {
     const Evidence tidied = witness.tidied(own[i], evidence);
     const auto dating = dated(allCells, enabling, tidied, limits);
@@ -108,11 +99,8 @@ void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
     if (onDecided(group.goals[i], &run)) decided.insert(static_cast<std::uint32_t>(group.goals[i]));
   };
   const auto found =
-      search(prepared.system, own, prepared.reductions, extrapolation, limits, onFound);
-  statistics.classes += found.statistics.classes;
-  statistics.markings += found.statistics.markings;
-  statistics.domains += found.statistics.domains;
-  statistics.transitions += found.statistics.transitions;
+      search(prepared.system, own, prepared.reductions, prepared.extrapolation, limits, onFound);
+  addCounts(statistics, found.statistics);
   if (found.failure || !found.statistics.complete) return;
   for (std::size_t i = 0; i < own.size(); ++i)
     if (!found.goals[i] && onDecided(group.goals[i], nullptr))
@@ -125,13 +113,11 @@ bool isPlainlyNever(const System& whole, const Goal& goal, LimitWatch& limits) {
     for (TransitionId i = 0; i < whole.transitions.size(); ++i)
       if (isAlwaysPossible(whole, i)) return true;
     return false;
-  case GoalKind::Stuck:
-    return std::ranges::all_of(recurrentSteps(whole, {}, limits),
-                               [](Word bits) { return bits == 0; });
+  case GoalKind::Stuck: return isEmpty(recurrentSteps(whole, {}, limits));
   case GoalKind::Error:
-    return std::ranges::none_of(whole.transitions, [&](const Transition& transition) {
-      return mayFail(whole, transition);
-    });
+    for (TransitionId i = 0; i < whole.transitions.size(); ++i)
+      if (mayBeAnError(whole, i)) return false;
+    return true;
   case GoalKind::Events:
   case GoalKind::Condition:
   case GoalKind::Run:

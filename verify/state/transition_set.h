@@ -2,6 +2,7 @@
 
 #include "verify/model/system.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace proskill::verify {
@@ -16,6 +17,10 @@ using TransitionSet = std::vector<Word>;
 inline void insert(TransitionSet& set, TransitionId id) { set[id / 64] |= Word{1} << (id % 64); }
 
 inline void erase(TransitionSet& set, TransitionId id) { set[id / 64] &= ~(Word{1} << (id % 64)); }
+
+[[nodiscard]] inline bool isEmpty(const TransitionSet& set) {
+  return std::ranges::all_of(set, [](Word bits) { return bits == 0; });
+}
 
 template <class Visit> void eachIn(const TransitionSet& set, Visit visit) {
   for (std::size_t i = 0; i < set.size(); ++i)

@@ -207,7 +207,7 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
 
 /// The steps with those of the dropped processes put in where they have to happen: at once.
 Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
-  if (std::ranges::all_of(dropped, [](Word bits) { return bits == 0; })) return evidence;
+  if (isEmpty(dropped)) return evidence;
   Rewritten made;
   std::vector<Word> state = initialState(system);
   TransitionSet enabled;
