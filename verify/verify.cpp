@@ -19,7 +19,7 @@ namespace proskill::verify {
 namespace {
 
 /// Questions times transitions: beyond that it takes seconds to find out which slices there are.
-constexpr std::size_t kMostWork = 200'000;
+constexpr std::size_t kMostWork = 1'000'000;
 
 Answer unknown(std::string reason) { return {Truth::Unknown, std::nullopt, std::move(reason)}; }
 

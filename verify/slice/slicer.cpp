@@ -4,94 +4,17 @@
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
+#include <map>
 #include <ranges>
 
 namespace proskill::verify {
 
-namespace {
-
-bool isWithin(const Bits& some, const Bits& all) {
-  Bits outside = some;
-  outside -= all;
-  return outside.empty();
-}
-
-void keepOnly(Bits& some, const Bits& all) {
-  Bits outside = some;
-  outside -= all;
-  some -= outside;
-}
-
-bool mayFailAtAll(const Path& path) { return path.mayFail || path.fails; }
-
-} // namespace
-
 Slicer::Slicer(const System& system, LimitWatch& watch)
     : base(system),
-      nodes(base),
       limits(watch),
-      pathsOf(base.instances.size()),
-      having(base.paths.size()),
-      writers(base.cells.size()),
-      laidOut((readGuards(), withStateLayout(base))),
-      waits(laidOut, watch) {
-  for (PathId i = 0; i < base.paths.size(); ++i) {
-    const Path& path = base.paths[i];
-    pathsOf[path.instance].push_back(i);
-    path.writes.each([&](CellId cell) { writers[cell].insert(path.instance); });
-    if (base.instances[path.instance].locations.size() > 1) movingOnes.insert(path.instance);
-  }
-  for (TransitionId i = 0; i < base.transitions.size(); ++i)
-    for (auto part : base.transitions[i].parts) having[part].push_back(i);
-  findReadLater();
-}
-
-/// By location of each instance: the cells that its paths from there on may read.
-void Slicer::findReadLater() {
-  for (InstanceId i = 0; i < base.instances.size(); ++i) {
-    auto& at = readLater.emplace_back(base.instances[i].locations.size());
-    for (auto id : pathsOf[i]) {
-      at[base.paths[id].location] |= base.paths[id].guardReads;
-      at[base.paths[id].location] |= base.paths[id].reads;
-    }
-    for (bool grew = true; grew;) {
-      grew = false;
-      for (auto id : pathsOf[i] | std::views::reverse) {
-        limits.check();
-        Bits& here = at[base.paths[id].location];
-        const Bits before = here;
-        for (auto to : targetsOf(base.paths[id])) here |= Bits(at[to]);
-        grew = grew || !(here == before);
-      }
-    }
-  }
-}
-
-/// The parts of conjuncts are nodes that may be new, so they are made before all else.
-void Slicer::readGuards() {
-  for (const auto& path : base.paths) split(path.guard, false, false, ofPath.emplace_back());
-  for (const auto& transition : base.transitions)
-    split(transition.guard, false, false, ofTransition.emplace_back());
-  for (const auto& all : ofTransition)
-    for (auto conjunct : all)
-      if (const auto [entry, isNew] = parts.try_emplace(conjunct); isNew)
-        split(conjunct, false, true, entry->second);
-}
-
-/// The conditions that a guard, or its negation, is the conjunction of.
-/// \param alsoOr whether the negation of a disjunction counts as one
-void Slicer::split(NodeId id, bool negated, bool alsoOr, std::vector<NodeId>& all) {
-  limits.check();
-  const Node node = base.nodes[id];
-  if (node.op == NodeOp::Not && (alsoOr || negated)) return split(node.a, !negated, alsoOr, all);
-  if (node.op == (negated ? NodeOp::Or : NodeOp::And)) {
-    split(node.a, negated, alsoOr, all);
-    split(node.b, negated, alsoOr, all);
-    return;
-  }
-  if (!negated && node.op == NodeOp::Number && node.number != 0) return;
-  all.push_back(negated ? nodes.negation(id) : id);
-}
+      facts(base, watch),
+      laidOut(withStateLayout(base)),
+      waits(laidOut, watch) {}
 
 bool Slicer::canDecide(const Goal& goal) {
   switch (goal.kind) {
@@ -106,45 +29,41 @@ bool Slicer::canDecide(const Goal& goal) {
   std::unreachable();
 }
 
-Bits Slicer::readBy(NodeId node) const {
-  Bits cells;
-  addReads(base, node, cells);
-  return cells;
-}
-
-Bits Slicer::ownLocations(const Transition& transition) const {
-  Bits cells;
-  for (auto part : transition.parts)
-    cells.insert(base.instances[base.paths[part].instance].location);
-  return cells;
-}
-
-/// Whether no time passes while the condition is false. Values that may not exist are looked at.
-bool Slicer::isInstant(NodeId conjunct) {
-  const auto& all = parts.at(conjunct);
-  return !mayFail(base, conjunct) &&
-         std::ranges::all_of(all, [&](NodeId part) { return waits.isInstant(part); });
+/// Whether no time passes while the condition is false. A value that may not exist has to be read.
+bool Slicer::isInstant(ConjunctId id) {
+  const Conjunct& conjunct = facts.conjuncts[id];
+  return !mayFail(base, conjunct.whole.node) &&
+         std::ranges::all_of(conjunct.parts,
+                             [&](const Condition& part) { return waits.isInstant(part.node); });
 }
 
 // --- What matters
 
+std::size_t Slicer::Cone::size() const {
+  std::size_t total = 0;
+  for (const auto* part : {&instances, &cells, &shared, &observed, &kept, &relevant, &instant})
+    total += part->count();
+  return total;
+}
+
 Bits Slicer::cone(const Goals& goals) {
   Bits found = coneOf(goals).instances;
-  keepOnly(found, movingOnes);
+  found &= facts.moving;
   return found;
 }
 
 Slicer::Cone Slicer::coneOf(const Goals& goals) {
   Cone cone;
   begin(goals, cone);
-  for (Cone before; !(before == cone);) {
-    before = cone;
+  for (std::size_t before = 0; before != cone.size();) {
+    before = cone.size();
     grow(cone);
   }
   return cone;
 }
 
 void Slicer::begin(const Goals& goals, Cone& cone) const {
+  cone.reader.assign(base.cells.size(), kNone);
   Bits events;
   bool ofErrors = false;
   for (const auto* goal : goals) {
@@ -154,13 +73,9 @@ void Slicer::begin(const Goals& goals, Cone& cone) const {
     ofErrors = ofErrors || goal->kind == GoalKind::Error;
   }
   cone.cells = cone.shared;
-  for (TransitionId i = 0; i < base.transitions.size(); ++i) {
-    const auto fails = [&](PathId part) { return mayFailAtAll(base.paths[part]); };
-    const auto& transition = base.transitions[i];
-    if (mayPass(base, transition, events) ||
-        (ofErrors && (transition.fails || std::ranges::any_of(transition.parts, fails))))
+  for (TransitionId i = 0; i < base.transitions.size(); ++i)
+    if (mayPass(base, base.transitions[i], events) || (ofErrors && mayBeAnError(base, i)))
       observe(i, cone);
-  }
 }
 
 void Slicer::observe(TransitionId id, Cone& cone) const {
@@ -173,36 +88,34 @@ void Slicer::observe(TransitionId id, Cone& cone) const {
 void Slicer::need(const Bits& cells, InstanceId reader, Cone& cone) {
   cone.cells |= cells;
   cells.each([&](CellId cell) {
-    if (cone.reader.try_emplace(cell, reader).first->second != reader) cone.shared.insert(cell);
+    if (cone.reader[cell] == kNone) cone.reader[cell] = reader;
+    if (cone.reader[cell] != reader) cone.shared.insert(cell);
   });
 }
 
 /// One round: who writes what matters, which of its paths matter, and what these read.
 void Slicer::grow(Cone& cone) {
-  cone.cells.each([&](CellId cell) { cone.instances |= writers[cell]; });
+  cone.cells.each([&](CellId cell) { cone.instances |= facts.writers[cell]; });
   const Bits instances = cone.instances;
   instances.each([&](InstanceId instance) { sortPaths(instance, cone); });
-  const auto needPath = [&](PathId path) {
+  cone.kept.each([&](PathId path) {
     limits.check();
-    needCode(base.paths[path], cone);
-    for (auto id : having[path]) needGuard(id, cone);
-  };
-  cone.relevant.each(needPath);
-  cone.ending.each(needPath);
+    needCode(path, cone);
+    for (auto id : facts.paths[path].transitions) needGuard(id, cone);
+  });
   needInstants(cone);
 }
 
 /// What only the instance itself reads matters only where it may read it later.
-bool Slicer::writesWhatMatters(const Path& path, const Cone& cone) const {
+bool Slicer::writesWhatMatters(PathId id, const Cone& cone) const {
+  const Path& path = base.paths[id];
   if (path.writes.meets(cone.shared)) return true;
   if (!path.writes.meets(cone.cells)) return false;
-  Bits later;
-  for (auto to : targetsOf(path)) later |= readLater[path.instance][to];
   bool matters = false;
   path.writes.each([&](CellId cell) {
-    const auto reader = cone.reader.find(cell);
-    matters = matters || (reader != cone.reader.end() &&
-                          (reader->second != path.instance || later.contains(cell)));
+    const auto reader = cone.reader[cell];
+    matters = matters || (reader != kNone &&
+                          (reader != path.instance || facts.paths[id].readLater.contains(cell)));
   });
   return matters;
 }
@@ -212,55 +125,39 @@ bool Slicer::writesWhatMatters(const Path& path, const Cone& cone) const {
 void Slicer::sortPaths(InstanceId instance, Cone& cone) const {
   std::vector<bool> leads(base.instances[instance].locations.size());
   const auto matters = [&](PathId id) {
-    const Path& path = base.paths[id];
-    const auto targets = targetsOf(path);
-    return cone.observed.contains(id) || writesWhatMatters(path, cone) ||
-           std::ranges::any_of(targets, [&](auto to) { return to != path.location && leads[to]; });
+    const auto leadsOn = [&](auto to) { return to != base.paths[id].location && leads[to]; };
+    return cone.observed.contains(id) || writesWhatMatters(id, cone) ||
+           std::ranges::any_of(facts.paths[id].targets, leadsOn);
   };
   for (bool grew = true; grew;) {
     grew = false;
-    for (auto id : pathsOf[instance]) {
+    for (auto id : facts.pathsOf[instance] | std::views::reverse) { // mostly the order of locations
       limits.check();
       if (leads[base.paths[id].location] || !matters(id)) continue;
       grew = leads[base.paths[id].location] = true;
     }
   }
-  for (auto id : pathsOf[instance]) {
+  for (auto id : facts.pathsOf[instance]) {
     if (!leads[base.paths[id].location]) continue;
     const bool isRelevant = matters(id);
-    if (!isRelevant && changesNothing(id)) continue;
-    (isRelevant ? cone.relevant : cone.ending).insert(id);
-    if (isRelevant) cone.ending.erase(id);
-    for (auto transition : having[id])
+    if (!isRelevant && facts.paths[id].changesNothing) continue;
+    cone.kept.insert(id);
+    if (isRelevant) cone.relevant.insert(id);
+    for (auto transition : facts.paths[id].transitions)
       if (isRelevant || base.transitions[transition].parts.size() > 1) observe(transition, cone);
   }
 }
 
-/// Whether the path leaves its instance where it is, and all clocks of it as they are.
-bool Slicer::changesNothing(PathId id) const {
-  const Path& path = base.paths[id];
-  const auto targets = targetsOf(path);
-  const auto isTimed = [&](PathId other) {
-    return base.paths[other].location == path.location &&
-           std::ranges::any_of(having[other], [&](TransitionId transition) {
-             return base.transitions[transition].clock != kNone;
-           });
-  };
-  return std::ranges::all_of(targets, [&](std::uint32_t to) { return to == path.location; }) &&
-         (path.loops || std::ranges::none_of(pathsOf[path.instance], isTimed));
-}
-
 /// What decides whether the transition is possible matters. Whether an instance comes to an end at
 /// which nothing of it matters does not, unless time depends on it; and a condition that is false
-/// for an instant only may be left out.
+/// for an instant only may be omitted.
 void Slicer::needGuard(TransitionId id, Cone& cone) {
   const Transition& transition = base.transitions[id];
   const bool isPlain = transition.clock == kNone && !transition.fails;
   if (isPlain && !cone.relevant.contains(transition.parts.front())) return;
-  const Bits own = ownLocations(transition);
-  for (auto conjunct : ofTransition[id]) {
-    Bits cells = readBy(conjunct);
-    if (isWithin(cells, own)) continue; // where its instances are
+  for (auto conjunct : facts.transitions[id].guard) {
+    const Bits& cells = facts.conjuncts[conjunct].whole.cells;
+    if (cells.isWithin(facts.transitions[id].ownLocations)) continue;
     if (isPlain && isInstant(conjunct))
       cone.instant.insert(conjunct);
     else
@@ -268,59 +165,47 @@ void Slicer::needGuard(TransitionId id, Cone& cone) {
   }
 }
 
-void Slicer::needCode(const Path& path, Cone& cone) const {
-  Bits cells;
-  for (const auto& instruction : path.code) switch (instruction.kind) {
-    case InstructionKind::On:
-    case InstructionKind::JumpUnless:
-    case InstructionKind::Fail: addReads(base, instruction.node, cells); break;
-    case InstructionKind::Assign:
-    case InstructionKind::Store:
-    case InstructionKind::Jump:
-    case InstructionKind::Tag:
-    case InstructionKind::Origin:
-    case InstructionKind::To:
-    case InstructionKind::Loop: break;
-    }
-  for (const auto& assignment : path.assignments)
+void Slicer::needCode(PathId id, Cone& cone) const {
+  const Path& path = base.paths[id];
+  Bits cells = facts.paths[id].tested;
+  for (std::size_t i = 0; i < path.assignments.size(); ++i) {
+    const auto& assignment = path.assignments[i];
     if (assignment.checked || path.mayFail || cone.cells.contains(assignment.target))
-      addReads(base, assignment.value, cells);
+      cells |= facts.paths[id].assigned[i];
+  }
   need(cells, path.instance, cone);
 }
 
-/// Those parts of instant conditions are looked at that bring in no other moving instance.
-void Slicer::needInstants(Cone& cone) {
-  const Bits conditions = cone.instant;
-  conditions.each([&](NodeId conjunct) {
-    for (auto part : parts.at(conjunct)) {
+/// Those parts of instant conditions matter that bring in no other moving instance.
+void Slicer::needInstants(Cone& cone) const {
+  cone.instant.each([&](ConjunctId conjunct) {
+    for (const auto& part : facts.conjuncts[conjunct].parts) {
       limits.check();
-      const Bits cells = readBy(part);
       Bits from;
-      cells.each([&](CellId cell) { from |= writers[cell]; });
-      keepOnly(from, movingOnes);
-      if (!isWithin(from, cone.instances)) continue;
-      cone.cells |= cells;
-      cone.shared |= cells;
+      part.cells.each([&](CellId cell) { from |= facts.writers[cell]; });
+      from &= facts.moving;
+      if (!from.isWithin(cone.instances)) continue;
+      cone.cells |= part.cells;
+      cone.shared |= part.cells;
     }
   });
 }
 
 // --- The slice
 
-/// The conjunction of those parts that look at nothing else.
-NodeId Slicer::guardWithin(const std::vector<NodeId>& conjuncts, const Bits& known, Nodes& made) {
-  NodeId guard = made.number(1);
-  for (auto conjunct : conjuncts) {
-    if (isWithin(readBy(conjunct), known)) {
-      guard = made.both(guard, conjunct);
-      continue;
-    }
-    const auto all = parts.find(conjunct);
-    if (all == parts.end()) continue;
-    for (auto part : all->second)
-      if (isWithin(readBy(part), known)) guard = made.both(guard, part);
-  }
-  return guard;
+/// The conjunction of those parts that read nothing else.
+NodeId Slicer::guardWithin(const std::vector<ConjunctId>& guard, const Bits& known,
+                           Nodes& nodes) const {
+  NodeId made = nodes.number(1);
+  const auto add = [&](const Condition& condition) {
+    const bool isKnown = condition.cells.isWithin(known);
+    if (isKnown) made = nodes.both(made, condition.node);
+    return isKnown;
+  };
+  for (auto conjunct : guard)
+    if (!add(facts.conjuncts[conjunct].whole))
+      std::ranges::for_each(facts.conjuncts[conjunct].parts, add);
+  return made;
 }
 
 Slice Slicer::slice(const Goals& goals) {
@@ -329,33 +214,34 @@ Slice Slicer::slice(const Goals& goals) {
   System& system = made.system;
   system.paths.clear();
   system.transitions.clear();
-  Nodes newNodes(system);
+  Nodes nodes(system);
   std::map<PathId, PathId> numbers;
   for (TransitionId id = 0; id < base.transitions.size(); ++id) {
     limits.check();
     Transition transition = base.transitions[id];
-    const auto isIn = [&](PathId part) {
-      return cone.relevant.contains(part) || cone.ending.contains(part);
-    };
-    if (!std::ranges::all_of(transition.parts, isIn)) continue;
+    const auto isKept = [&](PathId part) { return cone.kept.contains(part); };
+    if (!std::ranges::all_of(transition.parts, isKept)) continue;
+    const auto& guard = facts.transitions[id].guard;
     Bits known = cone.cells;
-    known |= ownLocations(transition);
-    const auto sees = [&](NodeId conjunct) { return isWithin(readBy(conjunct), known); };
+    known |= facts.transitions[id].ownLocations;
+    const auto isExact = [&](ConjunctId conjunct) {
+      return facts.conjuncts[conjunct].whole.cells.isWithin(known) || isInstant(conjunct);
+    };
     const bool isRelevant = cone.relevant.contains(transition.parts.front());
-    if (!isRelevant && transition.urgent && !std::ranges::all_of(ofTransition[id], sees)) {
+    if (!isRelevant && transition.urgent && !std::ranges::all_of(guard, isExact)) {
       made.late.insert(static_cast<std::uint32_t>(made.original.size()));
       transition.urgent = false;
       transition.interval = {};
     }
-    transition.guard = guardWithin(ofTransition[id], known, newNodes);
-    keepOnly(transition.guardReads, known);
+    transition.guard = guardWithin(guard, known, nodes);
+    transition.guardReads &= known;
     for (auto& part : transition.parts) {
       const auto [entry, isNew] =
           numbers.try_emplace(part, static_cast<PathId>(system.paths.size()));
       if (isNew) {
         Path path = base.paths[part];
-        path.guard = guardWithin(ofPath[part], known, newNodes);
-        keepOnly(path.guardReads, known);
+        path.guard = guardWithin(facts.paths[part].guard, known, nodes);
+        path.guardReads &= known;
         system.paths.push_back(std::move(path));
       }
       part = entry->second;

@@ -4,8 +4,8 @@
 #include "verify/model/goals.h"
 #include "verify/model/nodes.h"
 #include "verify/slice/instant_waits.h"
+#include "verify/slice/slice_facts.h"
 
-#include <map>
 #include <vector>
 
 namespace proskill::verify {
@@ -34,56 +34,42 @@ public:
   /// reached. \throw LimitMet
   [[nodiscard]] Bits cone(const Goals& goals);
   /// All instances with several locations.
-  [[nodiscard]] const Bits& moving() const { return movingOnes; }
+  [[nodiscard]] const Bits& moving() const { return facts.moving; }
   /// \throw LimitMet
   [[nodiscard]] Slice slice(const Goals& goals);
 
 private:
-  /// What a slice looks at.
+  /// What a slice depends on. All of it only grows.
   struct Cone {
     Bits instances;
     Bits cells;  ///< whose values matter; locations only where other instances read them
     Bits shared; ///< those of them that several instances read, or a goal
-    std::map<CellId, InstanceId> reader; ///< of the others
-    Bits observed;                       ///< paths that have to be in the slice
-    Bits relevant;                       ///< paths that may lead to what matters
-    Bits ending;                         ///< other paths that start where a relevant one does
-    Bits instant; ///< conditions that are false for an instant only, of which a part may do
-    friend bool operator==(const Cone&, const Cone&) = default;
+    std::vector<InstanceId> reader; ///< by cell: the only one that reads it, or kNone
+    Bits observed;                  ///< paths that have to be in the slice
+    Bits kept;                      ///< paths of the slice
+    Bits relevant; ///< those that may lead to what matters; the others start where one of them does
+    Bits instant;  ///< conjuncts that are false for an instant only, so that the slice omits parts
+
+    [[nodiscard]] std::size_t size() const;
   };
 
-  void readGuards();
-  void split(NodeId node, bool negated, bool alsoOr, std::vector<NodeId>& all);
-  [[nodiscard]] const std::vector<NodeId>& partsOf(NodeId conjunct);
-  [[nodiscard]] bool isInstant(NodeId conjunct);
   [[nodiscard]] Cone coneOf(const Goals& goals);
   void begin(const Goals& goals, Cone& cone) const;
   void observe(TransitionId id, Cone& cone) const;
   void grow(Cone& cone);
   void sortPaths(InstanceId instance, Cone& cone) const;
   void needGuard(TransitionId id, Cone& cone);
-  void needCode(const Path& path, Cone& cone) const;
-  void needInstants(Cone& cone);
-  [[nodiscard]] bool changesNothing(PathId path) const;
+  void needCode(PathId id, Cone& cone) const;
+  void needInstants(Cone& cone) const;
   static void need(const Bits& cells, InstanceId reader, Cone& cone);
-  void findReadLater();
-  [[nodiscard]] bool writesWhatMatters(const Path& path, const Cone& cone) const;
-  [[nodiscard]] Bits ownLocations(const Transition& transition) const;
-  [[nodiscard]] Bits readBy(NodeId node) const;
-  [[nodiscard]] NodeId guardWithin(const std::vector<NodeId>& conjuncts, const Bits& known,
-                                   Nodes& nodes);
+  [[nodiscard]] bool isInstant(ConjunctId conjunct);
+  [[nodiscard]] bool writesWhatMatters(PathId id, const Cone& cone) const;
+  [[nodiscard]] NodeId guardWithin(const std::vector<ConjunctId>& guard, const Bits& known,
+                                   Nodes& nodes) const;
 
   System base;
-  Nodes nodes; ///< of base
   LimitWatch& limits;
-  std::vector<std::vector<NodeId>> ofPath;       ///< conjuncts of guards
-  std::vector<std::vector<NodeId>> ofTransition; ///< conjuncts of guards
-  std::map<NodeId, std::vector<NodeId>> parts;   ///< of conjuncts that deny a disjunction
-  std::vector<std::vector<PathId>> pathsOf;      ///< by instance
-  std::vector<std::vector<TransitionId>> having; ///< by path
-  std::vector<Bits> writers;                     ///< by cell: instances
-  std::vector<std::vector<Bits>> readLater; ///< by instance and location: cells that it may read
-  Bits movingOnes;
+  SliceFacts facts; ///< of base
   System laidOut;
   InstantWaits waits; ///< of laidOut
 };
