@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace proskill::runtime {
 
 namespace {
@@ -109,41 +107,14 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
                        fmt::join(of.members, ",\n  "), of.type);
   }
 
-  [[nodiscard]] const Enumeration& valuesOf(const StubType& type) const {
-    const auto found =
-        std::ranges::find(program.variables, type.variable, &StubProgram::Variable::name);
-    return values[static_cast<std::size_t>(found - program.variables.begin())];
-  }
-
   [[nodiscard]] std::string typeOf(const StubType& type) const {
-    switch (type.kind) {
-    case StubType::Kind::Integer:
-    case StubType::Kind::Natural: return "int64_t ";
-    case StubType::Kind::Float: return "double ";
-    case StubType::Kind::Boolean: return "bool ";
-    case StubType::Kind::String: return "const char *";
-    case StubType::Kind::Value: break;
-    }
-    return valuesOf(type).type + " ";
-  }
-
-  /// Expression that passes on the argument at this position.
-  [[nodiscard]] std::string passed(const StubType& type, std::size_t place) const {
-    const auto argument = fmt::format("arguments[{}].", place);
-    switch (type.kind) {
-    case StubType::Kind::Integer:
-    case StubType::Kind::Natural: return argument + "integer";
-    case StubType::Kind::Float: return argument + "number";
-    case StubType::Kind::Boolean: return argument + "integer != 0";
-    case StubType::Kind::String: return argument + "string";
-    case StubType::Kind::Value: break;
-    }
-    return fmt::format("read_{}({}string)", valuesOf(type).type, argument);
+    return textFor(program, type, {"int64_t ", "double ", "bool ", "const char *"},
+                   [&](std::size_t variable) { return values[variable].type + " "; });
   }
 
   [[nodiscard]] std::string signature(std::size_t action) const {
     auto text = fmt::format("{} {}(proskill_run run", results[action].type, functions[action]);
-    const auto parameters = parameterNames(program.actions[action]);
+    const auto parameters = parameterNames(program.actions[action], reservedInC());
     for (std::size_t i = 0; i < parameters.size(); ++i)
       text += ", " + typeOf(program.actions[action].parameters[i].type) + parameters[i];
     return text + ")";
@@ -160,6 +131,7 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
 
   [[nodiscard]] std::string caller(std::size_t action) const {
     const auto& of = program.actions[action];
+    const auto readerOf = [&](std::size_t variable) { return "read_" + values[variable].type; };
     auto text = fmt::format(
         "\nPROSKILL_EXPORT const char *skill_{}(proskill_run run, const proskill_value *arguments, "
         "size_t count);\n"
@@ -168,7 +140,7 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
         "  switch ({}(run",
         of.skill, of.skill, of.parameters.size(), functions[action]);
     for (std::size_t i = 0; i < of.parameters.size(); ++i)
-      text += ", " + passed(of.parameters[i].type, i);
+      text += ", " + argumentText(program, of.parameters[i].type, i, readerOf);
     text += ")) {\n";
     for (std::size_t i = 0; i < of.results.size(); ++i)
       text += fmt::format("  case {}: return \"{}\";\n", results[action].members[i], of.results[i]);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace proskill::runtime {
 
 namespace {
@@ -110,40 +108,14 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
                        fmt::join(members(words), ", "));
   }
 
-  [[nodiscard]] std::size_t placeOf(const StubType& type) const {
-    const auto found =
-        std::ranges::find(program.variables, type.variable, &StubProgram::Variable::name);
-    return static_cast<std::size_t>(found - program.variables.begin());
-  }
-
   [[nodiscard]] std::string typeOf(const StubType& type) const {
-    switch (type.kind) {
-    case StubType::Kind::Integer:
-    case StubType::Kind::Natural: return "std::int64_t ";
-    case StubType::Kind::Float: return "double ";
-    case StubType::Kind::Boolean: return "bool ";
-    case StubType::Kind::String: return "const std::string &";
-    case StubType::Kind::Value: break;
-    }
-    return variables[placeOf(type)] + " ";
-  }
-
-  [[nodiscard]] std::string passed(const StubType& type, std::size_t place) const {
-    const auto argument = fmt::format("arguments[{}].", place);
-    switch (type.kind) {
-    case StubType::Kind::Integer:
-    case StubType::Kind::Natural: return argument + "integer";
-    case StubType::Kind::Float: return argument + "number";
-    case StubType::Kind::Boolean: return argument + "integer != 0";
-    case StubType::Kind::String: return argument + "string";
-    case StubType::Kind::Value: break;
-    }
-    return fmt::format("read{}({}string)", variables[placeOf(type)], argument);
+    return textFor(program, type, {"std::int64_t ", "double ", "bool ", "const std::string &"},
+                   [&](std::size_t variable) { return variables[variable] + " "; });
   }
 
   [[nodiscard]] std::string signature(std::size_t action) const {
     auto text = fmt::format("{} {}(const proskill::Run &run", results[action], functions[action]);
-    const auto parameters = parameterNames(program.actions[action]);
+    const auto parameters = parameterNames(program.actions[action], reservedInC());
     for (std::size_t i = 0; i < parameters.size(); ++i)
       text += ", " + typeOf(program.actions[action].parameters[i].type) + parameters[i];
     return text + ")";
@@ -180,6 +152,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
 
   [[nodiscard]] std::string caller(std::size_t action) const {
     const auto& of = program.actions[action];
+    const auto readerOf = [&](std::size_t variable) { return "read" + variables[variable]; };
     auto text = fmt::format("\nPROSKILL_EXPORT const char *skill_{}(proskill_run run, const "
                             "proskill_value *arguments, std::size_t count) {{\n"
                             "  return proskill::perform(run, [&]() -> const char * {{\n"
@@ -187,7 +160,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
                             "    switch (actions->{}(proskill::Run(run)",
                             of.skill, of.parameters.size(), functions[action]);
     for (std::size_t i = 0; i < of.parameters.size(); ++i)
-      text += ", " + passed(of.parameters[i].type, i);
+      text += ", " + argumentText(program, of.parameters[i].type, i, readerOf);
     text += ")) {\n";
     const auto all = members(of.results);
     for (std::size_t i = 0; i < of.results.size(); ++i)

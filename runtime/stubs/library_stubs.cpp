@@ -4,141 +4,47 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <ranges>
 
 namespace proskill::runtime {
 
 namespace {
 
-constexpr auto kWords = std::to_array<std::string_view>({"alignas",
-                                                         "alignof",
-                                                         "and",
-                                                         "and_eq",
-                                                         "asm",
-                                                         "auto",
-                                                         "bitand",
-                                                         "bitor",
-                                                         "bool",
-                                                         "break",
-                                                         "case",
-                                                         "catch",
-                                                         "char",
-                                                         "char16_t",
-                                                         "char32_t",
-                                                         "char8_t",
-                                                         "class",
-                                                         "co_await",
-                                                         "co_return",
-                                                         "co_yield",
-                                                         "compl",
-                                                         "concept",
-                                                         "const",
-                                                         "const_cast",
-                                                         "consteval",
-                                                         "constexpr",
-                                                         "constinit",
-                                                         "continue",
-                                                         "decltype",
-                                                         "default",
-                                                         "delete",
-                                                         "do",
-                                                         "double",
-                                                         "dynamic_cast",
-                                                         "else",
-                                                         "enum",
-                                                         "explicit",
-                                                         "export",
-                                                         "extern",
-                                                         "false",
-                                                         "float",
-                                                         "for",
-                                                         "friend",
-                                                         "goto",
-                                                         "if",
-                                                         "inline",
-                                                         "int",
-                                                         "long",
-                                                         "mutable",
-                                                         "namespace",
-                                                         "new",
-                                                         "noexcept",
-                                                         "not",
-                                                         "not_eq",
-                                                         "nullptr",
-                                                         "operator",
-                                                         "or",
-                                                         "or_eq",
-                                                         "private",
-                                                         "protected",
-                                                         "public",
-                                                         "register",
-                                                         "reinterpret_cast",
-                                                         "requires",
-                                                         "restrict",
-                                                         "return",
-                                                         "short",
-                                                         "signed",
-                                                         "sizeof",
-                                                         "static",
-                                                         "static_assert",
-                                                         "static_cast",
-                                                         "struct",
-                                                         "switch",
-                                                         "template",
-                                                         "this",
-                                                         "thread_local",
-                                                         "throw",
-                                                         "true",
-                                                         "try",
-                                                         "typedef",
-                                                         "typeid",
-                                                         "typename",
-                                                         "typeof",
-                                                         "union",
-                                                         "unsigned",
-                                                         "using",
-                                                         "virtual",
-                                                         "void",
-                                                         "volatile",
-                                                         "wchar_t",
-                                                         "while",
-                                                         "xor",
-                                                         "xor_eq",
-                                                         "linux",
-                                                         "unix",
-                                                         "run",
-                                                         "report",
-                                                         "interrupt",
-                                                         "errno",
-                                                         "assert",
-                                                         "Actions",
-                                                         "Event",
-                                                         "Skill",
-                                                         "actions",
-                                                         "suits",
-                                                         "log"});
+/// The keywords of both languages, and what the generated text uses itself.
+constexpr std::string_view kReservedInC =
+    "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t "
+    "char32_t char8_t class co_await co_return co_yield compl concept const const_cast "
+    "consteval constexpr constinit continue decltype default delete do double dynamic_cast "
+    "else enum explicit export extern false float for friend goto if inline int long mutable "
+    "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+    "register reinterpret_cast requires restrict return short signed sizeof static "
+    "static_assert static_cast struct switch template this thread_local throw true try "
+    "typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while "
+    "xor xor_eq "
+    "linux unix run report interrupt errno assert Actions Event Skill actions suits log";
 
 constexpr std::string_view kLibraryPlatform =
     "{\n  \"kind\": \"library\",\n  \"library\": \"librobot.so\"\n}\n";
 
 } // namespace
 
-std::span<const std::string_view> reservedInC() { return kWords; }
-
-std::vector<std::string> parameterNames(const StubAction& action) {
-  StubNames own(kWords);
-  std::vector<std::string> all;
-  for (const auto& parameter : action.parameters)
-    all.push_back(own.unique(parameter.name.empty() ? fmt::format("argument{}", all.size() + 1)
-                                                    : parameter.name));
-  return all;
+std::span<const std::string_view> reservedInC() {
+  static const auto words = [] {
+    std::vector<std::string_view> all;
+    for (const auto word : std::views::split(kReservedInC, ' ')) all.emplace_back(word);
+    return all;
+  }();
+  return words;
 }
 
-std::string actionLine(const StubAction& action) {
-  auto line = action.action.substr(0, action.action.find('\n'));
-  // a backslash at the end of a comment would extend it to the next line
-  while (!line.empty() && line.back() == '\\') line.pop_back();
-  return line;
+std::string argumentText(const StubProgram& program, const StubType& type, std::size_t place,
+                         const std::function<std::string(std::size_t)>& reader) {
+  const auto argument = fmt::format("arguments[{}].", place);
+  const ArgumentTexts fields{argument + "integer", argument + "number", argument + "integer != 0",
+                             argument + "string"};
+  return textFor(program, type, fields, [&](std::size_t variable) {
+    return fmt::format("{}({}string)", reader(variable), argument);
+  });
 }
 
 std::vector<StubFile> libraryFiles(std::string_view compiler,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "runtime/stubs/stub_text.h"
-#include "runtime/stubs/stubs.h"
 
 /// What stubs in C and in C++ share.
 namespace proskill::runtime {
@@ -9,11 +8,11 @@ namespace proskill::runtime {
 /// Keywords of C or C++, and names that the generated text uses itself.
 [[nodiscard]] std::span<const std::string_view> reservedInC();
 
-/// The names of an action's parameters, in order.
-[[nodiscard]] std::vector<std::string> parameterNames(const StubAction& action);
-
-/// The first line of `:action`, safe in a comment; empty if there is none.
-[[nodiscard]] std::string actionLine(const StubAction& action);
+/// The expression that passes on the argument at this position.
+/// \param reader returns the name of the function that reads values of the variable with this index
+[[nodiscard]] std::string argumentText(const StubProgram& program, const StubType& type,
+                                       std::size_t place,
+                                       const std::function<std::string(std::size_t)>& reader);
 
 /// `platform.json`, the makefile and copies of the headers.
 /// \param sources of the library

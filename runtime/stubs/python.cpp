@@ -1,5 +1,4 @@
 #include "runtime/stubs/stub_text.h"
-#include "runtime/stubs/stubs.h"
 
 #include <fmt/format.h>
 
@@ -92,29 +91,17 @@ private:
   };
 
   [[nodiscard]] std::vector<Parameter> parametersOf(const StubAction& action) const {
-    StubNames own(kReserved);
     std::vector<Parameter> all;
-    for (const auto& parameter : action.parameters) {
-      auto name =
-          parameter.name.empty() ? fmt::format("argument{}", all.size() + 1) : parameter.name;
-      all.push_back({own.unique(std::move(name)), typeOf(parameter.type),
-                     parameter.type.kind == StubType::Kind::Value});
+    for (auto& name : parameterNames(action, kReserved)) {
+      const StubType& type = action.parameters[all.size()].type;
+      all.push_back({std::move(name), typeOf(type), type.kind == StubType::Kind::Value});
     }
     return all;
   }
 
   [[nodiscard]] std::string typeOf(const StubType& type) const {
-    switch (type.kind) {
-    case StubType::Kind::Integer:
-    case StubType::Kind::Natural: return "int";
-    case StubType::Kind::Float: return "float";
-    case StubType::Kind::Boolean: return "bool";
-    case StubType::Kind::String: return "str";
-    case StubType::Kind::Value: break;
-    }
-    const auto found =
-        std::ranges::find(program.variables, type.variable, &StubProgram::Variable::name);
-    return variables[static_cast<std::size_t>(found - program.variables.begin())];
+    return textFor(program, type, {"int", "float", "bool", "str"},
+                   [&](std::size_t variable) { return variables[variable]; });
   }
 
   /// `def fly(self, height: float, stop: Stop) -> FlyResult:`
@@ -134,9 +121,8 @@ private:
                        "    platform: Platform  # set by platform_of\n";
     for (std::size_t i = 0; i < functions.size(); ++i) {
       text += fmt::format("\n    @abc.abstractmethod\n    {}\n", signature(i));
-      const auto& action = program.actions[i].action;
-      text += action.empty() ? "        ...\n"
-                             : fmt::format("        # {}\n        ...\n", firstLine(action));
+      const auto line = actionLine(program.actions[i]);
+      text += line.empty() ? "        ...\n" : fmt::format("        # {}\n        ...\n", line);
     }
     if (!program.events.empty())
       text += "\n    def report(self, event: Event) -> None:\n"
@@ -146,8 +132,6 @@ private:
               "        self.platform.interrupt(skill.value)\n";
     return text;
   }
-
-  static std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
   [[nodiscard]] std::string factory() const {
     std::string text = "\n\ndef platform_of(actions: Actions) -> Platform:\n"

@@ -1,8 +1,8 @@
 #include "runtime/stubs/stub_text.h"
 
-#include "runtime/stubs/stubs.h"
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace proskill::runtime {
 
@@ -40,6 +40,40 @@ std::string upperSnake(std::string_view name) {
     made += upper(name[i]);
   }
   return made;
+}
+
+std::vector<std::string> parameterNames(const StubAction& action,
+                                        std::span<const std::string_view> reserved) {
+  StubNames own(reserved);
+  std::vector<std::string> all;
+  for (const auto& parameter : action.parameters)
+    all.push_back(own.unique(parameter.name.empty() ? fmt::format("argument{}", all.size() + 1)
+                                                    : parameter.name));
+  return all;
+}
+
+std::string actionLine(const StubAction& action) {
+  auto line = action.action.substr(0, action.action.find('\n'));
+  // A backslash at its end would join the next line to the comment.
+  while (!line.empty() && line.back() == '\\') line.pop_back();
+  return line;
+}
+
+std::string textFor(const StubProgram& program, const StubType& type, const ArgumentTexts& texts,
+                    const std::function<std::string(std::size_t)>& ofVariable) {
+  switch (type.kind) {
+  case StubType::Kind::Integer:
+  case StubType::Kind::Natural: return texts.integer;
+  case StubType::Kind::Float: return texts.number;
+  case StubType::Kind::Boolean: return texts.boolean;
+  case StubType::Kind::String: return texts.string;
+  case StubType::Kind::Value: {
+    const auto found =
+        std::ranges::find(program.variables, type.variable, &StubProgram::Variable::name);
+    return ofVariable(static_cast<std::size_t>(found - program.variables.begin()));
+  }
+  }
+  std::unreachable();
 }
 
 std::string withStubMark(std::string_view comment, std::string_view text) {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "runtime/stubs/stubs.h"
+
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
 
-/// What stubs of all languages need: names, and the mark of generated files.
+/// What stubs of all languages need: names, arguments, and the mark of generated files.
 namespace proskill::runtime {
 
 /// `goto_waypoint` as `GotoWaypoint`.
@@ -28,6 +31,28 @@ public:
 private:
   std::set<std::string> taken;
 };
+
+/// The names of an action's parameters, in order.
+/// \param reserved words that may not be names
+[[nodiscard]] std::vector<std::string> parameterNames(const StubAction& action,
+                                                      std::span<const std::string_view> reserved);
+
+/// The first line of `:action`, safe in a comment; empty if there is none.
+[[nodiscard]] std::string actionLine(const StubAction& action);
+
+/// One text for each kind of argument.
+struct ArgumentTexts {
+  std::string integer;
+  std::string number;
+  std::string boolean;
+  std::string string;
+};
+
+/// The text for an argument's kind.
+/// \param ofVariable returns the text for values of the variable with this index
+[[nodiscard]] std::string textFor(const StubProgram& program, const StubType& type,
+                                  const ArgumentTexts& texts,
+                                  const std::function<std::string(std::size_t)>& ofVariable);
 
 /// Puts the mark of generated files before a text. It contains a hash of the text.
 /// \param comment start of a comment: `#`
