@@ -1,4 +1,4 @@
-// How fast the front end reads: parsing and checking by themselves, and the whole command.
+// Measures the front end: parsing and checking alone, and the whole command.
 
 #include "bench/measure.h"
 #include "bench/programs.h"
@@ -19,10 +19,10 @@ using namespace proskill::bench;
 
 namespace {
 
-/// Each process is handed every state variable, so that models grow with the square of a program.
+/// Every process receives every state variable, so models grow quadratically with the program.
 constexpr std::size_t kGenerated = 10'000;
 
-/// Looks at every byte once: what reading costs at the least.
+/// Reads every byte once: a lower bound for parsing.
 double scanSeconds(const std::string& text) {
   return medianSeconds([&] {
     std::size_t depth = 0;
@@ -48,7 +48,7 @@ void measureStages(std::size_t lines) {
   syntax::Document document = syntax::Document::parse(text);
   analysis::Program program = test::programOfText(text);
   double check = medianSeconds([&] { keep(analysis::check(program).size()); });
-  // A letter is typed in the middle of the text.
+  // a letter is typed in the middle of the text
   auto middle = static_cast<syntax::Offset>(text.find("(defskill", text.size() / 2) + 12);
   double edit = medianSeconds([&] { keep(document.edit({middle, middle}, "x").forms().size()); });
 
@@ -69,7 +69,7 @@ void measureStages(std::size_t lines) {
   table.add({"one letter typed", duration(edit), "parse " + duration(parse), edit / parse});
 }
 
-/// Whatever can be said about values, flow and time; and again after an edit within one skill.
+/// The whole analysis of values, flow and time; and again after an edit in one skill.
 void measureFlow(std::size_t lines) {
   std::string text = programOfLines(lines);
   analysis::Program program = test::programOfText(text);
@@ -94,7 +94,7 @@ void measureFlow(std::size_t lines) {
   table.add({"all again after an edit within a skill", duration(edit), baseline, edit / names});
 }
 
-/// Skills that call each other in one long chain, each with an outcome that its caller looks at.
+/// A long chain of skills that call each other, each with an outcome that its caller tests.
 void measureChain(std::size_t skills) {
   std::string text;
   for (std::size_t i = 0; i < skills; ++i)
@@ -137,7 +137,7 @@ void measureCommand(std::size_t lines) {
 } // namespace
 
 int main() {
-  measureCommand(10'000); // first: a child of a large process is slow to start
+  measureCommand(10'000); // first, since starting a child of a large process is slow
   for (std::size_t lines : {1'000, 10'000, 100'000}) measureStages(lines);
   for (std::size_t lines : {1'000, 10'000, 100'000}) measureFlow(lines);
   for (std::size_t skills : {1'000, 10'000, 100'000}) measureChain(skills);

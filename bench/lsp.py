@@ -49,7 +49,7 @@ class Stopwatch:
     """From its making on. The processor time is that of all threads of a process."""
 
     def __init__(self, process=None):
-        self.clock = (~process.pid << 3) | 2 if process else None  # as clock_getcpuclockid(3) makes it
+        self.clock = (~process.pid << 3) | 2 if process else None  # as clock_getcpuclockid(3) computes it
         self.begin, self.cpu = time.perf_counter(), self.used()
 
     def used(self):
@@ -270,7 +270,7 @@ def main():
     parser.add_argument('--flat', type=int, default=10_000, help='edits over which memory is watched')
     parser.add_argument('--other', default='clangd', help='the server to compare with; empty: none')
     arguments = parser.parse_args()
-    gc.disable()  # the client's own pauses, which grow with all that was answered, are no waiting for the server
+    gc.disable()  # the client's own pauses, which grow with the answers, do not count as the server's
     source = subprocess.run([arguments.print_program, str(arguments.lines)], capture_output=True, text=True, check=True).stdout
     with tempfile.TemporaryDirectory() as folder:
         heading('proskill lsp')

@@ -6,21 +6,21 @@
 
 namespace proskill::bench {
 
-/// How long a piece of work takes, in seconds: the median of `times` runs.
+/// Duration of a piece of work in seconds: the median of `times` runs.
 [[nodiscard]] double medianSeconds(const std::function<void()>& work, int times = 5);
 
-/// Keeps the optimiser from leaving out work whose result nobody needs.
+/// Keeps the optimiser from removing work whose result is unused.
 void keep(std::size_t result);
 
-/// One line of a table: what was measured, and the same in terms of a baseline of the same run.
+/// A row of a table: a measurement, and its ratio to a baseline of the same run.
 struct Row {
   std::string what;
   std::string figure;   ///< with its unit
-  std::string baseline; ///< what it is compared with, and its figure
-  double ratio = 0;     ///< 0: there is nothing to compare with
+  std::string baseline; ///< name and value of the baseline
+  double ratio = 0;     ///< 0: no baseline
 };
 
-/// Prints rows as they come, under one heading.
+/// Prints rows under a heading, as they come.
 class Table {
 public:
   explicit Table(const std::string& title);

@@ -1,4 +1,4 @@
-// Prints the program of so many lines that the benchmarks use, for those that are no C++.
+// Prints the benchmark program with this many lines, for benchmarks in other languages.
 
 #include "bench/programs.h"
 

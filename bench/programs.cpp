@@ -39,7 +39,7 @@ std::string device(std::size_t i) {
                      i);
 }
 
-/// Calls a handful of skills, each with a look at how it went.
+/// A skill that calls a handful of skills and tests each outcome.
 std::string task(std::size_t number, std::size_t first, std::size_t count) {
   std::string body;
   for (std::size_t i = first; i < first + count; ++i)

@@ -1,4 +1,4 @@
-// How fast programs are executed: in simulated time, in real time, with a recording and idle.
+// Measures execution: in simulated time, in real time, with a recording, and idle.
 
 #include "bench/measure.h"
 #include "report/run/run_report.h"
@@ -35,7 +35,7 @@ std::unique_ptr<const runtime::Executable> executableOf(const analysis::Program&
   std::exit(1);
 }
 
-/// Hears nothing.
+/// Ignores everything.
 class Deaf : public runtime::Observer {
 public:
   void onStep(const runtime::Machine&, verify::TransitionId, Nanoseconds, Nanoseconds) override {}
@@ -49,7 +49,7 @@ runtime::RunResult simulate(const runtime::Executable& executable, runtime::Obse
   return execute(executable, *clock, *platform, observer, {.until = until});
 }
 
-/// A robot that never ends: two actions at a time, a wait, a decision.
+/// A mission without end: two parallel actions, a wait, a decision.
 constexpr std::string_view kEndless = R"(
   (defsv motors :states (Off On) :init Off :transitions :all)
   (defskill fly :start (motors On) :time_interval [2,5] :action (fly) :interrupt (:effects (motors Off))
@@ -116,7 +116,7 @@ void measureSimulation() {
 
 // --- Real time
 
-/// Reports an event when a descriptor can be read, and no actions.
+/// Reports an event when a descriptor is readable; performs no actions.
 class Events final : public runtime::Platform {
 public:
   explicit Events(int descriptor) : events(descriptor) {}
@@ -138,7 +138,7 @@ private:
   int events;
 };
 
-/// Notes how late steps are, and when they are taken.
+/// Records how late steps are, and when they are taken.
 class Lateness final : public runtime::Observer {
 public:
   void onStep(const runtime::Machine&, verify::TransitionId, Nanoseconds,
@@ -162,7 +162,7 @@ std::string spread(std::vector<Nanoseconds> all) {
   return fmt::format("median {}, p99 {}, max {}", at(0.5), at(0.99), at(1));
 }
 
-/// From the write of an event to the step that a skill takes for it.
+/// Time from the write of an event to the step that a skill takes for it.
 void measureEvents(const Table& table) {
   const auto program = test::programOfText(R"(
     (defsv hit :states (No Yes) :init No :transitions :all)

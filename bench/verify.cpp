@@ -1,4 +1,4 @@
-// How fast the verifier explores: states, memory, and what the reductions are worth.
+// Measures the verifier: states, memory, and the effect of reductions.
 
 #include "bench/measure.h"
 #include "bench/programs.h"
@@ -20,7 +20,7 @@ using namespace proskill::bench;
 
 namespace {
 
-constexpr double kLongest = 10; ///< seconds of one exploration, where it does not end before
+constexpr double kLongest = 10; ///< time limit of an exploration, in seconds
 
 codegen::Model modelOf(const std::string& text) {
   auto model = codegen::generate(test::programOfText(text));
@@ -75,7 +75,7 @@ void measure(const std::string& name, const std::string& text) {
     addExploration(table, "the graph of state classes", *counted, "", 0);
 }
 
-/// The interpreter of the tests, which walks the tree at each step, on the same model.
+/// The tests' interpreter, which evaluates the tree at each step, on the same model.
 void measureAgainstInterpreter(const std::string& name, const std::string& text) {
   codegen::Model model = modelOf(text);
   oracle::Interpreter interpreter(model.fiacre);

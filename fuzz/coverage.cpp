@@ -1,8 +1,8 @@
 #include <cstdint>
 
-/// GCC calls a function at each edge of what is fuzzed; libFuzzer wants counters, as Clang makes
-/// them. The tree needs a newer C++ than the Clang whose libFuzzer Debian 12 has, so we count
-/// ourselves. Two edges with one counter are rare, and only make the fuzzer a little more blind.
+/// GCC calls a function at each edge; libFuzzer expects counters, as Clang inserts them. The tree
+/// needs a newer C++ than the Clang of Debian 12's libFuzzer supports, so this file counts. Two
+/// edges rarely share a counter, and then the fuzzer is only slightly less precise.
 namespace {
 
 constexpr std::uintptr_t kCounters = std::uintptr_t{1} << 18;
@@ -10,15 +10,15 @@ std::uint8_t counters[kCounters];
 
 } // namespace
 
-// The names are the sanitizers' and the linker's (`--wrap`).
+// the sanitizers and the linker (`--wrap`) define these names
 extern "C" {
 
-/// Where the program begins, wherever it was loaded: so that one seed gives nearly one run.
+/// Load address of the program, so that one seed gives nearly the same run.
 extern const char __executable_start;
 
 void __sanitizer_cov_8bit_counters_init(std::uint8_t* begin, std::uint8_t* end);
 
-/// Of numbers with a fraction GCC tells, and libFuzzer knows nothing.
+/// GCC reports comparisons of floating-point numbers; libFuzzer does not support them.
 void __sanitizer_cov_trace_cmpf(float /*left*/, float /*right*/) {}
 void __sanitizer_cov_trace_cmpd(double /*left*/, double /*right*/) {}
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What libFuzzer calls; PROSKILL_FUZZ_TARGET is one of the functions of targets.h.
+/// Entry point of libFuzzer; PROSKILL_FUZZ_TARGET is one of the functions of targets.h.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   proskill::fuzz::PROSKILL_FUZZ_TARGET({reinterpret_cast<const char*>(data), size});
   return 0;

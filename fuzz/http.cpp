@@ -38,7 +38,7 @@ void isReadAsWritten(const HttpRequest& request) {
          "a request is read as it was written");
 }
 
-/// The response has one head, and all of the body behind it.
+/// The response has one header, followed by the whole body.
 void isAnswered(std::string_view body) {
   for (const int status : {200, 404, 413, 599}) {
     const auto bytes = toBytes({status, "text/plain", std::string(body), {}}, "GET");

@@ -37,7 +37,7 @@ std::vector<std::string> bodiesOf(const std::vector<Frame>& frames) {
   return bodies;
 }
 
-/// A place that an editor can name comes back as it was, in every encoding.
+/// A position that an editor can send survives the round trip, in every encoding.
 void placesComeBack(std::string_view text) {
   const syntax::LineIndex lines(text);
   for (auto encoding : {Encoding::Utf8, Encoding::Utf16, Encoding::Utf32})

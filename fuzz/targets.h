@@ -2,24 +2,24 @@
 
 #include <string_view>
 
-/// What must be true whatever bytes come. Each function throws where it is not; libFuzzer looks for
-/// such bytes, and tests/fuzz/ tries those that were found.
+/// Properties that hold for any bytes. Each function throws if one does not. libFuzzer searches for
+/// such bytes, and tests/fuzz/ runs those that were found.
 namespace proskill::fuzz {
 
-/// As a program: read, checked, laid out, edited.
+/// As a program: parses, checks, formats and edits it.
 void proskill(std::string_view bytes);
-/// As a model in Fiacre: read, checked, printed, laid out.
+/// As a Fiacre model: parses, checks, prints and formats it.
 void fiacre(std::string_view bytes);
-/// As what a client sends to the language server. The first byte says into how large pieces the
-/// rest is cut.
+/// As messages of a client to the language server. The first byte determines the size of the pieces
+/// into which the rest is cut.
 void protocol(std::string_view bytes);
 
-/// As what a browser sends to `proskill view`.
+/// As requests of a browser to `proskill view`.
 void http(std::string_view bytes);
-/// As what the tools of the Tina toolbox write.
+/// As output of the Tina tools.
 void tina(std::string_view bytes);
 
-/// \throws std::logic_error where something is not as it must be
+/// \throws std::logic_error if a condition is violated
 void expect(bool condition, std::string_view what);
 
 } // namespace proskill::fuzz

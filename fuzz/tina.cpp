@@ -57,7 +57,7 @@ std::expected<KtzGraph, std::string> ktzOf(const std::string& text) {
   return readKtzText(in);
 }
 
-/// One name a line: an open brace goes on until its end.
+/// One name per line: an open brace extends it to the closing one.
 std::string written(const KtzGraph& graph) {
   std::ostringstream text;
   for (std::size_t i = 0; i < graph.states.size(); ++i) {
@@ -84,8 +84,7 @@ void graphIsRead(const std::string& text) {
          "a graph is read as it was written");
 }
 
-/// Two processes, one of them with a name that frac spells in its own way; a variable of each, and
-/// one of the main component.
+/// Two processes, one of which frac renames; a variable of each, and one of the main component.
 verify::System aSystem() {
   verify::System system;
   system.cells = {{.name = "speed"}, {.name = "location"}, {.name = "play_1.x"}, {.name = "rung"}};

@@ -27,7 +27,7 @@ if (process.argv.includes('--tests')) {
   });
   if (/<\/script|<!--/i.test(readFileSync(join(out, 'panel.js'), 'utf8')))
     throw new Error('the bundle would end the script element that holds it');
-  // A report has script and style within it; its policy names them by these.
+  // a report contains its script and style; its policy refers to them by these hashes
   const hash = (name) => 'sha256-' + createHash('sha256').update(readFileSync(join(out, name))).digest('base64');
   writeFileSync(join(out, 'hashes.json'),
     JSON.stringify({ script: hash('panel.js'), style: hash('panel.css') }, null, 2) + '\n');

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds `proskill` for arm64 on amd64, with Debian's cross compiler, and leaves it in build/arm64/bin/. What it links with is
-# unpacked below build/arm64/sysroot: nothing of another architecture is installed on this system.
+# Builds `proskill` for arm64 on amd64 with Debian's cross compiler, into build/arm64/bin/. The libraries are unpacked in build/arm64/sysroot; no
+# package of another architecture is installed on this system.
 #   scripts/arm64.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -8,16 +8,16 @@ cd "$(dirname "$0")/.."
 root=$PWD/build/arm64/sysroot
 state=$PWD/build/arm64/apt
 triple=aarch64-linux-gnu
-# The packages that the program is built with; the rest comes with them.
+# Packages that the program is built with; apt adds their dependencies.
 packages=(libc6 libstdc++6 libgraphviz-dev libtree-sitter-dev libutf8proc-dev libxxhash-dev libfmt-dev libcli11-dev nlohmann-json3-dev libasio-dev)
 
-# apt ARGUMENT…: apt-get of a system of this architecture that has nothing installed.
+# apt ARGUMENT…: runs apt-get for a system of this architecture without installed packages.
 apt() {
   apt-get -q -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State="$state/state" -o Dir::State::status="$state/status" \
     -o Dir::Cache="$state/cache" -o APT::Install-Recommends=false -o Debug::NoLocking=true -o APT::Sandbox::User=root "$@"
 }
 
-# Each package's files, and a list of which file is whose.
+# Unpacks each package, and lists its files.
 unpack() {
   [ -e "$root/complete" ] && return
   rm -rf "$root"
@@ -30,7 +30,7 @@ unpack() {
     dpkg-deb --extract "$deb" "$root"
     dpkg-deb --contents "$deb" | awk -v name="$(dpkg-deb --field "$deb" Package)" '!/\/$/ { print substr($6, 2) "\t" name }' >>"$root/files"
   done
-  # Links to the root of a system lead into this one.
+  # Makes absolute links relative to the sysroot.
   find "$root" -type l -lname '/*' -print0 | while IFS= read -r -d '' link; do ln -snf "$root$(readlink "$link")" "$link"; done
   touch "$root/complete"
 }

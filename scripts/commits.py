@@ -9,7 +9,7 @@ import sys
 
 SUBJECT = re.compile(r"[a-z][a-z0-9./-]*(, [a-z][a-z0-9./-]*)*: \S.*")
 LONGEST = 72
-# A verb as it is not in the imperative, at the beginning of what a commit does.
+# A verb that is not in the imperative, at the beginning of a subject.
 NO_IMPERATIVE = re.compile(r"(?:\w{2,}(?:ed|ing)|\w+[^su]s|the|a|an|what|it)\b", re.I)
 IMPERATIVE = re.compile(r"(?:alias|bring|string|ring|need|feed|seed|embed|speed|shed|ping|proceed|exceed|succeed)\b", re.I)
 MACHINE = re.compile(r"(?<![\w./-])(?:/(?:home|root|tmp|work|mnt|opt|Users|var|srv|data|build)/[\w.-]+|~/\w|[A-Z]:\\\\\w)")

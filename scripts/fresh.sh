@@ -11,14 +11,14 @@ cache=build/fresh root=$PWD/build/fresh/root.$$
 mkdir -p "$cache"
 trap 'rm -rf --one-file-system "$root"' EXIT
 
-# How this system reaches Debian: its mirrors and its proxy, from apt's own configuration; nothing else of it.
+# Debian's mirrors and proxy, from apt's configuration.
 mirrors() {
   apt-get indextargets --format '$(ORIGIN) deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
     sed -n 's/^Debian \(.* bookworm.*\)/\1/p' | sort -u
 }
 network() { apt-config dump | grep -E '^Acquire::(http|https|ftp|Check-Date|Check-Valid-Until)(::| )' || true; }
 
-# makeBase: a minimal system with git. It is kept for a week, as it says nothing about this tree.
+# makeBase: builds a minimal system with git. It is kept for a week, since it does not depend on this tree.
 makeBase() {
   find "$cache" -name base.tar -mtime +7 -delete
   if [ -e "$cache/base.tar" ]; then
@@ -30,7 +30,7 @@ makeBase() {
   mirrors | mmdebstrap --quiet --variant=minbase --include=ca-certificates,git "${options[@]}" bookworm "$cache/base.tar" -
 }
 
-# The names of hosts and the certificates of this network are not in a minimal system.
+# A minimal system lacks the host names and certificates of this network.
 connect() {
   cp --dereference /etc/resolv.conf /etc/hosts "$root/etc/"
   if compgen -G '/usr/local/share/ca-certificates/*.crt' >/dev/null; then
@@ -39,8 +39,7 @@ connect() {
   fi
 }
 
-# inside COMMAND…: in the bare system, with none of this one's environment but its proxies; what is mounted and what is
-# started ends with it.
+# inside COMMAND…: runs it in the minimal system, with no environment but the proxies. Mounts and processes end with it.
 inside() {
   local proxies=() name
   for name in http_proxy https_proxy no_proxy; do [ -z "${!name:-}" ] || proxies+=("$name=${!name}"); done

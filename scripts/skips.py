@@ -63,7 +63,7 @@ def main():
     options.add_argument("--listed", type=pathlib.Path, default=LISTED)
     chosen = options.parse_args()
     closing = pass_on(sys.stdin)
-    runs = list(chosen.folder.glob("tested-*.xml"))  # now that ctest has written the last of them
+    runs = list(chosen.folder.glob("tested-*.xml"))  # ctest has now written the last of them
     found = sorted({*(skip for file in runs for skip in skips(file)), *map(tuple, chosen.not_tried)})
     report(found)
     unlisted = [name for name, reason in found if not allowed(name, reason, read_list(chosen.listed))]

@@ -20,9 +20,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build/tidy"
 CLEAN = BUILD / "clean"
-RECENT = 10  # commits; some 15 of the 80 units, and a minute of one processor
-OTHERS = ("fuzz/coverage.cpp", "fuzz/entry.cpp", "tree-sitter-proskill/", "build/")  # the first two ask for libFuzzer
-# In tests, `found == std::vector<Item>{}` shows what there is instead, and nobody waits for a text that is put together.
+RECENT = 10  # commits; about 15 of the 80 units, and a minute of processor time
+OTHERS = ("fuzz/coverage.cpp", "fuzz/entry.cpp", "tree-sitter-proskill/", "build/")  # the first two need libFuzzer
+# in tests, `found == std::vector<Item>{}` prints the contents on failure, and string building need not be fast
 TESTS = "--checks=-readability-container-size-empty,-performance-inefficient-string-concatenation"
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 WARNING = re.compile(r"^\S+:\d+:\d+: (?:warning|error): .*$", re.M)

@@ -15,7 +15,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// What an earlier verification of this process freed is not held against this one.
+/// Returns unused memory, so that an earlier verification in this process does not count.
 void giveBackFreeMemory() {
 #ifdef __GLIBC__
   malloc_trim(0);
@@ -49,7 +49,8 @@ void LimitWatch::look() {
   if (auto limit = passed(0, 0); !limit.empty()) throw LimitMet{std::move(limit)};
 }
 
-/// \param counted bytes that the tables hold, for systems that do not say what a process has
+/// \param counted size of the tables in bytes, for systems that do not report the memory of a
+/// process
 std::string LimitWatch::passed(std::uint64_t counted, std::uint64_t growth) {
   const auto& limits = options.limits;
   if (options.cancelled && options.cancelled->load(std::memory_order_relaxed)) return "cancelled";
@@ -59,7 +60,7 @@ std::string LimitWatch::passed(std::uint64_t counted, std::uint64_t growth) {
   return {};
 }
 
-/// To ask the system takes some microseconds, so it is not asked more than once a millisecond.
+/// Asking the system takes some microseconds, so this does it at most once per millisecond.
 std::uint64_t LimitWatch::resident(double moment) {
   constexpr double kBetweenMeasurements = 0.001;
   if (measured >= 0 && moment - measured < kBetweenMeasurements) return bytes;

@@ -1,4 +1,4 @@
-// Bundles the extension into dist/, and puts beside it what the .vsix carries.
+// Bundles the extension into dist/, and adds the other files of the .vsix.
 //   node build.mjs [--server PROGRAM [--target linux-arm64 --root FOLDER]]
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ const put = (from, to) => {
   copyFileSync(from, join(here, to));
 };
 
-/** Of each package that the bundle has a part of, as its licence wants it. */
+/** The licence of each bundled package, as the licences require. */
 function licencesOf(sources) {
   const packages = new Set(sources.map((source) => /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(source)?.[0]).filter(Boolean));
   return [...packages].sort().map((folder) => {
@@ -35,7 +35,7 @@ for (const file of ['panel.js', 'panel.css']) put(join(tree, 'panel/dist', file)
 put(join(tree, 'docs/proskill.schema.json'), 'schemas/proskill.schema.json');
 put(join(tree, 'docs/platform.schema.json'), 'schemas/platform.schema.json');
 put(join(tree, 'LICENSE'), 'LICENSE');
-// Links to the manual lead nowhere within the .vsix.
+// links to the manual do not work within the .vsix
 writeFileSync(join(here, 'CHANGELOG.md'),
   readFileSync(join(tree, 'CHANGELOG.md'), 'utf8').replace(/\[([^\]]*)\]\((?!https?:)[^)]*\)/g, '$1'));
 

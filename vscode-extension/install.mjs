@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 const here = import.meta.dirname;
 
-/** Installs what the lock file says, once; no package's own script is run. */
+/** Installs the packages of the lock file, once, without running their scripts. */
 export function install() {
   const lock = createHash('sha256').update(readFileSync(join(here, 'package-lock.json'))).digest('hex');
   const stamp = join(here, 'node_modules/.installed');

@@ -1,5 +1,5 @@
 // Makes the .vsix:  node package.mjs SERVER FILE.vsix [TARGET ROOT]
-// TARGET: linux-x64, or linux-arm64 with the ROOT where its libraries are unpacked (scripts/arm64.sh).
+// TARGET: linux-x64, or linux-arm64 with the ROOT into which its libraries are unpacked (scripts/arm64.sh).
 import { execFileSync } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';

@@ -8,34 +8,34 @@ import { execFileSync } from 'node:child_process';
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 
-/** The C library has to be the computer's own. */
+/** The C library has to be that of the computer. */
 const kSystem = /^(linux-vdso|ld-linux|lib(c|m|dl|pthread|rt|resolv)\.so)/;
 const kTriple = { 'linux-x64': 'x86_64-linux-gnu', 'linux-arm64': 'aarch64-linux-gnu' };
 const kFallback = /^lib(stdc\+\+|gcc_s|expat)\.so/;
-/** SVG and DOT, and the two ways to place nodes that the pictures use. PNGs are made by the panel. */
+/** SVG and DOT, and the two layouts that the pictures use. The panel makes PNGs. */
 const kPlugins = ['core', 'dot_layout', 'neato_layout'];
 
 const run = (...command) => execFileSync(command[0], command.slice(1), { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 
-/** Where the libraries and licences of a target are: on this system, or in the folder where scripts/arm64.sh has unpacked them. */
+/** The libraries and licences of a target: on this system, or where scripts/arm64.sh has unpacked them. */
 class Native {
   strip = 'strip';
 
-  /** What the loader would load for a program or a library: names and paths. */
+  /** The libraries that the loader would load: names and paths. */
   librariesOf(file) {
     const out = run('ldd', file);
     if (/not found/.test(out)) throw new Error(`${file} lacks a library:\n${out}`);
     return [...out.matchAll(/^\s*(\S+) => (\S+)/gm)].map(([, name, path]) => ({ name, path }));
   }
 
-  /** The package's licence, by which it is carried on. */
+  /** The licence under which the package is redistributed. */
   licence(file) {
     for (const path of [realpathSync(file), file, file.replace(/^\/usr/, '')]) {
       try {
         const name = run('dpkg-query', '--search', path).split(':')[0];
         return { name, path: `/usr/share/doc/${name}/copyright` };
       } catch {
-        // The package may know the file by another of its names.
+        // the package may know the file under another name
       }
     }
     throw new Error(`the licence of ${file} is not known: the extension is packed on Debian or something like it`);
@@ -50,7 +50,7 @@ class Unpacked {
     this.packages = new Map(readFileSync(join(root, 'files'), 'utf8').trim().split('\n').map((line) => line.split('\t')));
   }
 
-  /** All that a file needs, and what that needs. */
+  /** All dependencies of a file, transitively. */
   librariesOf(file, known = new Map()) {
     for (const [, name] of run('readelf', '--dynamic', '--wide', file).matchAll(/\(NEEDED\).*\[(.*)\]/g)) {
       if (known.has(name)) continue;
@@ -71,7 +71,7 @@ class Unpacked {
   }
 }
 
-/** Of the list of Graphviz's plugins, the part about those that are carried. */
+/** The part of Graphviz's list of plugins about those that are included. */
 function configuration(folder) {
   const name = readdirSync(folder).find((it) => /^config\d/.test(it));
   if (!name) throw new Error(`${folder} has no list of Graphviz's plugins; as root: dot -c`);
@@ -85,7 +85,7 @@ function put(from, to, strip) {
   run(strip, to);
 }
 
-/** Fills a folder with the program and what it needs. `root`: where the libraries of another architecture are unpacked. */
+/** Fills a folder with the program and its dependencies. `root`: where the libraries of another architecture are unpacked. */
 export function carry(program, folder, target = 'linux-x64', root = null) {
   rmSync(folder, { recursive: true, force: true });
   for (const part of ['lib/graphviz', 'fallback', 'licences']) mkdirSync(join(folder, part), { recursive: true });
@@ -97,7 +97,8 @@ export function carry(program, folder, target = 'linux-x64', root = null) {
     put(join(graphviz, name), join(folder, 'lib/graphviz', name), system.strip);
     for (const it of system.librariesOf(join(graphviz, name))) needed.set(it.name, it.path);
   }
-  // It names plugins and what they can do, the same for each architecture. Only a program that runs can make it: this system's.
+  // It lists the plugins and their features, which are the same for each architecture. Making it requires running a program, so this system's is
+  // used.
   const { name, text } = configuration(root ? `/usr/lib/${kTriple['linux-x64']}/graphviz` : graphviz);
   writeFileSync(join(folder, 'lib/graphviz', name), text);
   put(program, join(folder, 'proskill'), system.strip);

@@ -28,7 +28,7 @@ class VerdictStore {
 public:
   using Told = std::function<void(const ProgramState& state)>;
 
-  /// \param tell called for every change, never by two threads at once
+  /// \param tell called for every change, by one thread at a time
   explicit VerdictStore(Told tell) : tell(std::move(tell)) {}
 
   /// The verdicts that features may show.

@@ -1,4 +1,4 @@
-// What every test in the browser needs: a program served or a page of a file, and a page that may not complain.
+// What every browser test needs: a served program or the file of a page, and a page without errors.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { cpSync, mkdtempSync, rmSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { chromium } from 'playwright-core';
 const { PROSKILL, CHROMIUM, SCREENSHOTS, EXAMPLES } = process.env;
 export const proskill = PROSKILL;
 
-/** A copy of the examples that a test may change. */
+/** A copy of the examples, for tests that change them. */
 export function workspace() {
   const path = mkdtempSync(join(tmpdir(), 'proskill-panel-'));
   cpSync(EXAMPLES, path, { recursive: true });
@@ -20,14 +20,14 @@ export function report(...words) {
   try {
     return JSON.parse(execFileSync(PROSKILL, ['verify', '--format', 'json', ...words], { maxBuffer: 1 << 28 }));
   } catch (error) {
-    if (error.status !== 1) throw error; // 1: something is violated
+    if (error.status !== 1) throw error; // 1: a property is violated
     return JSON.parse(error.stdout);
   }
 }
 
 const children = new Set();
 
-/** `proskill view` on a file; `end` sends what Ctrl-C sends, and gives the exit code. */
+/** Runs `proskill view` on a file; `end` ends it as Ctrl-C does, and returns the exit code. */
 export async function view(file, ...more) {
   const child = spawn(PROSKILL, ['view', '--no-open', ...more, file], { stdio: ['ignore', 'pipe', 'inherit'] });
   children.add(child);
@@ -52,7 +52,7 @@ export async function page(options = {}) {
   it.setDefaultTimeout(60000);
   return it;
 }
-/** What a test that failed has left behind ends too. */
+/** Ends what a failed test has left. */
 export async function closeBrowser() {
   for (const child of children) child.kill('SIGKILL');
   await browser?.close();
@@ -62,7 +62,7 @@ export async function shot(it, name) {
   await it.screenshot({ path: join(SCREENSHOTS, `${name}.png`) });
 }
 
-/** Lines that are marked in the source, from 1, with the name of the file. */
+/** The marked lines in the source, from 1, and the name of the file. */
 export async function marked(it) {
   return it.evaluate(() => ({
     file: document.querySelector('.source .files').value,
@@ -71,7 +71,7 @@ export async function marked(it) {
   }));
 }
 
-/** Asks again and again for as long as a page may take. */
+/** Repeats a check for as long as a page may take. */
 export async function eventually(check) {
   const end = Date.now() + 30000;
   for (;;) {
@@ -84,7 +84,7 @@ export async function eventually(check) {
   }
 }
 
-/** Opens an address, and waits until a trace is there to be stepped through: before, its list takes no key. */
+/** Opens an address, and waits for a trace; before, its list takes no key. */
 export async function openTrace(it, url) {
   await it.goto(url);
   await it.locator('.step.current').waitFor();
@@ -92,8 +92,8 @@ export async function openTrace(it, url) {
 }
 
 /**
- * Holds back the answers to a request of the page for which `isHeld` is true of its parameters. `arrived` resolves when one is
- * held; `release` lets all go that are held, and holds no more.
+ * Delays the answers to requests of the page for whose parameters `isHeld` is true. `arrived` resolves when one is delayed; `release` sends all of
+ * them, and delays no more.
  */
 export async function hold(it, method, isHeld = () => true) {
   let arrive, release;
@@ -109,7 +109,7 @@ export async function hold(it, method, isHeld = () => true) {
   return { arrived, release };
 }
 
-/** Chooses a picture, and waits until it has taken the place of the former one. */
+/** Chooses a picture, and waits until it is shown. */
 export async function choosePicture(it, option) {
   const [value] = await it.locator('select.pictures').selectOption(option);
   await it.locator(`.stage[data-picture="${value}"] g.node`).first().waitFor();

@@ -1,4 +1,4 @@
-// The program changes under an open trace: nothing moves that the user did not move.
+// The program changes under an open trace: nothing moves unless the user moves it.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -17,7 +17,7 @@ describe('a program that is edited while its trace is open', () => {
     assert.notEqual(change(text), text);
     writeFileSync(path, change(text));
   };
-  /** Until the page was told of the verdicts on another text; to be called before it is written. */
+  /** Resolves when the page has the verdicts on another text; call it before writing the text. */
   const verified = () => it.waitForResponse(async (response) => response.url().endsWith('/api/news')
     && (await response.json()).result.news.some(({ method, params }) => method === 'program' && params.state === 'done'));
   before(async () => {

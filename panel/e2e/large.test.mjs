@@ -1,4 +1,4 @@
-// Large traces and pictures open, and how long it takes is printed; no time is asserted.
+// Large traces and pictures: prints how long they take to open; asserts no times.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -37,7 +37,7 @@ test('a trace of 10,000 steps', async (context) => {
   await it.goto(served.url);
   await it.locator('.trace-head h2').waitFor();
   const [chooser] = await Promise.all([it.waitForEvent('filechooser'), it.locator('.app-head button[title^="Open"]').click()]);
-  // From the moment that the page has the file to the frame that shows its last step.
+  // From when the page has the file to the frame that shows its last step.
   await it.evaluate(() => {
     const text = Blob.prototype.text;
     Blob.prototype.text = function () {

@@ -1,4 +1,4 @@
-// Answers that come late: what the user has done in the meantime counts.
+// Late answers: what the user has done meanwhile counts.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
@@ -64,7 +64,7 @@ describe('answers that come late', () => {
     await it.locator('.steps').press('Home');
     const step = () => it.locator('.step.current .number').textContent();
     await eventually(async () => assert.equal(await step(), '1'));
-    // What is held has not been read before: the program is sent anew, and texts are read again.
+    // What is delayed has not been read before: the program is sent again, and texts are read again.
     const held = await hold(it, 'source', ({ uri }) => uri === earlier);
     await it.locator('button[title="Verify again"]').click();
     await click(it, found);

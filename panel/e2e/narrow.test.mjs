@@ -1,4 +1,4 @@
-// Small panels and paper: everything is there, and can be used.
+// Small panels and paper: everything is present and usable.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -17,7 +17,7 @@ async function rover(size, body) {
   files.remove();
 }
 
-/** The parts that a person needs, each with room, within the width, and reached by scrolling. */
+/** The essential parts: each has room within the width, and is reached by scrolling. */
 async function usable(it, places) {
   const { width } = it.viewportSize();
   for (const [place, least] of Object.entries(places)) {

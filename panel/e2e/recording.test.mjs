@@ -7,7 +7,7 @@ import { closeBrowser, openTrace, page, proskill, shot, view, workspace } from '
 
 after(closeBrowser);
 
-/** Records a run of the drone, and opens it: nothing needs to be clicked. */
+/** Records a run of the drone and opens it; no click is needed. */
 async function recorded(name, actions) {
   const files = workspace();
   const [script, recording] = ['script.json', `${name}.json`].map((file) => join(files.path, file));
@@ -22,7 +22,7 @@ async function recorded(name, actions) {
     badge: await it.locator('.trace-head .badge').textContent(),
     isGood: await it.locator('.verdict.good').count() === 1,
     texts: await it.locator('.step .words').allTextContents(),
-    complaints: [...it.complaints], // of the page; that the server ends is none
+    complaints: [...it.complaints], // errors of the page; the end of the server is not one
   };
   assert.equal(await served.end(), 0);
   files.remove();

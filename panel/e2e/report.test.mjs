@@ -11,7 +11,7 @@ function write(file, directory) {
   try {
     execFileSync(proskill, ['verify', '--report', directory, file]);
   } catch (error) {
-    assert.equal(error.status, 1); // something is violated
+    assert.equal(error.status, 1); // a property is violated
   }
   return pathToFileURL(join(directory, 'index.html')).href;
 }

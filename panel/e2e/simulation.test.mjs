@@ -1,4 +1,4 @@
-// A run whose steps the user chooses, as a person does it: by the list, by the automaton, by keys; and its replay after edits.
+// A simulation as a user does it: by the list, the automaton and the keyboard; and its replay after edits.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,9 +1,7 @@
 /**
- * The contract between the panel and its host: VS Code's webview, a browser that `proskill view`
- * serves, or a report. It is spoken in messages (`Message`) that are plain JSON.
- *
- * The data are those of the language server (docs/lsp.md) and keep its names, so that a host passes
- * answers on as they are. A `Location` is opaque to the panel: it shows its line and gives it back.
+ * The interface between the panel and its host: VS Code's webview, a browser that `proskill view` serves, or a report. It consists of messages
+ * (`Message`) in plain JSON. Their data have the form of the language server (docs/lsp.md), so that a host passes answers on unchanged. A `Location`
+ * is opaque to the panel, except for its line.
  */
 
 export const contractVersion = 1;
@@ -30,7 +28,7 @@ export interface Seconds {
   exact: string;
   seconds: number;
 }
-/** `strict`: not the date itself, but arbitrarily near to it. */
+/** `strict`: arbitrarily near to the date, but not at it. */
 export interface Moment extends Seconds {
   strict: boolean;
 }
@@ -46,20 +44,20 @@ export interface Step {
   date: Seconds;
   delay: Seconds;
   earliest: Moment;
-  /** null: as late as one likes */
+  /** null: unbounded */
   latest: Moment | null;
   changes: Change[];
-  /** why it came, or came so, in a sentence */
+  /** the reason of the step, as a sentence */
   why?: string;
-  /** absent or true: it matters to what the trace shows */
+  /** absent or true: relevant for what the trace shows */
   relevant?: boolean;
-  /** the steps that it depends on directly, from 0 */
+  /** the steps it depends on directly, from 0 */
   causes?: number[];
   transitions: string[];
   origins?: number[];
-  /** of a recorded run: this is no step of the model, but something that is said of the run: `fault`, `undershoot` … */
+  /** in a recorded run: not a step of the model but a remark, such as `fault` or `undershoot` */
   remark?: string;
-  /** Of a run that was chosen: it came as late as it could. */
+  /** In a simulation: taken as late as possible. */
   late?: boolean;
 }
 export type ActorKind = 'skill' | 'branch' | 'watchdog' | 'event' | 'environment' | 'variable' | 'process';
@@ -72,13 +70,13 @@ export interface Trace {
   name: string;
   description: string;
   verdict: string;
-  /** what the trace shows, in a sentence */
+  /** what the trace shows, as a sentence */
   summary?: string;
   initial: { [variable: string]: string };
   steps: Step[];
-  /** Where absent, the panel makes them out by the words of the steps. */
+  /** If absent, the panel derives them from the descriptions of the steps. */
   actors?: Actor[];
-  /** The steps from this one on repeat for ever. */
+  /** The steps from this one on are repeated for ever. */
   loop?: number | null;
   stale?: boolean;
 }
@@ -94,9 +92,9 @@ export interface Verdict {
   severity: 'error' | 'warning';
   location: Location | null;
   reason: string;
-  /** what its trace shows, in a sentence */
+  /** what its trace shows, as a sentence */
   summary?: string;
-  /** it is being verified, and not decided yet */
+  /** being verified, not decided yet */
   pending?: boolean;
   /** of its trace; null: it has none */
   steps: number | null;
@@ -115,7 +113,7 @@ export interface PictureName {
   name: string;
   title: string;
 }
-/** All that is known of a program, as the server's notification `proskill/verdicts` tells it. */
+/** The verdicts and the state of a program, as in the server's notification `proskill/verdicts`. */
 export interface Program {
   program: string;
   label: string;
@@ -128,7 +126,7 @@ export interface Program {
   verdicts: Verdict[];
   exploration: Exploration | null;
   pictures: PictureName[];
-  /** for a list to choose from, where the panel shows the source itself */
+  /** in a list of files, if the panel shows the source itself */
   files: { uri: string; label: string }[];
 }
 
@@ -160,24 +158,24 @@ export interface Picture {
   name: string;
   title: string;
   note: string;
-  /** SVG or DOT, as asked for */
+  /** SVG or DOT, as requested */
   content: string;
-  /** The program has errors: the picture may lack parts. */
+  /** The program has errors, so parts of the picture may be missing. */
   errors: boolean;
   nodes: PictureNode[];
   edges: PictureEdge[];
   clusters: PictureCluster[];
-  /** What can be folded. Absent or empty: nothing. */
+  /** Parts that can be folded; absent or empty: none. */
   foldable?: Foldable[];
-  /** A sentence where more is folded than was asked for, because the picture is large. */
+  /** A sentence if more was folded than requested, because the picture is large. */
   foldedBecause?: string;
 }
 /** A cluster that can be drawn as one node. */
 export interface Foldable {
-  /** the same, whatever is folded */
+  /** does not change when parts are folded */
   key: string;
   label: string;
-  /** the id of its cluster, or of the node in its place; null: it is within another that is folded */
+  /** the id of its cluster, or of the node in its place; null: inside another folded part */
   part: string | null;
   folded: boolean;
 }
@@ -187,34 +185,34 @@ export interface PictureParams {
   format: 'svg' | 'dot';
   dark: boolean;
   forbidden?: boolean;
-  /** Keys of `foldable`; absent: as the host thinks best for a picture of this size. */
+  /** Keys of `foldable`; absent: the host decides, depending on the size of the picture. */
   fold?: string[];
 }
 
-/** A step of a run that somebody chose, as it is found again, also after edits. */
+/** A chosen step of a simulation, identified so that it can be found again after edits. */
 export interface ChosenStep {
   actor: string;
   description: string;
   transitions: string[];
   late?: boolean;
 }
-/** A run as it is saved and asked for: a trace has all of it but what it expects. */
+/** A run as it is saved and requested; in a trace, the run without what it expects. */
 export interface ChosenRun {
   main?: string;
   steps: ChosenStep[];
-  /** values behind the last step */
+  /** values after the last step */
   expect?: { [variable: string]: string };
 }
-/** Where a chosen run is. */
+/** State of a simulation. */
 export interface Simulation {
   main: string;
   /** the steps that were possible */
   trace: Trace;
-  /** what may come next, the likeliest first; empty: nothing is possible any more */
+  /** possible next steps, the likeliest first; empty: no step is possible */
   choices: Step[];
-  /** the first of the steps that is not possible where it was */
+  /** the first step that is no longer possible */
   missing: { index: number; why: string } | null;
-  /** of what the run expects */
+  /** expectations of the run that do not hold */
   unmet: { variable: string; expected: string; actual: string }[];
 }
 
@@ -222,16 +220,16 @@ export interface Simulation {
 
 export interface Hello {
   contract: typeof contractVersion;
-  /** `all`: with a list of verdicts and the source; else one view, for a host that has the rest */
+  /** `all`: with a list of verdicts and the source; otherwise one view, since the host has the rest */
   layout: 'all' | 'trace' | 'automaton' | 'simulation';
   can: {
     /** The panel shows the source itself, by `source`. */
     source: boolean;
-    /** The host writes files, by `save`; else the browser does. */
+    /** The host writes files, by `save`; otherwise the browser does. */
     save: boolean;
-    /** `open` asks the user for a trace's file; else the browser does. */
+    /** `open` asks the user for a trace's file; otherwise the browser does. */
     open: boolean;
-    /** `verify` begins a verification. */
+    /** `verify` starts a verification. */
     verify: boolean;
     /** `simulate` takes steps that the user chooses. */
     simulate: boolean;
@@ -241,13 +239,13 @@ export interface Hello {
   program: Program | null;
   /** What to show first. */
   show?: Show;
-  /** What `remember` was given last. */
+  /** The last argument of `remember`. */
   remembered?: Remembered;
 }
 
-/** Each request's parameters and its result. */
+/** Parameters and result of each request. */
 export interface Requests {
-  /** Sent once, when the panel is there. */
+  /** Sent once, when the panel has started. */
   hello: [Record<string, never>, Hello];
   trace: [{ name: string }, Trace];
   picture: [PictureParams, Picture];
@@ -256,18 +254,18 @@ export interface Requests {
   /** The host shows what it has read, by `show`. */
   open: [Record<string, never>, null];
   verify: [Record<string, never>, null];
-  /** The host keeps nothing of it: all steps are sent each time. */
+  /** The host stores nothing: all steps are sent each time. */
   simulate: [ChosenRun, Simulation];
 }
 export type Method = keyof Requests;
 
-/** What the panel tells its host without waiting. */
+/** Notifications of the panel to its host. */
 export interface Told {
-  /** Show this place in the source. `focus`: the keyboard goes there too. */
+  /** Show this place in the source. `focus`: move the keyboard focus there, too. */
   reveal: { location: Location; focus: boolean };
-  /** The current step: values for decorations, origins for the Fiacre text; null: none is. */
+  /** The current step, with values for decorations and origins for the Fiacre text; null: none. */
   step: CurrentStep | null;
-  /** To be given back in `Hello` when the panel is opened again. */
+  /** Returned in `Hello` when the panel is opened again. */
   remember: Remembered;
 }
 export interface CurrentStep {
@@ -276,7 +274,7 @@ export interface CurrentStep {
   count: number;
   step: Step;
   values: { [variable: string]: string };
-  /** The user went there; else the trace is another one, and views stay where they are. */
+  /** The user went there; otherwise another trace was shown, and other views do not move. */
   byUser: boolean;
 }
 export interface Remembered {
@@ -284,7 +282,7 @@ export interface Remembered {
   trace?: string;
   step?: number;
   pinned?: string[];
-  /** conditions whose value is shown at each step */
+  /** conditions whose values are shown at each step */
   watches?: string[];
   /** of the simulation */
   run?: ChosenRun;
@@ -294,26 +292,26 @@ export interface Remembered {
 
 export interface Show {
   picture?: { kind: PictureKind; name: string };
-  /** by the name of its property */
+  /** by name of its property */
   trace?: string;
-  /** that is not one of the program's, such as one of a file */
+  /** from elsewhere than the program, such as a file */
   given?: Trace;
   /** of the trace */
   step?: number;
-  /** to replay and to go on with */
+  /** to replay and continue */
   run?: ChosenRun;
-  /** The node at this place, once. */
+  /** Show the node at this place, once. */
   at?: Location;
 }
 export interface News {
-  /** It changed: verdicts, progress, or its text. Without verdicts where they are as before. */
+  /** It changed: verdicts, progress, or its text. Without verdicts if they are unchanged. */
   program: Omit<Program, 'verdicts'> & { verdicts?: Verdict[] };
   show: Show;
-  /** Where the caret is; an empty range. */
+  /** Position of the caret, as an empty range. */
   caret: Location;
-  /** The text changed: pictures are asked for again. */
+  /** The text changed: request pictures again. */
   edited: Record<string, never>;
-  /** The host has ended: what is here stays, nothing new comes. */
+  /** The host has ended: the panel keeps what it shows. */
   gone: Record<string, never>;
 }
 

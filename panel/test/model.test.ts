@@ -335,7 +335,7 @@ test('actors of a trace have colours of their own, as long as there are enough',
   assert.equal(fewer.get('skill_0'), found.get('skill_0'), 'the first one has the colour that it has alone');
 });
 
-/** What is seen without one kind of cones, in linear light (Machado, Oliveira and Fernandes, 2009). */
+/** A colour as seen without one kind of cones, in linear light (Machado, Oliveira and Fernandes, 2009). */
 const sights = {
   all: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],

@@ -9,7 +9,7 @@ const at = (line: number, from: number, to = from, lastLine = line): Location =>
 });
 const node = (id: string, label: string, location: Location) => ({ id, role: 'call', label, details: [], location, cluster: null });
 
-/** A loop over lines 1 to 4, whose test stands on line 1 and whose calls on lines 2 and 3. */
+/** A loop in lines 1 to 4, with its test in line 1 and its calls in lines 2 and 3. */
 const picture: Picture = {
   kind: 'body', name: 'm', title: 'm', note: '', content: '', errors: false,
   nodes: [node('n0', '(ready)', at(1, 9, 16)), node('n1', 'takeoff', at(2, 4, 13)), node('n2', 'landing', at(3, 4, 13))],

@@ -2,7 +2,7 @@ import type { Change, Step, Trace } from '../src/api.ts';
 
 const seconds = (value: number) => ({ exact: String(value), seconds: value });
 
-/** `actor: words @date variable=before>after …` a line; the window is the date alone. */
+/** `actor: description @date variable=before>after …`, one step per line; its only possible date is the given one. */
 export function step(line: string): Step {
   const found = /^(.*?): (.*?) @([\d.]+)(.*)$/.exec(line);
   if (!found) throw new Error(line);
@@ -18,7 +18,7 @@ export function trace(initial: Trace['initial'], lines: string[]): Trace {
   return { name: 'p', description: 'never P', verdict: 'violated', initial, steps: lines.map(step) };
 }
 
-/** A mission that takes off with the battery changing under it. */
+/** A mission that takes off while the battery changes. */
 export const flight = trace({ battery: 'Good', level: '4', idle: 'x', 'takeoff.status': 'no_status' }, [
   'mission: starts @0',
   'mission: calls `takeoff` @0',

@@ -14,7 +14,7 @@ from proskill.stop import Stop, Stopped
 
 Call = TypeVar("Call", bound=Callable[..., Any])
 
-_PATIENCE = 4.0  # seconds for actions to stop after the end: `proskill run` waits for five
+_PATIENCE = 4.0  # seconds that actions have to stop at the end; `proskill run` waits for five
 
 
 class _Run:
@@ -24,7 +24,7 @@ class _Run:
         self.number = number
         self.stop = stop
         self.abandoned = False
-        self.task: asyncio.Task[Any] | None = None  # of an async function that takes no token
+        self.task: asyncio.Task[Any] | None = None  # for async functions without a token parameter
 
 
 class Platform:
@@ -167,7 +167,7 @@ class Platform:
             task = asyncio.ensure_future(function.call(*bound.args, **bound.kwargs))
             if not function.stop:
                 run.task = task
-                if run.stop.requested:  # it may have come before there was a task
+                if run.stop.requested:  # it may have come before the task existed
                     task.cancel()
             self._finish(run, function, await task)
         except BaseException as error:

@@ -37,7 +37,7 @@ class Connection:
                 while data:
                     data = data[self._writer.write(data) or 0:]
             except (BrokenPipeError, ConnectionResetError):
-                pass  # the end of the input says the same
+                pass  # the end of the input means the same
 
     def messages(self) -> Iterator[dict[str, Any]]:
         """Until the other end is closed."""

@@ -20,7 +20,7 @@ class Function:
         self.signature = inspect.signature(call)
         try:
             self.types = typing.get_type_hints(call)
-        except Exception:  # a name that is only known to a type checker
+        except Exception:  # a name known to type checkers only
             self.types = {}
         self.stop = next((name for name in self.signature.parameters
                           if name == "stop" or self.types.get(name) is Stop), None)

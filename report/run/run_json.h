@@ -11,7 +11,7 @@ namespace proskill::report {
 /// A remark in the form of a step.
 [[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Remark& remark,
                                      runtime::Nanoseconds before);
-/// In a line; what is not UTF-8 is replaced.
+/// In one line; invalid UTF-8 is replaced.
 [[nodiscard]] std::string dumped(const OrderedJson& json);
 /// `undershoot`
 [[nodiscard]] std::string_view toString(runtime::RemarkKind kind);

@@ -9,30 +9,30 @@
 
 namespace proskill::report {
 
-/// The steps and remarks of a run as JSON objects, as report_json.h writes those of a trace. What a
-/// step says each time that it is taken is written once and kept; its dates and changes are added.
+/// The steps and remarks of a run as JSON objects, in the form of report_json.h. The constant part
+/// of a step is cached; dates and changes are added.
 class RunLines {
 public:
   explicit RunLines(RunSubject of);
 
-  /// The machine's last step. What is returned is valid until the next call.
+  /// The machine's last step. The result is valid until the next call.
   [[nodiscard]] std::string_view step(const runtime::Machine& machine, verify::TransitionId step,
                                       runtime::Nanoseconds date, runtime::Nanoseconds lag);
   [[nodiscard]] std::string_view remark(const runtime::Remark& remark);
 
 private:
-  /// What stands before the dates and behind the changes; the end has no closing brace.
+  /// The parts before the dates and after the changes; the latter has no closing brace.
   struct Frame {
     std::string begin;
     std::string end;
   };
-  /// A step, by the path that it takes.
+  /// Identifies a step by its paths.
   struct Path {
     std::vector<fiacre::OriginId> origins;
     std::vector<std::uint32_t> leaves;
     Frame frame;
   };
-  /// A remark that comes again and again: its kind, its skill and its command.
+  /// Identifies a repeated remark by its kind, skill and command.
   using RemarkKey = std::tuple<runtime::RemarkKind, const char*, const codegen::ActionCall*>;
 
   [[nodiscard]] const Frame& frameOf(const runtime::Machine& machine, verify::TransitionId step);
@@ -45,8 +45,8 @@ private:
   RunSubject subject;
   std::vector<std::vector<Path>> paths; ///< by transition
   std::map<RemarkKey, Frame> remarks;
-  Frame lastFrame; ///< of what is not kept
-  /// By watched variable: `{"variable":"place"`, and its values where they are words.
+  Frame lastFrame; ///< of what is not cached
+  /// By watched variable: `{"variable":"place"`, and the names of its values.
   std::vector<std::string> variables;
   std::vector<std::vector<std::string>> words;
   runtime::Nanoseconds before = 0;

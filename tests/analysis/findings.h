@@ -7,24 +7,24 @@
 
 namespace proskill::test {
 
-/// What the flow of values tells is tested in tests/flow and left out here.
+/// Findings of the flow analysis are excluded; tests/flow covers them.
 constexpr std::string_view kFirstOfFlow = "PS0500";
 
-/// What is wrong with a program: code and marked text of each finding, `PS0201 takeof`, one after
-/// the other, separated by commas. Warnings and hints are told by a letter after the code.
+/// The findings in a program: code and marked text of each, such as `PS0201 takeof`, separated by
+/// commas. A letter after the code marks warnings and hints.
 [[nodiscard]] std::string findings(std::string text,
                                    analysis::Extent extent = analysis::Extent::Whole);
 
-/// The same for the files of a program whose root is `main.proskill`; what is not in the root has
-/// its file before it: `lib.proskill: PS0201 takeof`.
+/// The same for the files of a program whose root is `main.proskill`; findings in other files begin
+/// with the file: `lib.proskill: PS0201 takeof`.
 [[nodiscard]] std::string findings(std::map<std::string, std::string> files);
 
-/// The findings of a text, whole, but for those of the flow of values.
+/// The complete findings of a text, without those of the flow analysis.
 [[nodiscard]] std::vector<syntax::Diagnostic> diagnose(std::string text);
 
-/// What a program that is under test takes for granted: `battery` (Good Low Critical), `level` (1
-/// to 3), the events `drained` and `charged`, the skills `takeoff` (height, duration) and `survey`,
-/// which can be interrupted.
+/// Definitions for programs under test: `battery` (Good Low Critical), `level` (1 to 3), the events
+/// `drained` and `charged`, the skills `takeoff` (height, duration) and `survey`, which can be
+/// interrupted.
 extern const std::string kWorld;
 
 /// `kWorld` and a mission with these statements.

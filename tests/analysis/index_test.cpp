@@ -26,7 +26,7 @@ struct Indexed {
   }
 };
 
-/// The places that name what stands at the `^` are those between `[[` and `]]`, in the order of the
+/// The occurrences of the name at the `^` are those between `[[` and `]]`, in the order of the
 /// text.
 void expectOccurrences(std::string_view marked) {
   const test::MarkedSource source(marked);

@@ -149,7 +149,7 @@ TEST_CASE("what was not read hides names, and is told alone") {
         "PS0113 :succes");
   CHECK(findings("(defskill :action (take))\n(defskill mission :body ((take)))") ==
         "PS0111 defskill");
-  // A name that is near to one that is known is misspelt all the same.
+  // a name near to a known one is still misspelt
   CHECK(findings("(include \"missing.proskill\")\n(defskill take :action (take))\n"
                  "(defskill mission :body ((take) (tke)))") ==
         "PS0006 missing.proskill, PS0201 tke");

@@ -8,7 +8,7 @@ using namespace proskill;
 
 namespace {
 
-/// What the paper's listings use and do not show.
+/// What the paper's listings use without showing it.
 constexpr std::string_view kRest = R"(
 (defsv flight_status :states (NotReady OnGround InAir InAirUnsafe Lost) :init NotReady)
 (defsv localization_status :states (Invalid Coarse Valid) :init Invalid)

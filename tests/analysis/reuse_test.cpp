@@ -59,7 +59,7 @@ std::string words(const std::vector<syntax::Diagnostic>& diagnostics) {
   return all;
 }
 
-/// Everything that an analysis says, so that two can be compared.
+/// Everything that an analysis reports, for comparison.
 std::string words(const Analysis& analysis) {
   std::string all = words(analysis.diagnostics);
   for (const auto& symbol : analysis.index.symbols().all())
@@ -71,14 +71,14 @@ std::string words(const Analysis& analysis) {
   return all;
 }
 
-/// How often something was taken over, of how many edits.
+/// Number of edits, and how often results were reused.
 struct Counts {
   int edits = 0;
   int analyses = 0;
   int flows = 0;
 };
 
-/// The flow's findings, too, where it was white space or a comment.
+/// The flow analysis, too, for edits of white space or a comment.
 bool isFlowTakenOver(const Program& before, const Analysis& earlier, const Program& now,
                      const Analysis& fresh) {
   const auto edit = analysis::changeBetween(before, now);
@@ -103,7 +103,7 @@ void compare(const Document& before, const Document& now, Counts& counts) {
   counts.flows += isFlowTakenOver(old, earlier, program, fresh);
 }
 
-/// An edit of the only `|`, where `text` is put in.
+/// Inserts `text` at the only `|`.
 struct Put {
   Document before;
   Document now;
@@ -115,7 +115,7 @@ Put putIn(std::string text, std::string_view put) {
   return {before, before.edit({at, at}, put)};
 }
 
-/// What is taken over for it.
+/// What is reused for the edit.
 Counts countsOf(const std::string& text, std::string_view put) {
   const auto [before, now] = putIn(text, put);
   Counts counts;
@@ -130,7 +130,7 @@ void addLookedAt(const analysis::Scope& scope, const analysis::Table<Node>& tabl
     if (scope.holds(it.file, it.form->range.begin)) names += std::string(it.name()) + ' ';
 }
 
-/// The definitions that are looked at again, kind by kind, where the analysis equals a fresh one.
+/// The definitions that are checked again, kind by kind, if the analysis equals a fresh one.
 std::string lookedAt(const std::string& text, std::string_view put) {
   const auto [before, now] = putIn(text, put);
   Counts counts;

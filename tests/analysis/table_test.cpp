@@ -12,20 +12,20 @@ using namespace proskill;
 
 namespace {
 
-/// Those that no single text of a sensible size raises: their own tests do.
+/// Those that no text of a sensible size raises have tests of their own.
 bool needsMoreThanAText(syntax::Code code) {
   return code == syntax::Code::TextTooLong || code == syntax::Code::FormTooLarge ||
          code == syntax::Code::NestedTooDeep || code == syntax::Code::IncludeCycle;
 }
 
-/// From `PS0200` on: what a program means, as far as it is told without running it.
+/// From `PS0200` on: static errors.
 bool isAboutMeaning(const syntax::CodeInfo& code) {
   return code.id >= "PS0200" && code.id < test::kFirstOfFlow;
 }
 
 bool isInWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// The words of a text, but for keywords, each once.
+/// The words of a text without keywords and duplicates.
 std::set<std::string> wordsIn(std::string_view text) {
   std::set<std::string> result;
   for (auto at = std::ranges::find_if(text, isInWord); at != text.end();) {
@@ -37,7 +37,7 @@ std::set<std::string> wordsIn(std::string_view text) {
   return result;
 }
 
-/// The text with `more` behind a word, wherever it stands.
+/// The text with `more` after each occurrence of a word.
 std::string withLonger(std::string_view text, std::string_view word, std::string_view more) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -52,7 +52,7 @@ std::string withLonger(std::string_view text, std::string_view word, std::string
   return result;
 }
 
-/// All that is said to a user.
+/// Everything that users read.
 std::vector<std::string> wordsOf(const syntax::Diagnostic& diagnostic) {
   std::vector<std::string> result{diagnostic.message};
   for (const auto& related : diagnostic.related) result.push_back(related.message);

@@ -25,7 +25,7 @@ struct Subject {
   codegen::Model model;
 };
 
-/// A report as users get it, and how many of its verdicts were kept from before.
+/// A report as users get it, and how many of its verdicts were known from before.
 struct Verified {
   std::string report;
   std::uint64_t known = 0;
@@ -79,7 +79,7 @@ TEST_CASE("kept verdicts and their traces are those that are found without them"
     CHECK(verified(subject, directory.path()).report == without.report);
     const auto again = verified(subject, directory.path());
     CHECK(again.report == without.report);
-    CHECK(again.known >= again.checks); // the question whether time goes on may come beside
+    CHECK(again.known >= again.checks); // the question whether time goes on may be added
     violated += without.report.find("\"violated\"") != std::string::npos ? 1 : 0;
   }
   CHECK(violated > 10);
@@ -100,7 +100,7 @@ TEST_CASE("what is not kept is explored, whatever else is") {
     (void)verified(subject, directory.path(), some);
     const auto mixed = verified(subject, directory.path());
     CHECK(mixed.known > 0);
-    // A trace may be another one where fewer questions are asked together; verdicts may not.
+    // Traces may differ if fewer questions are asked together; verdicts may not.
     const Subject fresh(text);
     const auto verdictsIn = [](const std::string& report) {
       std::vector<std::string> verdicts;
@@ -119,7 +119,7 @@ TEST_CASE("comments and layout cost nothing, a change of meaning is another mode
   const auto commented = verified(Subject("; a comment\n\n" + kLamp), directory.path());
   CHECK(commented.known == commented.checks);
   auto other = kLamp;
-  other.replace(other.find("[0,3]"), 5, "[0,4]"); // one question is another one
+  other.replace(other.find("[0,3]"), 5, "[0,4]"); // one question differs
   const auto asked = verified(Subject(other), directory.path());
   CHECK(asked.known == asked.checks - 1);
   CHECK(filesIn(directory.path()).size() == 1);
@@ -146,7 +146,7 @@ TEST_CASE("a damaged file counts as none") {
     const auto found = verified(subject, directory.path());
     CHECK(found.known == 0);
     CHECK(found.report == good);
-    CHECK(bytesOf(file) == bytes); // and is written anew
+    CHECK(bytesOf(file) == bytes); // and is written again
   }
 }
 

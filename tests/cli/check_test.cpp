@@ -20,7 +20,7 @@ constexpr auto kWarned = "(defskill survey :action (survey))\n"
                          "(defskill mission\n"
                          "  :body ((// ((survey)) ((^ 1) (survey)))))\n";
 
-/// `proskill check` on a file of this text, which the output calls `main.proskill`.
+/// Runs `proskill check` on a file with this text, which the output calls `main.proskill`.
 Finished check(const std::string& text, std::vector<std::string> options = {}) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("main.proskill", text);
@@ -32,7 +32,7 @@ Finished check(const std::string& text, std::vector<std::string> options = {}) {
   return result;
 }
 
-/// Every line ends without spaces: they would be trailing whitespace in a log.
+/// No line has trailing spaces.
 bool hasTrailingSpace(const std::string& text) { return text.find(" \n") != std::string::npos; }
 
 } // namespace

@@ -35,12 +35,12 @@ Finished runWords(const std::string& words, const std::string& before = "") {
   return run({"/bin/sh", "-c", before + " " PROSKILL_PROGRAM " " + words});
 }
 
-/// As on a disk with room for some hundred bytes.
+/// As on a disk with some hundred bytes of free space.
 Finished onFullDisk(const std::string& words) {
   return runWords(words, "ulimit -f 1; trap '' XFSZ; exec");
 }
 
-/// What a shell needs before a command so that permissions hold for root, too.
+/// Shell prefix that makes permissions effective for root, too.
 std::string withoutPrivileges() {
   return geteuid() == 0 ? "exec setpriv --bounding-set -dac_override --inh-caps -dac_override"
                         : "exec";
@@ -48,7 +48,7 @@ std::string withoutPrivileges() {
 
 std::uintmax_t namesOf(const std::string& path) { return fs::hard_link_count(path); }
 
-/// A directory in which nothing can be created, until the end.
+/// A directory in which no file can be created while this lives.
 class ReadOnlyDirectory {
 public:
   explicit ReadOnlyDirectory(std::string directory) : path(std::move(directory)) {
@@ -62,7 +62,7 @@ private:
   std::string path;
 };
 
-/// A program that is laid out badly, longer than the full disk has room for.
+/// A badly formatted program, larger than the free space.
 std::string untidy() {
   std::string text;
   for (int i = 0; i < 100; ++i) text += "(defevent   event_number_" + std::to_string(i) + ")\n";

@@ -99,7 +99,7 @@ TEST_CASE("a program sees the end of its input when the executor is killed") {
                           "cat > /dev/null; echo over > over");
   const auto done = platform.run({}, {.onOutput = [](int process) { kill(process, SIGKILL); }});
   CHECK(done.exitCode == 128 + SIGKILL);
-  // Opening the pipe waits until the program has come to its end.
+  // opening the pipe waits until the program has ended
   CHECK(test::run({"/bin/sh", "-c",
                    "until [ -p " + platform.path("over") + " ]; do :; done; cat " +
                        platform.path("over")})

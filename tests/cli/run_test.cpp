@@ -133,7 +133,7 @@ TEST_CASE("a run of a day is recorded whole, in as much memory as a short one") 
   const auto steps = Json::parse(done.out.substr(done.out.rfind("\n{") + 1))["steps"];
   CHECK(steps > 100'000);
   CHECK(Json::parse(recordedIn(path))["steps"].size() == steps);
-  constexpr std::size_t kMost = 128'000; // KiB of addresses; the recording has more
+  constexpr std::size_t kMost = 128'000; // KiB of address space; the recording is larger
   CHECK(std::filesystem::file_size(path) / 1024 > kMost / 4);
   const auto small =
       test::run({"/bin/sh", "-c",

@@ -12,7 +12,7 @@ using namespace proskill::test;
 
 namespace {
 
-/// What `proskill check` prints on a terminal of its own.
+/// The output of `proskill check` on a terminal.
 std::string onTerminal(const std::string& file, const std::vector<std::string>& environment) {
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);

@@ -24,7 +24,7 @@ std::string contents(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The program above with the one property, by programs that stand in for Tina.
+/// Verifies the one property of the program above with fake Tina tools.
 struct Scene {
   Scene() : program(files.write("lamp.proskill", kForbiddenMove)) {
     tools.formulas("op p = [] - x;\np;\n");
@@ -71,7 +71,7 @@ TEST_CASE("verify --backend tina shows the same trace as the engine does") {
   const auto& steps = row["trace"]["steps"];
   REQUIRE(steps.size() > 1);
   for (const auto& step : steps) CHECK(step["location"]["file"] == scene.program);
-  // In the edition for Tina, the move and the step that reports it are two.
+  // in the edition for Tina, the move and the step that reports it are separate
   const auto& moves = engine["properties"][0]["trace"]["steps"].back()["changes"];
   CHECK(steps[steps.size() - 2]["changes"] == moves);
   CHECK(steps.back()["earliest"]["exact"] == "1");
@@ -135,7 +135,7 @@ TEST_CASE("verify --backend tina ends at its limit, inconclusive") {
 
 TEST_CASE("verify --backend tina, interrupted, leaves no process and no file behind") {
   Scene scene;
-  // The run is interrupted by the stand-in itself: its parent's parent is the program.
+  // the fake tool interrupts the run itself: its parent's parent is the program
   scene.tools.replace("sift", "pwd > \"$here/place\"; parent() { cut -d' ' -f4 /proc/$1/stat; }; "
                               "kill -INT $(parent $(parent $$)); sleep 600");
   const auto result = scene.verify({"--backend", "tina"});

@@ -24,7 +24,7 @@ namespace {
 
 const std::string kDrone = PROSKILL_SOURCE_DIR "/examples/drone/drone.proskill";
 
-/// A lamp that is switched on and may fail: all that can be asked of it is good.
+/// A lamp that is switched on and may fail; all default properties are good.
 constexpr auto kGood = R"((defsv lamp :states (Off On) :init Off)
 (defskill switch_on
   :time_interval [1,2]

@@ -7,7 +7,7 @@ using Catch::Contains;
 
 namespace {
 
-/// The paper's takeoff with what it needs, called by a mission.
+/// The paper's takeoff with its dependencies, called by a mission.
 const std::string kTakeoff = R"(
   (defsv motion :states (Free Controlled) :init Free)
   (defsv battery :states (Good Low Critical) :init Good)
@@ -162,7 +162,7 @@ TEST_CASE("what a basic skill does is what its program says") {
   CHECK(verdicts.at("takeoff.can_succeed.at_altitude") == "reachable");
   CHECK(verdicts.at("takeoff.can_fail.grounded") == "reachable");
   CHECK(verdicts.at("takeoff.can_be_interrupted") == "reachable");
-  CHECK(verdicts.at("takeoff.invariant_may_fail.battery") == "unreachable"); // nothing drains it
-  CHECK(verdicts.at("takeoff.postcondition.at_altitude") == "violated");     // nothing lifts it
+  CHECK(verdicts.at("takeoff.invariant_may_fail.battery") == "unreachable"); // no event drains it
+  CHECK(verdicts.at("takeoff.postcondition.at_altitude") == "violated");     // no event lifts it
   CHECK(verdicts.at("mission.never_refused.call[takeoff]") == "holds");
 }

@@ -9,7 +9,7 @@ using namespace proskill;
 
 namespace {
 
-/// "NS1 -> NS2" a line: each state with where it goes when it is done, and its targets in brackets.
+/// `NS1 -> NS2`, a line per state: its successor, and its targets in brackets.
 std::string shape(const codegen::BodyAutomaton& automaton) {
   std::string text;
   for (const auto& state : automaton.states) {

@@ -13,8 +13,8 @@ using verify::Truth;
 
 namespace {
 
-/// What the engine says of each check that it can decide; nothing where the model is too large for
-/// a test.
+/// The engine's verdict on each check that it can decide; empty if the model is too large for a
+/// test.
 std::optional<std::map<std::string, Truth>> verdicts(const std::string& text, Edition edition) {
   const auto program = test::programOfText(text);
   const auto model = codegen::generate(program, {.edition = edition});
@@ -48,7 +48,8 @@ TEST_CASE("the compact, the expanded and Tina's edition of a program have the sa
   std::size_t compared = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     test::ProgramSize size;
-    size.properties = 0; // the expanded edition has more steps, which a property of steps may see
+    size.properties = 0; // the expanded edition has more steps, which a property of steps may
+                         // observe
     const auto text = test::textOf(test::randomProgram(seed, size));
     const auto compact = verdicts(text, Edition::Compact);
     if (!compact) continue;

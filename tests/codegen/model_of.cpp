@@ -13,14 +13,14 @@
 namespace proskill::test {
 namespace {
 
-/// A line without its comment, and without blanks at its end.
+/// A line without its comment and trailing blanks.
 std::string withoutComment(const std::string& line) {
   auto text = line.substr(0, line.find("//"));
   text.erase(text.find_last_not_of(" \t") + 1);
   return text;
 }
 
-/// From the line that starts with `begin` to before the next that starts with one of `ends`.
+/// From the line that starts with `begin` up to the next that starts with one of `ends`.
 std::string part(const std::string& text, const std::string& begin,
                  const std::vector<std::string>& ends) {
   std::istringstream lines(text);

@@ -16,7 +16,7 @@ using fiacre::StatementKind;
 constexpr std::string_view kPrefix = "Fiacre_";
 constexpr std::string_view kTask = "_action_task";
 
-/// Variables that stand for a task: 0 idle, 1 running, 2 returned.
+/// Variables that represent a task: 0 idle, 1 running, 2 returned.
 std::string phaseOf(std::string_view task) { return std::string(task) + "_phase"; }
 std::string resultOf(std::string_view task) { return std::string(task) + "_result"; }
 std::string abortOf(std::string_view task) { return std::string(task) + "_abort"; }
@@ -146,7 +146,7 @@ private:
     program.processes.push_back(std::move(environment));
   }
 
-  /// Of the event whose port it is; null where it comes at any time.
+  /// The event of a port; null if it occurs at any time.
   const syntax::Interval* everyOf(std::string_view port) const {
     for (const auto& event : source.events.all) {
       const bool isIt = port.starts_with(event.name()) &&
@@ -165,7 +165,7 @@ private:
     program.processes.push_back(std::move(process));
   }
 
-  /// Every process gets what it names, anew.
+  /// Computes the ports and variables of each process again.
   void bindAll() {
     component().instances.clear();
     for (auto& process : program.processes) {

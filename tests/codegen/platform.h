@@ -4,9 +4,9 @@
 
 namespace proskill::test {
 
-/// A runtime model with a platform around it, as one that can be verified: tasks return at any tick
-/// of their intervals with any outcome, or at once when they are told to stop, and every event and
-/// interrupt comes at any time. `program` is what the model was made from.
+/// A runtime model with a platform around it, for verification. Tasks return at any tick of their
+/// intervals with any outcome, or at once when asked to stop; every event and interrupt comes at
+/// any time. `program` is the program of the model.
 [[nodiscard]] fiacre::Program withPlatform(const codegen::Model& runtime,
                                            const analysis::Program& program);
 

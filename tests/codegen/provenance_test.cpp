@@ -31,7 +31,7 @@ struct Told {
   friend bool operator==(const Told&, const Told&) = default;
 };
 
-/// All that is told in a process: who does what, and the text that it comes from.
+/// All origins in a process: actor, description, and text.
 std::vector<Told> toldIn(const codegen::Model& model, const std::string& program,
                          std::string_view process) {
   std::vector<Told> all;
@@ -50,7 +50,7 @@ bool tells(const std::vector<Told>& all, const Told& one) {
   return std::ranges::find(all, one) != all.end();
 }
 
-/// Calls `visit` with whether each path through the statement tells something.
+/// Calls `visit` for each path through the statement with whether it has an origin.
 bool everyPathTells(const fiacre::Statement& statement, const fiacre::Provenance& provenance,
                     bool told) {
   told = told || !provenance.origins[statement.origin].description.empty();
@@ -65,7 +65,7 @@ bool everyPathTells(const fiacre::Statement& statement, const fiacre::Provenance
              return everyPathTells(child, provenance, told);
            });
   case fiacre::StatementKind::Sequence: {
-    // What stands before or behind a branch tells for it too.
+    // An origin before or after a branch counts for the branch, too.
     for (const auto& child : statement.children)
       if (child.kind != fiacre::StatementKind::Select && child.kind != fiacre::StatementKind::If)
         told = told || everyPathTells(child, provenance, told);
@@ -116,10 +116,10 @@ TEST_CASE("every process and state of a random program has a place, and every st
       INFO(process.name);
       CHECK(process.origin != 0);
       for (const auto& state : process.states) CHECK(state.origin != 0);
-      if (process.name.starts_with("basic_environment")) continue; // its partner tells
+      if (process.name.starts_with("basic_environment")) continue; // its partner has one
       for (const auto& from : process.transitions) {
         INFO(from.state);
-        if (from.state == "before_") continue; // the choice of initial values tells
+        if (from.state == "before_") continue; // the choice of initial values has one
         if (from.state != "ended") CHECK(everyPathTells(from.statement, model.provenance, false));
       }
     }

@@ -7,7 +7,7 @@ using codegen::Edition;
 
 namespace {
 
-/// What both editions for verification answer.
+/// The answers of both editions for verification.
 std::map<std::string, std::string> verdicts(const std::string& text) {
   auto compact = test::verdictsOf(text);
   CHECK(test::verdictsOf(text, {.edition = Edition::Expanded}) == compact);
@@ -53,7 +53,7 @@ TEST_CASE("what a race has stopped tells the body that goes on that it was inter
              (if (= drive.status interrupted) (success told))
              (failure not_told))))";
   CHECK(verdicts(program).at("mission.can_fail.not_told") == "unreachable");
-  // Nor does it matter that somebody else calls it meanwhile.
+  // A concurrent call by another skill makes no difference.
   const auto shared = verdicts(program + R"(
     (defskill watch :monitor t :body ((^ 4) (drive) (drive))))");
   CHECK(shared.at("mission.can_fail.not_told") == "unreachable");

@@ -21,7 +21,7 @@ std::string problemsOf(const codegen::Model& model) {
   return text;
 }
 
-/// Generates from a program and refuses a model that a Fiacre compiler would refuse.
+/// Generates a model, and rejects one that a Fiacre compiler would reject.
 codegen::Model modelOf(const std::string& text, const codegen::Options& options) {
   const auto program = test::programOfText(text);
   auto model = codegen::generate(program, options);

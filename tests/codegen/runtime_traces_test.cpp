@@ -19,7 +19,7 @@ template <class Visit> void forEachTag(const fiacre::Statement& statement, Visit
   for (const auto& child : statement.children) forEachTag(child, visit);
 }
 
-/// Every tag of a model, with a property each that it is absent.
+/// Every tag of a model, with a property that it is absent.
 std::vector<std::string> askForTags(fiacre::Program& program) {
   std::vector<std::string> names;
   program.properties.clear();
@@ -34,7 +34,7 @@ std::vector<std::string> askForTags(fiacre::Program& program) {
   return names;
 }
 
-/// The tags that some run bears; nothing where the model is too large for a test.
+/// The tags that some run passes; nullopt if the model is too large for a test.
 std::optional<std::set<std::string>> reachedTags(fiacre::Program program) {
   const auto names = askForTags(program);
   std::vector<verify::Question> questions;
@@ -50,7 +50,7 @@ std::optional<std::set<std::string>> reachedTags(fiacre::Program program) {
   return reached;
 }
 
-/// A return in the very tick of the lower bound may be warned of.
+/// A return in the very tick of the lower bound may cause a warning.
 bool isUndershoot(const std::string& tag) { return tag.ends_with("_undershoot"); }
 
 std::string strange(const std::set<std::string>& runtime, const std::set<std::string>& offline) {
@@ -71,7 +71,7 @@ std::optional<codegen::Model> modelOf(const analysis::Program& program, Edition 
 TEST_CASE("what happens at runtime, on a platform that keeps its times, may happen offline") {
   test::ProgramSize size;
   size.properties = 0;
-  size.environment = 0; // at runtime anything may happen at any time
+  size.environment = 0; // at run time anything may happen at any time
   size.library = 0;
   std::size_t compared = 0;
   std::size_t tags = 0;

@@ -9,7 +9,7 @@ namespace {
 
 using Verdicts = std::map<std::string, std::string>;
 
-/// What both editions for verification answer.
+/// The answers of both editions for verification.
 Verdicts verdicts(const std::string& text) {
   auto compact = test::verdictsOf(text);
   CHECK(test::verdictsOf(text, {.edition = Edition::Expanded}) == compact);

@@ -145,7 +145,7 @@ TEST_CASE("a value may be called as its variable is, and moves to it are tested"
 }
 
 TEST_CASE("verdicts tell forbidden moves, exact and as the paper polls for them") {
-  // Two moves at one instant: the polling automaton may see only where they lead.
+  // with two moves at one instant, the polling automaton may see only the result
   const std::string twoSteps = R"(
     (defsv battery :states (Good Low Critical) :init Good :transitions ((Good Low) (Low Critical)))
     (defskill drain :body ((set (battery Low)) (set (battery Critical)))))";

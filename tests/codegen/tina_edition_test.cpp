@@ -23,7 +23,7 @@ codegen::Model forTina(const std::string& text) {
   return test::modelOf(text, {.edition = Edition::Tina});
 }
 
-/// frac's own rule: a number has the type of its variable and no other; literals and `$` have any.
+/// frac's rule: a number has exactly the type of its variable; literals and `$` have any type.
 class StrictTypes {
 public:
   explicit StrictTypes(const fiacre::Program& of) : program(of), known(of) {
@@ -54,7 +54,7 @@ private:
     if (a && b && *a != *b) problems += where + "\n";
   }
 
-  /// Of a number; nothing: of any type.
+  /// The type of a number; nullopt: any.
   std::optional<Type> typeOf(const Expr& expr) {
     if (expr.kind == ExprKind::Unary && expr.op == Op::Coerce) {
       typeOf(expr.operands[0]);

@@ -6,7 +6,7 @@ using namespace proskill;
 
 namespace {
 
-/// Under- and overshoot of a mission that waits for a while.
+/// Undershoot and overshoot of a mission that waits for a while.
 std::string shoots(const std::string& interval, const std::string& wait) {
   auto found = test::verdictsOf("(defskill mission :time_interval " + interval + " :body ((^ " +
                                 wait + ")))");
@@ -16,7 +16,7 @@ std::string shoots(const std::string& interval, const std::string& wait) {
          (late == found.end() ? "-" : late->second);
 }
 
-/// The same of a skill that the mission calls three times.
+/// The same for a skill that the mission calls three times.
 std::string shootsAgain(const std::string& interval, const std::string& waits) {
   auto found = test::verdictsOf("(defskill step :time_interval " + interval + " :body (" + waits +
                                 ")) (defskill mission :body ((step) (step) (^ 1) (step)))");
@@ -91,8 +91,8 @@ TEST_CASE("runs that touch are told apart") {
 
 TEST_CASE("runs that take no time are not added up") {
   CHECK(shootsAgain("[0,1]", "(^ [0,1])") == "- holds");
-  // Three runs of a second each are no run of three seconds.
+  // Three runs of a second each are not a run of three seconds.
   CHECK(shootsAgain("[1,2]", "(^ 1)") == "holds holds");
-  // Each run is too short, none too long.
+  // Each run is too short; none is too long.
   CHECK(shootsAgain("[3,5]", "(^ 2)") == "violated holds");
 }

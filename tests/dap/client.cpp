@@ -18,7 +18,7 @@ process::Child startAdapter() {
 
 DapClient::DapClient() : child(startAdapter()) {}
 
-/// Exchanges what there is; false where nothing comes any more.
+/// Exchanges available bytes; returns false at the end.
 bool DapClient::pump() {
   auto done = child.exchange(unsent, std::chrono::milliseconds(1000));
   unsent.erase(0, done.sent);

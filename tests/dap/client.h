@@ -11,30 +11,30 @@
 
 namespace proskill::test {
 
-/// The client of a debug adapter that runs as a process of its own.
+/// Client of a debug adapter that runs as a separate process.
 class DapClient {
 public:
   DapClient();
 
-  /// The answer to a request; events that come before are kept.
+  /// The response to a request; earlier events are kept.
   Json ask(const std::string& command, Json arguments = Json::object());
-  /// The body of the answer to a request that succeeds.
+  /// The body of the response to a successful request.
   Json result(const std::string& command, Json arguments = Json::object());
-  /// Sends and does not wait.
+  /// Sends a request without waiting.
   int send(const std::string& command, Json arguments = Json::object());
   void sendRaw(const std::string& bytes);
   Json answer(int sequence);
-  /// The body of the next event of that name.
+  /// The body of the next event with this name.
   Json event(const std::string& name);
-  /// Nothing comes any more: how the adapter ended.
+  /// Waits for the end of the output. Returns how the adapter ended.
   std::string ending();
   [[nodiscard]] int process() const { return child.id(); }
 
-  /// Initialises, launches, and is done with the configuration; the first stop.
+  /// Initialises, launches, ends the configuration, and waits for the first stop.
   Json start(const Json& launch);
-  /// The top frame of the thread that a stop is in.
+  /// The top frame of the thread that has stopped.
   Json top(const Json& stopped);
-  /// Names and values of a scope of a frame.
+  /// Names and values in a scope of a frame.
   std::map<std::string, std::string> values(const Json& frame, const std::string& scope);
 
 private:

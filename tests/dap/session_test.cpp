@@ -12,7 +12,7 @@ using test::DapClient;
 
 namespace {
 
-/// A lamp that a skill switches on; and off, which its variable does not allow.
+/// A lamp that a skill switches on, and off again, which its variable forbids.
 const std::string kLamp = "(defsv lamp :states (On Off) :init Off :transitions ((Off On)))\n"
                           "(defskill switch_on :time_interval [2,5] :action (a)\n"
                           "  :success lit (:effects (lamp On)))\n"
@@ -36,7 +36,7 @@ std::string valueOf(DapClient& client, const std::string& variable) {
   return client.result("evaluate", {{"expression", variable}})["result"];
 }
 
-/// Asks, and gives the stop that follows.
+/// Sends a request, and returns the stop that follows.
 Json move(DapClient& client, const std::string& command, Json arguments = {{"threadId", 1}}) {
   client.result(command, std::move(arguments));
   return client.event("stopped");
@@ -123,7 +123,7 @@ TEST_CASE("threads are who acts, the stack is what each did and when") {
   CHECK(time["after"] == "2 s");
   CHECK(time["possible"] == "[2 s, 5 s]");
   CHECK(client.values(last, "State variables")["lamp"] == "On");
-  // A frame shows the values of its own time.
+  // A frame shows the values at its own time.
   const auto first = stack["stackFrames"].back();
   CHECK(client.values(first, "State variables")["lamp"] == "Off");
   CHECK(client.values(first, "Skills").contains("switch_on.status"));
@@ -159,7 +159,7 @@ TEST_CASE("in a simulation the user chooses what happens") {
   const auto set = client.result("setBreakpoints", breakpointsAt(files.program, {6}));
   CHECK(set["breakpoints"][0]["verified"] == true);
   CHECK(client.result("proskill/position")["total"] == nullptr);
-  // Until the action runs, which may take from two to five seconds.
+  // Until the action runs, which may take two to five seconds.
   Json target;
   for (int i = 0; i < 20; ++i) {
     const auto targets = client.result("stepInTargets", {{"frameId", client.top(stop)["id"]}});
@@ -227,7 +227,7 @@ TEST_CASE("a disconnection ends a verification that is under way") {
   DapClient client;
   client.result("initialize", {{"adapterID", "proskill"}, {"supportsProgressReporting", true}});
   client.send("launch", {{"program", program}, {"seconds", 600}});
-  client.event("progressUpdate"); // the process that verifies runs
+  client.event("progressUpdate"); // the verifying process runs
   client.result("disconnect");
   CHECK(client.ending() == "it ended with exit code 0");
 }

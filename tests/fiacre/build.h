@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-/// Short words to build trees with.
+/// Short names for building trees.
 namespace proskill::fiacre::test {
 
 inline Expr name(std::string text) { return {.kind = ExprKind::Name, .name = std::move(text)}; }
@@ -67,7 +67,7 @@ inline Statement ifElse(Expr condition, Statement then, Statement otherwise) {
           .values = {std::move(condition)},
           .children = {std::move(then), std::move(otherwise)}};
 }
-/// The statement with a comment for its reader.
+/// The statement with a comment.
 inline Statement with(std::string text, Statement statement) {
   statement.comment = std::move(text);
   return statement;

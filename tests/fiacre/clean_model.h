@@ -5,27 +5,26 @@
 #include <string>
 #include <vector>
 
-/// A model in which nothing is wrong, and what the check finds once a test has changed it.
+/// A model without errors, and the errors after a test has changed it.
 namespace proskill::fiacre::test {
 
 using Found = std::vector<std::string>;
 
-/// Each problem as "place: message".
+/// Each error as "place: message".
 [[nodiscard]] Found problems(const Program& program);
 
-/// A model with a bit of everything, in which nothing is wrong: two cells, a worker that it calls.
+/// A model without errors, with a bit of everything: two cells, and a worker that it calls.
 [[nodiscard]] Program clean();
 
-/// The problems of the clean model with these statements as all that the worker does when it is
-/// idle.
+/// The errors if these statements replace those of the idle worker.
 [[nodiscard]] Found whenIdle(std::vector<Statement> statements);
 
-/// The same for an expression where a truth value is expected.
+/// The same for an expression in place of a condition.
 inline Found guard(Expr expr) { return whenIdle({on(std::move(expr)), to("busy")}); }
 
 inline const std::string kIdle = "process worker, state idle: ";
 
-/// The problems of the clean model with one change.
+/// The errors after one change.
 template <class Change> Found changed(Change change) {
   auto program = clean();
   change(program);

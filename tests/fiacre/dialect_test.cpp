@@ -9,7 +9,7 @@ using namespace proskill;
 
 namespace {
 
-/// What is said of a text: nothing where all of it is read and right.
+/// The errors in a text; empty if it is valid.
 std::string problemsOf(const std::string& text) {
   const auto parsed = fiacre::parse(text);
   std::string all;
@@ -20,7 +20,7 @@ std::string problemsOf(const std::string& text) {
   return all;
 }
 
-/// It is read, and its layout is the same text when it is laid out again.
+/// The text is valid, and formatting its formatted form changes nothing.
 void isRead(const std::string& text) {
   INFO(text);
   CHECK(problemsOf(text) == "");

@@ -40,7 +40,7 @@ fiacre::Program meaning(std::string_view text) {
   return test::canonical(fiacre::parse(text).program);
 }
 
-/// The first line of `got` that is not in its place in `wanted`.
+/// The first line of `got` that differs from `wanted`.
 std::string firstDifference(std::string_view got, std::string_view wanted) {
   std::istringstream a{std::string(got)};
   std::istringstream b{std::string(wanted)};
@@ -52,7 +52,7 @@ std::string firstDifference(std::string_view got, std::string_view wanted) {
   return "";
 }
 
-/// White space changes and nothing else, and changes once.
+/// Formatting changes white space only, and formatting again changes nothing.
 std::string checked(std::string_view text) {
   auto result = formatted(text);
   const bool same = words(result) == words(text) && meaning(result) == meaning(text);
@@ -67,7 +67,7 @@ std::string applied(std::string text, const std::vector<fiacre::Change>& changes
   return text;
 }
 
-/// The same words with other white space between them, and comments here and there.
+/// The same tokens with other white space, and comments here and there.
 std::string shaken(std::string_view text, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::string result;

@@ -9,7 +9,7 @@ using namespace proskill::fiacre;
 
 namespace {
 
-/// `main.p of A` for a port that A alone has, `main.p` for one that several pass each alone.
+/// `main.p of A` for a port that only A has, `main.p` for one that several pass alone.
 std::vector<std::string> lone(const std::string& composition) {
   const auto parsed =
       parse("process A [p: sync] is states s from s p; to s\n"

@@ -26,7 +26,7 @@ std::string problemsOf(const fiacre::Parsed& parsed, std::string_view text) {
 
 std::string problemsOf(std::string_view text) { return problemsOf(fiacre::parse(text), text); }
 
-/// The text that is printed is read as the tree that it was printed from.
+/// Parsing a printed tree gives the same tree.
 void comesBack(const fiacre::Program& program) {
   const auto text = fiacre::print(program);
   const auto parsed = fiacre::parse(text);

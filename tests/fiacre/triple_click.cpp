@@ -13,7 +13,7 @@ Process clicker() {
   return made;
 }
 
-/// In a window of 0.2 s: the next click, or back to the first.
+/// Within 0.2 s: the next click, or back to the first.
 From clickWithin(std::string state, std::string next) {
   return from(std::move(state), {select({sequence({wait(2, 2), with("too late", to("wait_first"))}),
                                          sequence({port("click"), to(std::move(next))})})});

@@ -20,7 +20,7 @@ Analysed::Place Analysed::find(std::string_view statement) const {
     if (!process.graph) continue;
     for (NodeId node = 0; node < process.graph->nodes.size(); ++node) {
       const Node& each = (*process.graph)[node];
-      // A branch that ends the skill stands in the branch, and again where the skill then ends.
+      // A branch that ends the skill has a node in the branch, and one where the skill then ends.
       if (!each.statement || process.actions[node].leaver != kNoProcess) continue;
       if (text.substr(each.statement->range.begin).starts_with(statement)) return {id, node};
     }

@@ -8,16 +8,16 @@
 
 namespace proskill::test {
 
-/// A program from a text, and what the flow analysis knows about it.
+/// A program and the results of its flow analysis.
 class Analysed {
 public:
   explicit Analysed(std::string text);
 
-  /// What `variable` ("motion", "takeoff.status") may be just before the statement that begins like
-  /// `statement` does what it says: "Free or Controlled", "unreachable", or "not followed".
+  /// The values of `variable` ("motion", "takeoff.status") just before the statement that begins
+  /// like `statement`: "Free or Controlled", "unreachable", or "not followed".
   [[nodiscard]] std::string at(std::string_view statement, std::string_view variable) const;
   [[nodiscard]] bool reaches(std::string_view statement) const;
-  /// All that the variable may ever be.
+  /// All values that the variable may ever have.
   [[nodiscard]] std::string ever(std::string_view variable) const;
 
 private:

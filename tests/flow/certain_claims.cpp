@@ -58,7 +58,7 @@ void Judgement::judgeCertain(const Diagnostic& claim) {
     return;
   case Code::RefusedInLoop:
   case Code::WaitsOnceInLoop: {
-    // What runs beside it at the same date may help, and then time goes on.
+    // Parallel steps at the same date may help, and then time passes.
     const bool alone = std::ranges::count(report->system().all(), true, &Process::root) ==
                        (report->system().hasFreeEvents() ? 2 : 1);
     const auto* inside = enclosing(claim.related.at(0).location, {"reachable"});
@@ -111,7 +111,7 @@ bool Judgement::spins(ProcessId id, Location loop) const {
 void Judgement::demandOfSkill(const Diagnostic& claim, std::string_view kind) {
   const Verdict* expected = find(kind, claim.location);
   const Verdict* progress = findOf("time_progress", "program");
-  if (!expected || !progress || progress->happens) return; // the clock may stand still before
+  if (!expected || !progress || progress->happens) return; // time may stop before
   bool ends = false;
   for (const Verdict& each : verdicts)
     ends |= each.check.subject == expected->check.subject && each.happens &&
@@ -169,7 +169,7 @@ const Verdict* Judgement::whatSets(Location place) const {
   for (const Verdict& each : verdicts)
     if (each.check.kind == "reachable" && isSet(each.place) && within(place, each.place))
       return isGuarded(each) ? nullptr : &each;
-  // Not `can_be_interrupted`: what is interrupted before its start sets nothing.
+  // Not `can_be_interrupted`: an interrupt before the start has no effects.
   if (const Verdict* outcome = enclosing(place, {"can_succeed", "can_fail", "invariant_may_fail"}))
     return outcome;
   for (const auto& skill : program.skills.all)

@@ -13,13 +13,13 @@ using namespace proskill;
 
 namespace {
 
-/// A program, `[[` and `]]` around what is told, and the code; none: nothing is told.
+/// A program, `[[` and `]]` around the reported range, and the code; empty: no finding.
 struct Case {
   const char* program;
   const char* code = "";
 };
 
-/// A program whose findings, hints of style apart, are those of the mark.
+/// The findings of a program, without hints of style, are exactly that of the mark.
 void expectTold(const Case& each) {
   test::MarkedSource marked(each.program);
   INFO(marked.text);
@@ -52,7 +52,7 @@ TEST_CASE("Whatever makes a move that is forbidden from everywhere is an error")
       {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
 (defevent e :effects [[(d C)]])
 (defskill m :body ((^ 1))))",
-       "PS0503"}, // from C, where it has come by itself, it may stay
+       "PS0503"}, // from C, which it enters by itself, it may stay
       {R"((defsv d :states (A B C) :init A :transitions ((A B) (B A)))
 (defskill s :start [[(d C)]] :action (s))
 (defskill m :body ((s))))",
@@ -236,7 +236,7 @@ TEST_CASE("A loop in which no time passes is told at its beginning") {
 }
 
 TEST_CASE("A wait that may never end leaves no bound, even where no way leads on") {
-  // Where a stop comes at once the mission takes no time; else it waits for its own result for
+  // If a stop comes at once, the mission takes no time; otherwise it waits for its own result for
   // ever.
   CHECK(codes("(defsv v :states (Low Bad) :init Bad)\n(defevent stop :effects (v Low))\n"
               "(defskill m :time_interval [1,3] :success done\n"
@@ -304,7 +304,7 @@ TEST_CASE(
 (defskill m :body ((s) (if (= s.res late) (printf "late")) (^ (= s.res late)))))",
        "PS0602"},
   });
-  // A chain of skills, each of which asks how the next went, has one mistake.
+  // A chain of skills, each of which tests the outcome of the next, has one error.
   std::string chain = "(defskill s30 :success done :failure lost :body ((^ 1) (success done)))\n";
   for (int i = 29; i >= 0; --i)
     chain += "(defskill s" + std::to_string(i) + " :success done :failure lost :body ((s" +

@@ -17,14 +17,14 @@ using analysis::Location;
 using syntax::Code;
 using syntax::Diagnostic;
 
-/// What the engine has decided.
+/// Decisions of the engine.
 struct Verdict {
   codegen::Check check;
   Location place;
-  bool happens = false; ///< the tag, the state, or the property's condition can be reached
+  bool happens = false; ///< whether the tag, the state, or the property's condition can be reached
 };
 
-/// What the flow analysis claims of one program, and what the engine says to it.
+/// Compares the claims of the flow analysis on one program with the engine's answers.
 class Judgement {
 public:
   explicit Judgement(const std::string& source)
@@ -42,14 +42,14 @@ private:
 
   // judge_flow.cpp: answers
   bool decide(const std::string& source);
-  /// The name that the generator has given it: where another has it already, with a `_` behind it.
+  /// The generated name, which has a `_` if another one is equal.
   static std::string nameIn(const codegen::Model& model, const std::string& variable);
-  /// A query that no property of ProSkill can say.
+  /// A query that no property of ProSkill can express.
   void askOfModel(codegen::Model& model, std::size_t query) const;
   [[nodiscard]] const Verdict* find(std::string_view kind, Location place) const;
   [[nodiscard]] const Verdict* findOf(std::string_view kind, std::string_view subject) const;
 
-  // refuted_claims.cpp: what can never happen
+  // refuted_claims.cpp: claims of "never"
   void refute(const std::string& words) { judged.refuted.push_back(words); }
 
   void judge(const Verdict& verdict);
@@ -60,42 +60,41 @@ private:
   [[nodiscard]] bool canRun(std::string_view skill) const;
   [[nodiscard]] bool returns(const Verdict& verdict, const std::string& kind) const;
   [[nodiscard]] bool reachesNode(const Verdict& verdict, NodeKind kind) const;
-  /// Before its start too.
+  /// Before its start, too.
   [[nodiscard]] bool mayBeInterrupted(const Verdict& verdict) const;
   [[nodiscard]] bool mayBeRefused(const Verdict& verdict) const;
   [[nodiscard]] bool mayBeRefused(Location place) const;
   [[nodiscard]] bool mayBeBusy(Location place) const;
-  /// The call whose first word stands there calls the skill, directly or not.
+  /// Whether the call with this first word calls the skill, directly or not.
   [[nodiscard]] bool leadsTo(Location head, ProcessId skill) const;
   [[nodiscard]] bool mayBreakPostcondition(Location place) const;
   [[nodiscard]] bool mayMiss(const Verdict& verdict) const;
-  /// An undershoot of a run that somebody stops is not what the analysis speaks of.
+  /// Undershoot of a run that is stopped is outside of the analysis.
   [[nodiscard]] bool mayBeCutShort(const Verdict& verdict) const;
   [[nodiscard]] bool isCutShort(ProcessId id) const;
   [[nodiscard]] bool mayMoveWrongly(const std::string& variable);
 
-  // certain_claims.cpp: what is certain
-  /// `happened` is what makes the claim matter, `expected` what must come of it.
+  // certain_claims.cpp: claims of "always"
+  /// `happened` makes the claim relevant, `expected` must follow from it.
   void demand(const Diagnostic& claim, const Verdict* happened, const Verdict* expected);
   void judgeCertain(const Diagnostic& claim);
-  /// A statement in the body of the `while` or `do` whose first word stands at the place, if no way
-  /// that is known leads out of it: else somebody may end the loop at the instant at which it
-  /// spins.
+  /// A statement in the body of the `while` or `do` whose first word is at the place, unless the
+  /// loop may be left: then somebody may end it at the instant at which it spins.
   [[nodiscard]] const Verdict* insideEndlessLoop(Location head) const;
   [[nodiscard]] bool spins(ProcessId id, Location loop) const;
   void demandOfSkill(const Diagnostic& claim, std::string_view kind);
-  /// The program with the intervals that the analysis has found, and without the transitions that
-  /// it says nobody makes: then the intervals are kept, and no more moves are wrong than before.
+  /// The program with the intervals that the analysis has found, and without transitions that are
+  /// never made. These intervals must hold, and there must be no new forbidden moves.
   void judgeMended();
   [[nodiscard]] bool isOneOfMore(const Diagnostic& claim) const;
-  /// A diagnostic has rewritten the interval of the verdict's skill.
+  /// Whether a diagnostic has changed the interval of the verdict's skill.
   [[nodiscard]] bool isRewritten(const Verdict& verdict) const;
-  /// The verdict about what makes the effects at this place happen.
+  /// The verdict about the step with the effects at this place.
   [[nodiscard]] const Verdict* whatSets(Location place) const;
   [[nodiscard]] const Verdict* occurs(std::string_view event) const;
   /// A guard that fails may end the skill before the step.
   [[nodiscard]] bool isGuarded(const Verdict& verdict) const;
-  /// Of `set` alone: a wait with effects may be reached and never end.
+  /// Of `set` only: a wait with effects may be reached and never end.
   [[nodiscard]] bool isSet(Location place) const;
   static bool within(Location inner, Location outer);
   [[nodiscard]] const Verdict* enclosing(Location place,

@@ -33,7 +33,7 @@ public:
   fs::path canonical(const fs::path& path) const override { return fs::weakly_canonical(path); }
 };
 
-/// The programs of the examples: the files that no other includes.
+/// The programs of the examples: files that no other file includes.
 std::set<fs::path> roots() {
   std::set<fs::path> files;
   std::set<fs::path> included;
@@ -62,14 +62,14 @@ std::string rowOf(const fs::path& root, const analysis::Program& program,
                      syntax::info(each.code).id, file.path.filename().string(), line);
 }
 
-/// "energy" of "(energy (- energy 2))", where the finding is about an effect.
+/// "energy" for "(energy (- energy 2))", if the finding is about an effect.
 std::string variableAt(const analysis::Program& program, const syntax::Diagnostic& each) {
   const std::string& text = program.files[each.location.file].document.text();
   std::size_t begin = each.location.range.begin + 1;
   return text.substr(begin, text.find(' ', begin) - begin);
 }
 
-/// The engine finds that the variable makes a move that it must not make.
+/// Whether the engine finds a forbidden move of the variable.
 bool isConfirmed(const analysis::Program& program, const std::string& variable) {
   auto model = codegen::generate(program);
   REQUIRE(model);
@@ -101,7 +101,7 @@ TEST_CASE(
       INFO(row << each.message);
       found.insert(row);
       std::string_view id = syntax::info(each.code).id;
-      REQUIRE(id.starts_with("PS050")); // for another kind, say here how the engine is asked
+      REQUIRE(id.starts_with("PS050")); // for another kind, add the question to the engine here
       CHECK(isConfirmed(program, variableAt(program, each)));
     }
   }

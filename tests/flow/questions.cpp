@@ -88,7 +88,7 @@ private:
     });
   }
 
-  /// A label, the labels right behind it, and what stands behind these: in the model they are one.
+  /// Adjacent labels and the statement after them: one place in the model.
   static std::vector<NodeId> placesOf(const Graph& graph, NodeId label) {
     std::vector<NodeId> places{label};
     auto isLabel = [&](NodeId node) {
@@ -99,7 +99,7 @@ private:
     return places;
   }
 
-  /// A label and what stands behind it: the same may be true at both.
+  /// A label and the statement after it: the same may be true at both.
   void askWhatFollows(ProcessId id, NodeId label, NodeId next) {
     const Process& process = report.system()[id];
     const Node& node = (*process.graph)[next];
@@ -127,7 +127,7 @@ private:
     ask(fmt::format("(and {} (running {}))", here, report.program.skills.all[skill].name()), runs);
   }
 
-  /// Which skills may be running at once.
+  /// Whether two skills may run at once.
   void askAboutPairs() {
     const System& system = report.system();
     for (std::size_t i = 0; i < report.program.skills.all.size(); ++i)
@@ -143,7 +143,7 @@ private:
       }
   }
 
-  /// What a diagnostic itself says can never happen.
+  /// What a diagnostic claims never to happen.
   void askAbout(const Diagnostic& claim) {
     const auto words = quoted(claim.message);
     if (claim.code == Code::ImpossibleStatus)

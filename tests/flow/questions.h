@@ -9,22 +9,22 @@
 
 namespace proskill::test {
 
-/// A question about a condition that may come true at some time, and what the analysis says.
+/// A question whether a condition can become true, and the answer of the analysis.
 struct Query {
   std::string condition;
   bool possible = true;
-  /// What the engine is asked where a property of ProSkill cannot say it: a variable of the model,
+  /// A question to the engine that a property of ProSkill cannot express: a variable of the model,
   /// and its value.
   std::string variable{};
   std::int64_t value = 0;
 };
 
-/// All that can be asked about a program and is answered by the analysis: values everywhere, inside
-/// of skills and at labels; skills that run at once; events; how many have taken a resource.
+/// All questions about a program that the analysis answers: values everywhere, within skills and at
+/// labels; parallel skills; events; amounts of resources taken.
 [[nodiscard]] std::vector<Query> questionsOf(const analysis::flow::Report& report,
                                              const std::vector<syntax::Diagnostic>& found);
 
-/// The words of a message that stand in backquotes.
+/// The words in backquotes in a message.
 [[nodiscard]] std::vector<std::string> quoted(const std::string& message);
 
 } // namespace proskill::test

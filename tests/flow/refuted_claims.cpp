@@ -46,7 +46,7 @@ bool Judgement::reaches(Location place) const {
   forEachReachedNode(*report, [&](ProcessId, const Process& process, NodeId, const Node& node) {
     if (!node.statement) return;
     reached |= report->system().at(process, node.statement->range) == place;
-    // A loop `do` is reached with its body.
+    // A `do` is reached if its body is.
     reached |= holdsPlace(process, place) && node.statement->range.begin >= place.range.begin &&
                node.statement->range.end <= place.range.end;
   });
@@ -126,7 +126,7 @@ bool Judgement::mayBeBusy(Location place) const {
     if (each.kind == NodeKind::Call && report->at(id, node) == place)
       callee = process.actions[node].target;
   });
-  if (report->system()[callee].repeats) return true; // whoever uses the library may run it
+  if (report->system()[callee].repeats) return true; // a user of the library may run it
   const auto names = [&](const Diagnostic& each) {
     const auto& skill = report->system().skill(report->system()[callee]);
     const bool isCutShort = each.related.size() == kMostRelatedCalls;

@@ -8,7 +8,7 @@ using namespace proskill;
 
 namespace {
 
-/// What is said of a program, hints of style apart.
+/// The findings of a program, without hints of style.
 std::string codes(const std::string& program) {
   std::string all;
   for (const auto& it : analysis::flow::inspect(test::programOfText(program), {}))
@@ -19,7 +19,7 @@ std::string codes(const std::string& program) {
 } // namespace
 
 TEST_CASE("what a body reads before its own call is of no other body's call") {
-  // `last` has no outcome of its own yet, so its wait goes on at once: nothing is said of it.
+  // `last` has no outcome of its own yet, so its wait ends at once: no finding.
   const std::string program = "(defskill s :action (s) :failure bad)\n"
                               "(defskill first :body ((s) (^ (= s.status failure))))\n"
                               "(defskill last :body ((^ (/= s.status failure)) (s)))\n"
@@ -40,7 +40,7 @@ TEST_CASE(
   CHECK(
       told("(s) (// ((c)) ((^ 1))) (if (= s.status success) (success done)) (failure no)").empty());
   CHECK(told("(c) (if (/= s.status success) (failure no)) (success done)") == "PS0703");
-  // a guard looks at the last call of all
+  // a guard reads the last call by anybody
   CHECK(codes(parts + "(defskill m :invariant (i (:guard (/= s.status failure))) :success done "
                       ":body ((s) (if (= s.status success) (c)) (success done)))")
             .empty());
@@ -57,7 +57,7 @@ TEST_CASE("A loop that a refused call keeps going is told at its beginning") {
   CHECK(told("(while (/= drive.status success) (drive))") == "PS1007");
   CHECK(told("(do (drive) until (= drive.status success))") == "PS1007");
   CHECK(told("(label again) (drive) (if (= drive.status no_status) (goto again))") == "PS1007");
-  // it waits, looks before it calls, or leaves when it was refused
+  // it waits, tests before it calls, or leaves after a refusal
   CHECK(told("(while (/= drive.status success) (drive) (^ 1))").empty());
   CHECK(told("(while true (^ (door Open)) (drive) (if (= drive.status failure) break))").empty());
   CHECK(told("(while true (if (door Open) (drive)) (if (= drive.status failure) break) (^ 1))")
@@ -130,10 +130,10 @@ TEST_CASE("A wait that events with a period may not come to in time is not told"
                  event + " :effects (v Low))\n(defskill m :body (" + body + "))");
   };
   const std::string timed = ":every ]1,3]";
-  // The loop is left at once, before the event.
+  // the loop is left at once, before the event
   CHECK(told(timed, "(do-until (v Bad) (^ true))").find("PS1008") == std::string::npos);
   CHECK(told("", "(do-until (v Bad) (^ true))").find("PS1008") != std::string::npos);
-  // It is awaited, for as long as it takes.
+  // it is awaited, however long it takes
   CHECK(told(timed, "(while true (^ (v Low)) (printf \"low\"))").find("PS1008") !=
         std::string::npos);
   CHECK(told(timed, "(while true (^ (v Low) :timeout 1) (if (v Bad) break))").find("PS1008") ==

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mistake made in an example, and what is to be said about it: one finding, at the place that
-/// begins with `place`, and nothing else that was not said before.
+/// An error inserted into an example, and the expected finding: exactly one new finding, at the
+/// place that begins with `place`.
 struct Seed {
   const char* root; ///< below examples/
   const char* file;
@@ -40,7 +40,7 @@ const Seed kSeeds[] = {
      "PS0505", "(energy (- energy 1))"},
     {"arm/arm.proskill", "cell.proskill", "(+ on_table 1)", "(+ on_table 3)", "PS0504",
      "(on_table (+ on_table 3))"},
-    // What is never reached, or never used.
+    // Unreachable or unused.
     {"drone/drone.proskill", "drone.proskill", "(printf \"Mission failed\")\n",
      "(failure mission_failed)\n(printf \"Mission failed\")\n", "PS0601",
      "(printf \"Mission failed\")"},
@@ -94,7 +94,7 @@ const Seed kSeeds[] = {
      " "
      "(drive_to.interrupt))))",
      "PS1008", "while"},
-    // Events, ranges, and what nothing makes or uses.
+    // Events, ranges, and unused effects.
     {"lift/lift.proskill", "building.proskill", "(defevent key_turned",
      "(defevent key_back :effects (mode Service))\n(defevent key_turned", "PS0503",
      "(mode Service)"},
@@ -164,7 +164,7 @@ const Seed kSeeds[] = {
      "it"},
 };
 
-/// Mistakes that earlier checks tell: the flow says nothing of what comes of them.
+/// Errors that earlier checks report; the flow analysis does not report their consequences.
 const Seed kMistakes[] = {
     {"drone/drone.proskill", "drone.proskill", "(battery Critical))", "(battery Critcal))",
      "PS0203", "Critcal"},
@@ -177,7 +177,7 @@ const Seed kMistakes[] = {
     {"rover/rover.proskill", "skills.proskill", "(- energy 1)", "(- enrgy 1)", "PS0202", "enrgy"},
     {"rover/rover.proskill", "mission.proskill", "(set (place Base))", "(set (place Bse))",
      "PS0203", "Bse"},
-    // Definitions that are misspelt: one mistake, however often they are used.
+    // Misspelt definitions: one error, however often they are used.
     {"drone/drone.proskill", "drone.proskill", "(defskill landing", "(defskill lnding", "PS0201",
      "landing"},
     {"drone/drone.proskill", "drone.proskill", "(defsv motion", "(defsv moton", "PS0202", "motion"},
@@ -225,7 +225,7 @@ struct Said {
       : program(analysis::load(Overlay(changed), root)),
         findings(analysis::flow::inspect(program, {.style = true})) {}
 
-  /// The code and the start of the line's text from the place on.
+  /// The code, and the text from the place to the end of the line.
   [[nodiscard]] std::string words(const syntax::Diagnostic& each) const {
     const std::string& source = program.files[each.location.file].document.text();
     std::size_t begin = each.location.range.begin;
@@ -237,7 +237,7 @@ struct Said {
     for (const auto& each : findings) result.insert(words(each));
     return result;
   }
-  /// Those that were not said before.
+  /// The new findings.
   [[nodiscard]] std::vector<syntax::Diagnostic> without(const Said& before) const {
     std::multiset<std::string> known = before.all();
     std::vector<syntax::Diagnostic> left;

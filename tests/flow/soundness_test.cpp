@@ -15,7 +15,7 @@ using namespace proskill;
 namespace {
 
 const test::ProgramSize kUsual{.labels = 40};
-/// More skills that share more, in shorter bodies.
+/// More skills with more shared variables and shorter bodies.
 const test::ProgramSize kMany{.resources = 2,
                               .basicSkills = 3,
                               .composites = 3,
@@ -25,13 +25,12 @@ const test::ProgramSize kMany{.resources = 2,
                               .environment = 30,
                               .labels = 40};
 
-/// Of the flow, but not about what resources might be taken in, about rates, and about how it
-/// reads.
+/// Findings of the flow analysis, except on resource order, rates and style.
 bool makesClaim(std::string_view id) {
   return id >= "PS0500" && id < "PS1100" && id != "PS0903" && id != "PS1006";
 }
 
-/// What was judged over many programs, so that a test sees that it was not idle.
+/// Totals over many programs, so that a test sees that something was checked.
 struct Tally {
   std::size_t decided = 0;
   std::size_t impossible = 0;

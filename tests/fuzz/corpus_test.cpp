@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tries all texts of a folder. \return how many
+/// Runs all texts of a folder. \return their number
 std::size_t tryAll(const fs::path& folder, void (*target)(std::string_view)) {
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(PROSKILL_SOURCE_DIR / folder)) {

@@ -36,7 +36,7 @@ std::map<std::string, std::string> corpus() {
 struct Example {
   std::string name;
   std::string text;
-  std::string tree; ///< as it should be, an S-expression
+  std::string tree; ///< the expected S-expression
 };
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -50,7 +50,7 @@ bool isRule(const std::string& line, char sign) {
   return line.size() >= 3 && line.find_first_not_of(sign) == std::string::npos;
 }
 
-/// The examples of a file of the corpus: a name between two rules of `=`, a text, a rule of `-`, a
+/// The examples in a file of the corpus: a name between two lines of `=`, a text, a line of `-`, a
 /// tree.
 std::vector<Example> examplesOf(const std::string& file) {
   std::vector<Example> examples;

@@ -16,7 +16,7 @@ std::vector<Node> componentsOf(const Arcs& arcs) {
   });
 }
 
-/// By the definition: which nodes can be reached from which, by closing arcs over every node.
+/// By definition: reachability as the transitive closure of the arcs.
 std::vector<std::vector<bool>> reachability(const Arcs& arcs) {
   std::vector<std::vector<bool>> reaches(arcs.size(), std::vector<bool>(arcs.size()));
   for (Node node = 0; node < arcs.size(); ++node) {

@@ -72,14 +72,14 @@ TEST_CASE("a function is called once when its run is to stop, and may end it") {
   runs.askToStop(1);
   runs.askToStop(1);
   CHECK(called.times == 1);
-  runs.begin(2, fly); // asked before there is a function
+  runs.begin(2, fly); // asked before the callback is registered
   runs.askToStop(2);
   runs.onStop(2, end, &called);
   CHECK(called.times == 2);
 }
 
 TEST_CASE("the end of a run waits for the function that is called") {
-  // What the function gets may be freed as soon as the run has ended.
+  // The callback's data may be freed as soon as the run has ended.
   for (int i = 0; i < 2'000; ++i) {
     Runs runs;
     const std::string fly = "fly";

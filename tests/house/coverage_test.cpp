@@ -12,7 +12,8 @@
 
 using namespace proskill::syntax;
 
-/// The examples show the whole language: what none of them uses, nobody learns, and few tests see.
+/// The examples cover the whole language: nobody would learn what none of them uses, and few tests
+/// would cover it.
 namespace {
 
 std::vector<Document> parseExamples() {
@@ -88,8 +89,7 @@ Used usedInExamples() {
   return used;
 }
 
-/// The members of an enumeration without its first one, which stands for what is missing, up to
-/// `last`.
+/// The members of an enumeration up to `last`, without the first, which means "missing".
 template <class Enum> std::set<Enum> allUpTo(Enum last) {
   std::set<Enum> all;
   for (int i = 1; i <= static_cast<int>(last); ++i) all.insert(static_cast<Enum>(i));
@@ -103,7 +103,7 @@ template <class Enum> std::vector<int> unused(std::set<Enum> all, const std::set
   return missing;
 }
 
-/// Nodes of the grammar that a program without mistakes has no use for.
+/// Nodes of the grammar that occur only in programs with errors.
 const std::set<std::string_view> kOfMistakes{"surplus_close",  "keyword",    "operator",
                                              "malformed_name", "unexpected", "list",
                                              "unknown_field"};

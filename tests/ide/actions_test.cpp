@@ -33,7 +33,7 @@ syntax::Range selectionOf(const MarkedProgram& program) {
   return marked.empty() ? syntax::Range{program.at(), program.at()} : marked.front().range;
 }
 
-/// The text after the action whose title holds these words, or "refused".
+/// The text after the action whose title contains these words, or "refused".
 std::string after(std::string_view marked, std::string_view title) {
   const MarkedProgram program(marked);
   auto all = ide::actions(program.snapshot(), "/w/main.proskill", selectionOf(program));
@@ -82,7 +82,7 @@ TEST_CASE("the missing branch for a failure") {
   const auto branched =
       body("(f)\n     (if (/= f.status success)\n        (printf \"f has failed\"))");
   CHECK(after(body("(f)^"), "when `f` fails") == branched);
-  // Where it is told that nobody looks, there is one way to mend it, not two.
+  // If a finding reports the untested outcome, there is one fix, not two.
   CHECK(after(body("(f^)"), "when `f` fails") == "refused");
   CHECK(after(body("(f^)"), "test its status") != "refused");
   CHECK(after(body("(f^) (if (= f.status failure) (success done))"), "when `f` fails") ==

@@ -37,7 +37,7 @@ Labels labels(const MarkedProgram& program, ide::CompletionTrigger trigger = {})
   return result;
 }
 
-/// What is offered where the cursor is in a text behind the definitions.
+/// The completions at the cursor in a text after the definitions.
 Labels labelsIn(const std::string& text) {
   INFO(text);
   return labels(MarkedProgram(kDefinitions + text));

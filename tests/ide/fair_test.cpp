@@ -7,7 +7,7 @@ using namespace proskill;
 
 namespace {
 
-/// The verdict on a property, and what it rests on.
+/// The verdict on a property, with its reason.
 std::string verdictOn(const std::string& pattern, bool fairRuns = true) {
   const auto program = test::programOfText("(defsv n :states (Idle Done) :init Idle)\n"
                                            "(defsv wind :states (Calm) :init Calm)\n"

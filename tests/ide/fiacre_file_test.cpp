@@ -9,7 +9,7 @@ using namespace proskill;
 
 namespace {
 
-/// Each diagnostic's text, with its message.
+/// The text and the message of each diagnostic.
 std::string found(const std::string& text) {
   std::string all;
   for (const auto& each : ide::readFiacre("m.fcr", text).diagnostics)

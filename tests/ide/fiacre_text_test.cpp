@@ -19,7 +19,7 @@ using test::MarkedSource;
 
 namespace {
 
-/// The marks of a source are the uses of the name at `^`, its declaration first.
+/// The marked ranges are the uses of the name at `^`, its declaration first.
 void namesAre(std::string_view marked) {
   const MarkedSource source(marked);
   INFO(source.text);
@@ -40,7 +40,7 @@ std::string hovered(std::string_view marked) {
   return hover ? hover->text.plain() : "nothing";
 }
 
-/// The labels of a kind that are offered at `^`, or of all.
+/// The labels of a kind that are offered at `^`, or of all kinds.
 std::string offered(std::string_view marked, std::optional<ide::CompletionKind> kind = {}) {
   const MarkedSource source(marked);
   std::string labels;
@@ -83,7 +83,7 @@ void isInOrder(const std::vector<ide::FiacreEntry>& entries, Range outer) {
   }
 }
 
-/// All that can be asked at a place.
+/// Everything that can be requested at a place.
 void isAnswered(const FiacreText& fiacre, const std::string& text, syntax::Offset at) {
   if (const auto definition = fiacre.definition(at)) CHECK(isWithin(*definition, text));
   for (const auto& use : fiacre.uses(at, true)) CHECK(isWithin(use.range, text));
@@ -232,7 +232,7 @@ TEST_CASE("every name of the examples of Fiacre is declared") {
 
 namespace {
 
-/// The text after renaming what stands at the first `^`, or why not.
+/// The text after renaming the name at the first `^`, or an error.
 std::string renamed(std::string text, std::string_view to) {
   const auto mark = text.find('^');
   text.erase(mark, 1);
@@ -263,7 +263,7 @@ TEST_CASE("renaming is refused where a name would mean something else, or nothin
   CHECK_THAT(renamed(two, "1a"), Catch::Contains("is not a name"));
   CHECK_THAT(renamed("process P is states a var x: nat from a to a ^ P", "c"),
              Catch::Contains("not a name that is declared"));
-  // A field that two records have: which of them is meant says the type alone.
+  // A field that two records have: only the type says which is meant.
   CHECK_THAT(renamed("type r is record ^f: nat end type s is record f: nat end "
                      "process P is states a var x: r, y: s from a x.f := 1; y.f := 1; to a P",
                      "g"),

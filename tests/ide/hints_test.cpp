@@ -8,7 +8,7 @@ using test::MarkedProgram;
 
 namespace {
 
-/// The text with its hints between braces.
+/// The text with its hints in braces.
 std::string hinted(const std::string& text) {
   const MarkedProgram program(text);
   auto result = program.view().text();
@@ -45,7 +45,7 @@ TEST_CASE("what is tested shows what it can be, where that is less than elsewher
   const std::string lamp = "(defsv lamp :states (On Off Dim) :init Off)\n";
   check(lamp + "(defskill m :body ((set (lamp On)) (if (lamp On) (^ 1)) (set (lamp Dim))))",
         "(if (lamp{= On} On)");
-  // Anybody may set it at any time: nothing is known that the definition does not say.
+  // Others may set it at any time, so nothing is known beyond the definition.
   check(lamp + "(defevent e :effects (lamp On)) (defevent f :effects (lamp Off))"
                "(defevent g :effects (lamp Dim))"
                "(defskill m :body ((set (lamp On)) (if (lamp On) (^ 1))))",

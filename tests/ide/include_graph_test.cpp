@@ -9,7 +9,7 @@ using Paths = std::vector<std::filesystem::path>;
 
 namespace {
 
-/// In the folder `/w`, each including the others by these words.
+/// Files in the folder `/w`, with the paths that each includes.
 struct Text {
   std::string name;
   std::vector<std::string> includes;

@@ -83,7 +83,7 @@ TEST_CASE("verdicts on an older text are called stale") {
   const MarkedProgram before(kProgram);
   const MarkedProgram now(kProgram + "(defresource arm)\n");
   CHECK(titles(now, verdictsFor(before), "go").front().ends_with("(outdated)"));
-  // The same text, parsed again, is the same text.
+  // The same text, parsed again, counts as unchanged.
   CHECK_FALSE(
       titles(MarkedProgram(kProgram), verdictsFor(before), "go").front().ends_with("(outdated)"));
 }

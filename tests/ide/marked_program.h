@@ -9,8 +9,8 @@
 
 namespace proskill::test {
 
-/// Marked sources, open in an editor: what a feature is asked about. `^` is where the cursor
-/// stands, in one of the files; where there is none, it stands at the begin of the first `[[`.
+/// Marked sources, open in an editor. `^` marks the cursor in one of the files; without it, the
+/// cursor is at the first `[[`.
 class MarkedProgram {
 public:
   /// One file, `/w/main.proskill`.
@@ -20,10 +20,10 @@ public:
   explicit MarkedProgram(const std::map<std::string, std::string>& files);
 
   [[nodiscard]] const ide::Snapshot& snapshot() const { return *current; }
-  /// The file that the cursor stands in, within the first program that it belongs to.
+  /// The file with the cursor, in the first program that contains it.
   [[nodiscard]] const ide::View& view() const { return seen; }
   [[nodiscard]] syntax::Offset at() const { return cursor; }
-  /// The ranges that are marked in a file, as a test compares them.
+  /// The marked ranges of a file.
   [[nodiscard]] std::vector<analysis::Location> marked() const;
   /// `name:text` of a place.
   [[nodiscard]] std::string textAt(analysis::Location place) const;

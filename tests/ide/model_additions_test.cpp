@@ -25,7 +25,7 @@ struct Case {
   analysis::Program program;
   codegen::Model model = codegen::generate(program).value();
 
-  /// What is wrong with a text, each with the piece of it that it is about.
+  /// The errors in a text, each with the text it is about.
   std::string environment(const std::string& text) {
     return told(ide::replaceEnvironment(model, program, "env.fcr", text), text);
   }

@@ -17,7 +17,7 @@ const test::MarkedProgram& programs() {
   return kPrograms;
 }
 
-/// The files that change, each with what it includes then.
+/// The changed files, each with its new includes.
 std::string after(const std::vector<ide::Move>& moves) {
   std::string all;
   for (const auto& [path, edits] : ide::includesAfter(programs().snapshot(), moves)) {

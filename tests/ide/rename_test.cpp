@@ -14,7 +14,7 @@ std::expected<ide::RenamePlan, std::string> plan(const MarkedProgram& program,
   return ide::rename(program.snapshot(), program.view(), program.at(), name);
 }
 
-/// The places of the renaming are those that are marked, in all files of the program.
+/// The places of the renaming are the marked ones, in all files of the program.
 void checkPlaces(const MarkedProgram& program, std::string_view name) {
   auto renaming = plan(program, name);
   if (!renaming) FAIL(renaming.error());
@@ -93,7 +93,7 @@ TEST_CASE("a name of more programs than are kept is renamed in all of them") {
     files[fmt::format("/w/{}.proskill", i)] =
         "(include \"shared.proskill\")\n(defevent e :effects (lamp On))\n";
   const auto disk = std::make_shared<test::MemoryFiles>(files);
-  ide::OpenTexts texts; // all of them, for what includes what
+  ide::OpenTexts texts; // all of them, since any may include others
   for (const auto& [path, text] : files)
     texts[path] = {"file://" + path, 1, syntax::Document::parse(text)};
   const auto graph = ide::graphOf(*disk, texts);
@@ -123,13 +123,13 @@ TEST_CASE("a name that is taken is refused, with the place of who has it") {
 }
 
 TEST_CASE("a name that would be captured is refused") {
-  // `(= a b)` compares two variables; as a value of `a`, the second would be that value.
+  // `(= a b)` compares two variables; as a value of `a`, the second would be that value
   const std::string compare = "(defsv a :states (On Off) :init On)\n"
                               "(defsv ^b :states (On Off) :init On)\n"
                               "(defskill m :body ((^ (= a b))))";
   CHECK(refusal(compare, "Off") == "`Off` would get another meaning at main.proskill:3");
   CHECK(refusal(compare, "c").empty());
-  // Words of the language in the places where they are words.
+  // Keywords at places where they are keywords.
   CHECK_FALSE(refusal("(defskill ^f :action (x)) (defskill m :body ((f)))", "while").empty());
   CHECK_FALSE(refusal("(defsv ^a :states (On Off) :init On) (defskill m :body ((^ (a On))))", "not")
                   .empty());

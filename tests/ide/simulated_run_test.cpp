@@ -16,7 +16,7 @@ ide::SimulatedRun runOf(const std::string& text) {
   return std::move(*run);
 }
 
-/// Takes the choice that reads so.
+/// Takes the choice with this description.
 void choose(ide::SimulatedRun& run, const std::string& actor, const std::string& description,
             verify::When when = verify::When::Early) {
   const auto choices = run.choices();
@@ -38,7 +38,7 @@ const std::string kLitRun = R"((defsv lamp :states (On Off) :init Off :transitio
 (defskill mission :success done :body ((light) (success done)))
 )";
 
-/// To the moment at which the action runs.
+/// Up to the moment at which the action runs.
 ide::SimulatedRun running(const std::string& text = kLitRun) {
   auto run = runOf(text);
   while (run.choices().front().latest && run.choices().front().latest->seconds.numerator == 0)
@@ -76,7 +76,7 @@ TEST_CASE("a run is taken again step by step, and in a program that was edited e
   CHECK_FALSE(again.follow(steps));
   CHECK(again.trace().steps.size() == steps.size());
   CHECK(again.values().at("lamp") == "On");
-  // From where it parts: the same run with the last steps taken back, and then another one.
+  // After the last common step: takes the rest back, and continues differently.
   CHECK_FALSE(again.follow(std::span(steps).first(2)));
   CHECK(again.trace().steps.size() == 2);
   CHECK_FALSE(again.follow(steps));

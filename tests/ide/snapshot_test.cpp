@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* kPath = "/w/main.proskill";
 
-/// A skill that nobody calls and a value that is never left, so that the flow has something to
-/// tell.
+/// A skill that nobody calls and a value that is never left, so that the flow analysis has
+/// findings.
 constexpr const char* kText =
     "(defsv lamp :states (On Off) :init Off)\n"
     "(defskill on :start (lamp On) :action (on) :success lit)\n"
@@ -38,7 +38,7 @@ Snapshot snapshotOf(const syntax::Document& document) {
                                          std::move(graph));
 }
 
-/// After `put` was put in front of `place`.
+/// After inserting `put` before `place`.
 syntax::Document edited(const syntax::Document& document, std::string_view place,
                         std::string_view put) {
   const auto at = static_cast<syntax::Offset>(document.text().find(place));
@@ -51,14 +51,14 @@ Snapshot after(const Snapshot& snapshot, const syntax::Document& document) {
   return snapshot->with(std::move(texts), std::move(graph));
 }
 
-/// The same flow, not another one of the same program.
+/// The same flow object, not an equal one.
 bool isSameFlow(const Snapshot& a, const Snapshot& b) {
   const auto first = a->view(kPath).owner->flowIfKnown();
   const auto second = b->view(kPath).owner->flowIfKnown();
   return first && second && &first->flow() == &second->flow();
 }
 
-/// What the flow tells at every place.
+/// The values at every place.
 std::string shown(const Snapshot& snapshot) {
   const auto view = snapshot->view(kPath);
   const auto end = static_cast<syntax::Offset>(view.text().size());
@@ -235,7 +235,7 @@ TEST_CASE(
   texts["/w/closed.proskill"] = {"file:///w/closed.proskill", 1, syntax::Document::parse("; new")};
   const auto opened = next->with(texts, graph);
   CHECK(opened->view("/w/closed.proskill").text() == "; new");
-  texts.erase("/w/closed.proskill"); // what the disk has now is not known before it is read
+  texts.erase("/w/closed.proskill"); // the new file on the disk is unknown until it is read
   CHECK(opened->with(texts, graph)->view("/w/closed.proskill").owner != closed);
 }
 

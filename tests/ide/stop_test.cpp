@@ -9,7 +9,7 @@ using namespace proskill;
 
 namespace {
 
-/// So many skills, each with a body, so that there is something to do.
+/// Many skills with bodies, to have enough work.
 std::string programOf(int skills) {
   std::string text = "(defsv lamp :states (On Off) :init Off :transitions :all)\n";
   for (int i = 0; i < skills; ++i)
@@ -31,7 +31,7 @@ std::size_t found(const ide::Snapshot& snapshot) {
   return ide::diagnostics(snapshot, "/w/main.proskill").size();
 }
 
-/// How often the work asks whether it is to stop; it is told to at its `last` question.
+/// Counts how often the work asks whether to stop; it stops at the `last` question.
 std::size_t questions(const ide::Snapshot& snapshot, std::size_t last) {
   std::size_t count = 0;
   const analysis::StopWhen stop([&] { return ++count == last; });
@@ -45,7 +45,7 @@ TEST_CASE("work that nobody waits for ends at its next question, and asks often"
   constexpr int kSkills = 40;
   const auto text = programOf(kSkills);
   const auto all = questions(*snapshotOf(text), 0);
-  CHECK(all > 2 * kSkills); // more than one for each skill: what is between two is no long work
+  CHECK(all > 2 * kSkills); // more than one per skill: the work between two is short
   for (std::size_t last : {std::size_t{1}, std::size_t{5}, all / 4, all / 2, all - 3, all}) {
     std::size_t count = 0;
     const auto snapshot = snapshotOf(text);

@@ -21,7 +21,7 @@ codegen::Model modelWhere(const std::string& door) {
   return codegen::generate(program).value();
 }
 
-/// What the verdict rests on, where the door is so at the start.
+/// The reason of the verdict, if the door is initially so.
 std::string reasonOf(const std::string& door, const std::string& check) {
   const auto model = modelWhere(door);
   const auto report = ide::verifyModel(model, {check}, {});
@@ -48,8 +48,7 @@ TEST_CASE("a verdict on bounds that came before a limit says whether it is about
   for (std::size_t jump = 1; jump < 60; ++jump) {
     std::size_t looks = 0;
     verify::Options options;
-    options.reductions.erase(
-        verify::Reduction::Slices); // they see that time goes on before all else
+    options.reductions.erase(verify::Reduction::Slices); // they find out first that time goes on
     options.limits.seconds = 10;
     options.clock = [&] { return ++looks > jump ? 1000.0 : 0.0; };
     bool handedOver = false;

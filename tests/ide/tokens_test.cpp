@@ -11,7 +11,7 @@ using test::MarkedProgram;
 
 namespace {
 
-/// The tokens that are marked.
+/// The marked tokens.
 std::vector<ide::Token> markedTokens(const MarkedProgram& program) {
   auto all = ide::tokens(program.view());
   auto marked = program.marked();

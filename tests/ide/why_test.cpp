@@ -50,7 +50,7 @@ TEST_CASE("a refusal is told with the condition that is false, and since when") 
       traceOf(kRobot + "(defskill mission :success done :body ((drill) (charge) (success done)))",
               "mission.never_refused");
   const auto& refused = stepThat(trace, "is refused");
-  // That `low` is true is no reason.
+  // That `low` is true is not a reason.
   CHECK(refused.why.starts_with("`at_dock (place Dock)` is false: `place` is Field since step "));
   CHECK(refused.why.find("energy") == std::string::npos);
   CHECK(trace.summary.find("`at_dock (place Dock)` is false: `place` is Field") !=
@@ -101,7 +101,7 @@ TEST_CASE("where nothing is possible any more, it is said who waits for what") {
   CHECK(trace.summary.find("`guard` waits for `(energy 0)`") != std::string::npos);
   CHECK(trace.summary.find("`mission` waits until all parallel branches have ended") !=
         std::string::npos);
-  CHECK(trace.summary.find("`close`") == std::string::npos); // it waits for nobody
+  CHECK(trace.summary.find("`close`") == std::string::npos); // nobody waits for it
 }
 
 TEST_CASE("a property of runs is told with what does not come, and that nothing happens any more") {

@@ -10,7 +10,7 @@ using syntax::Encoding;
 using test::Desk;
 using test::Files;
 
-/// Of answers about a whole text, what an edit did not touch is taken from the answer before.
+/// Answers about a whole text reuse the parts that an edit did not touch.
 namespace {
 
 constexpr auto kTokens = "textDocument/semanticTokens/full";
@@ -27,14 +27,14 @@ std::string withWideStrings(const std::string& text) {
   return result;
 }
 
-/// A client that has tokens and asks for their changes.
+/// A client that has tokens and requests their changes.
 class TokenReader {
 public:
   explicit TokenReader(const Desk& desk, const std::string& file)
       : desk(desk), file(file), last(desk.answer(kTokens, file)) {}
 
-  /// All numbers as they are after an answer to the request for changes, and how many of them the
-  /// answer had.
+  /// All numbers after an answer to the request for changes, and how many of them the answer
+  /// contained.
   std::pair<Json, std::size_t> next() {
     const auto answer = desk.answer(kChangedTokens, file, {{"previousResultId", last["resultId"]}});
     const auto data = test::afterEdits(last["data"], answer.at("edits"));
@@ -71,7 +71,7 @@ void compare(const Desk& desk, TokenReader& tokens, const std::string& file, con
   counts.sent += sent;
 }
 
-/// Edits one file of a program, and asks after some of the edits.
+/// Edits one file of a program, and sends requests after some of the edits.
 void edit(Files files, const std::string& file, Encoding encoding, std::uint64_t seed,
           Counts& counts) {
   Desk desk(files, encoding);
@@ -118,7 +118,7 @@ TEST_CASE("changes of tokens are edits where they happen, however far from each 
   desk.edit("a.proskill", {{7, 7}, "x"});
   const auto after =
       desk.answer(kChangedTokens, "a.proskill", {{"previousResultId", before["resultId"]}});
-  // Here the name is longer, so that what follows it is further; there it means nothing.
+  // Here the name is longer, so that what follows moves; there it is unknown.
   const auto whole = desk.answer(kTokens, "a.proskill")["data"];
   REQUIRE(after["edits"].size() == 2);
   CHECK(after["edits"][0]["data"].size() == 10);

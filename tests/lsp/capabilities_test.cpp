@@ -14,14 +14,14 @@ namespace {
 
 const std::filesystem::path kSources = PROSKILL_SOURCE_DIR;
 
-/// A row of the manual's table: a capability, its requests, the files it is made of, its tests.
+/// A row of the manual's table: a capability, its requests, its sources, its tests.
 struct Row {
   std::string capability;
   std::vector<std::string> requests;
   std::vector<std::string> files;
 };
 
-/// What stands between backticks.
+/// The text in backquotes.
 std::vector<std::string> codeIn(const std::string& text) {
   std::vector<std::string> result;
   for (auto at = text.find('`'); at != std::string::npos; at = text.find('`', at + 1)) {

@@ -8,7 +8,7 @@ using namespace proskill::rpc;
 
 namespace {
 
-/// Everything that a reader makes of a stream that comes in pieces of that size.
+/// Everything that a reader makes of a stream in pieces of this size.
 std::vector<rpc::Frame> readAll(std::string_view stream, std::size_t piece,
                                 std::size_t limit = 1000) {
   rpc::FrameReader reader(limit);

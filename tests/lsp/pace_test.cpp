@@ -15,7 +15,7 @@ TEST_CASE("diagnostics do not wait where those of all texts took next to no time
   CHECK(pace.isQuick());
   pace.begin(2, 1);
   CHECK_FALSE(pace.isQuick());
-  pace.finish(1, 1ms); // of the round before
+  pace.finish(1, 1ms); // of the previous round
   CHECK_FALSE(pace.isQuick());
   pace.finish(2, 7ms);
   CHECK_FALSE(pace.isQuick());

@@ -8,7 +8,7 @@ namespace proskill::test::poor_client_test {
 
 using lsp::ClientFeatures;
 
-/// What clients get that can do less, or more, than the one of the sessions.
+/// What clients get that support less, or more, than the one of the sessions.
 namespace {
 
 constexpr auto kUri = "file:///w/main.proskill";
@@ -90,7 +90,7 @@ TEST_CASE("parts of a signature as offsets, which are those of UTF-16") {
   CHECK(signature["label"] == "(leadsto P Q [:within I])");
   CHECK(signature["activeParameter"] == 1);
   CHECK(signature["parameters"][1]["label"] == Json::array({11, 12}));
-  // `…` is three bytes and one unit: what stands behind it is counted right.
+  // `…` is three bytes and one unit: columns after it are correct
   signature = ask(client, "textDocument/signatureHelp", at(2, 19))["signatures"][0];
   const auto label = signature["label"].get<std::string>();
   CHECK(label.contains("…"));

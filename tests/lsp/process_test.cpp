@@ -17,7 +17,7 @@ using namespace proskill;
 
 namespace {
 
-/// Nine skills that anybody may call at any time: nobody sees the end of their states.
+/// Nine skills that anybody may call at any time: the state space is practically endless.
 std::string endlessProgram() {
   std::string text;
   for (int i = 5; i < 14; ++i)
@@ -26,7 +26,7 @@ std::string endlessProgram() {
   return text;
 }
 
-/// `proskill lsp` as a process, and what it says.
+/// `proskill lsp` as a process, and its output.
 class ServerProcess {
 public:
   ServerProcess() : child(started()) {
@@ -41,7 +41,7 @@ public:
     while (!bytes.empty() && !ended) bytes.erase(0, exchange(bytes));
   }
 
-  /// The next notification of that method that pleases; null where the server ends.
+  /// The next accepted notification of this method; null if the server ends.
   template <class Pleases> Json notified(const std::string& method, Pleases pleases) {
     while (true) {
       while (auto next = frames.next()) {
@@ -90,7 +90,7 @@ private:
   bool ended = false;
 };
 
-/// Whether a process has ended; waits a minute for it.
+/// Whether a process has ended; waits up to a minute.
 bool ends(int process) {
   for (int i = 0; i < 6000; ++i) {
     std::ifstream status("/proc/" + std::to_string(process) + "/stat");
@@ -165,7 +165,7 @@ TEST_CASE("a verification that is killed keeps its verdicts, and leaves the rest
           "the process that verifies gave no answer: it was ended by signal 9 (Killed)");
   }
   CHECK(reachable > 0); // each skill can end
-  CHECK(open > 0);      // whether there is a deadlock is seen at the end
+  CHECK(open > 0);      // deadlocks are decided last
 }
 
 TEST_CASE("verdicts come as they are decided, while the rest is being verified") {

@@ -11,15 +11,14 @@ using syntax::Offset;
 using test::Desk;
 using test::Files;
 
-/// What the server would have an editor change, carried out for every name and with every action
-/// that it offers in the examples.
+/// Performs the edits that the server offers: for every name and every action in the examples.
 namespace {
 
 std::string nameOf(const std::string& uri) { return uri.substr(std::string("file:///w/").size()); }
 
-/// Carries out the edits of one text, which must not overlap.
+/// Performs the edits of one text, which must not overlap.
 void carryOut(std::string& text, std::vector<Json> edits) {
-  // From the end, so that what comes before stays where it is.
+  // From the end, so that earlier positions stay valid.
   std::sort(edits.begin(), edits.end(),
             [](const Json& a, const Json& b) { return b["range"] < a["range"]; });
   Offset last = static_cast<Offset>(text.size());
@@ -33,7 +32,7 @@ void carryOut(std::string& text, std::vector<Json> edits) {
   }
 }
 
-/// The texts after a `WorkspaceEdit`, which has bytes for positions.
+/// The texts after a `WorkspaceEdit`, whose positions are in bytes.
 Files after(Files files, const Json& edit) {
   if (edit.contains("changes"))
     for (const auto& [uri, edits] : edit["changes"].items()) carryOut(files.at(nameOf(uri)), edits);
@@ -43,7 +42,7 @@ Files after(Files files, const Json& edit) {
   return files;
 }
 
-/// How often each code is among the findings in the texts.
+/// How often each code occurs in the findings of the texts.
 std::map<std::string, int> findings(const Files& files) {
   const Desk desk(files, Encoding::Utf8);
   std::map<std::string, int> result;

@@ -17,10 +17,10 @@ using test::example;
 using test::examples;
 using test::Files;
 
-/// Every feature is asked at every place of every example, of what they are while they are typed,
-/// and with all kinds of characters in them. Nothing may go wrong, every answer must fit its text,
-/// and how many there are is kept in scan/answers.txt: `PROSKILL_UPDATE=1 test_lsp "scan*"` writes
-/// it anew. `PROSKILL_SCAN=full` asks at every byte, and for every prefix, which takes minutes.
+/// Requests every feature at every place of every example: as it is, partly typed, and with all
+/// kinds of characters. No request may fail, every answer must fit its text, and scan/answers.txt
+/// has the number of answers; `PROSKILL_UPDATE=1 test_lsp "scan*"` writes it. `PROSKILL_SCAN=full`
+/// requests at every byte and for every prefix, which takes minutes.
 namespace {
 
 bool isSet(const char* name) { return std::getenv(name) != nullptr; }
@@ -34,8 +34,8 @@ bool isNothing(const Json& answer) {
   return answer.is_null() || answer.empty() || (items.is_array() && items.empty());
 }
 
-/// What makes an answer another one than those before: of lists to choose from the labels, not
-/// where they would go.
+/// What distinguishes an answer from earlier ones: for lists of choices the labels, not their
+/// targets.
 std::string essenceOf(const Json& answer) {
   const auto& items = rpc::memberAt(answer, {"items"});
   if (!items.is_array() || items.empty() || !items[0].contains("label")) return answer.dump();
@@ -44,7 +44,7 @@ std::string essenceOf(const Json& answer) {
   return result;
 }
 
-/// How often a method was asked about a text, and what came of it.
+/// Counts requests to a method about a text, and the answers.
 struct Tally {
   std::size_t asked = 0;
   std::size_t answered = 0;
@@ -61,7 +61,7 @@ struct Tally {
 
 using Tallies = std::map<std::string, Tally>;
 
-/// Asks a method, and what follows from each new answer.
+/// Calls a method, and those that follow from each new answer.
 void askAll(const Desk& desk, const std::string& file, const std::string& method, Offset at,
             Tallies& tallies) {
   INFO(file << ", byte " << at << ": " << method);
@@ -96,8 +96,8 @@ std::set<std::string> linesIn(const std::string& text) {
   return result;
 }
 
-/// Makes characters of two, three and four bytes of some letters in comments and strings, and puts
-/// a message of such before the first statement of every body, on its line.
+/// Replaces some letters in comments and strings by characters of two, three and four bytes, and
+/// puts a message with such characters before the first statement of every body, on its line.
 std::string widened(const std::string& text) {
   std::string result;
   bool inComment = false;
@@ -121,7 +121,7 @@ std::string widened(const std::string& text) {
   return result;
 }
 
-/// A definition a line, so that much stands behind wide characters. Comments go.
+/// Puts each definition on one line, so that much follows wide characters. Removes comments.
 std::string joined(const std::string& text) {
   std::string result;
   std::istringstream lines(text);

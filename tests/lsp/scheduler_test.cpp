@@ -45,6 +45,6 @@ TEST_CASE("background work does not give way for ever") {
     scheduler.giveWay();
     passed.count_down();
   });
-  passed.wait(); // else this waits for ever
+  passed.wait(); // otherwise this would wait for ever
   end.count_down();
 }

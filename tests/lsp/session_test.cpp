@@ -26,7 +26,7 @@ std::vector<std::string> codes(const Json& diagnostics) {
   return result;
 }
 
-/// A file whose reading waits until the test lets it go on.
+/// A file whose reading waits until the test lets it continue.
 class GatedFiles : public test::MemoryFiles {
 public:
   using MemoryFiles::MemoryFiles;
@@ -90,7 +90,7 @@ TEST_CASE("malformed messages are answered as the specification says, and the se
   auto errorTo = [&](std::string_view body) {
     session.sendBody(body);
     auto answer = session.receive();
-    while (answer.contains("method")) answer = session.receive(); // the user is told, too
+    while (answer.contains("method")) answer = session.receive(); // the user is informed, too
     return std::pair(errorOf(answer), answer["id"]);
   };
   CHECK(errorTo("{\"jsonrpc\":") == std::pair(-32700, Json()));
@@ -255,7 +255,7 @@ TEST_CASE("a request that is cancelled before it was handed out is never worked 
   session.open(kLamp, kLampText);
   session.notify("workspace/didChangeWatchedFiles",
                  {{"changes", Json::array({{{"uri", "file:///w/gated.proskill"}, {"type", 2}}})}});
-  files->reached.acquire(); // the thread that hands out requests waits in it
+  files->reached.acquire(); // the dispatching thread waits in it
   auto id =
       session.send("textDocument/definition", {{"textDocument", {{"uri", kLamp}}},
                                                {"position", {{"line", 0}, {"character", 8}}}});
@@ -289,7 +289,8 @@ TEST_CASE(
   CHECK(refused["code"] == -32802);
   CHECK(refused["data"] == Json{{"retriggerRequest", true}});
   files->gate.count_down();
-  CHECK(session.answer(kept)["result"][0]["range"] == rangeOf(1, 7, 11)); // of the text as it was
+  CHECK(session.answer(kept)["result"][0]["range"] ==
+        rangeOf(1, 7, 11)); // of the text before the edit
   auto now = session.at("textDocument/definition", kMain, 2, 8);
   CHECK(now[0]["range"] == rangeOf(2, 7, 11));
 }

@@ -114,7 +114,7 @@ TEST_CASE("a file is parsed again only where it has changed") {
   ++stamp->size;
   CHECK_FALSE(cache.document("/a")->isSameAs(*first));
   CHECK(disk->reads == 2);
-  stamp.reset(); // who knows
+  stamp.reset(); // undecided
   (void)cache.document("/a");
   (void)cache.document("/a");
   CHECK(disk->reads == 4);
@@ -128,7 +128,7 @@ TEST_CASE("of the trees those are kept that were used last, as many as there is 
       disk, [](const auto&) { return lsp::FileStamp{}; }, room);
   for (const auto* path : {"/a", "/b", "/a", "/c", "/a"}) (void)cache.document(path);
   CHECK(disk->reads == 3);
-  (void)cache.document("/b"); // which had to go for `/c`
+  (void)cache.document("/b"); // which had to give way to `/c`
   CHECK(disk->reads == 4);
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("a link is followed again only where it leads to another file") {
   cache.followAnew();
   CHECK(cache.canonical("/a") == "/d");
   CHECK(disk->follows == 3);
-  stamp.reset(); // there is no file
+  stamp.reset(); // the file does not exist
   CHECK(cache.canonical("/a") == "/d");
   CHECK(disk->follows == 4);
 }

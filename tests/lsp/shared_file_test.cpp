@@ -12,8 +12,8 @@
 
 using namespace proskill;
 
-/// A file that many programs include, edited: what is told of it is what a fresh check of each of
-/// them tells.
+/// Edits a file that many programs include: the findings are those of a fresh check of each
+/// program.
 namespace {
 
 using Files = std::map<std::string, std::string>;
@@ -32,7 +32,7 @@ constexpr const char* kText =
 
 std::string missionPath(int i) { return fmt::format("/w/mission_{}.proskill", i); }
 
-/// They use different parts of the platform, and one of them nothing.
+/// They use different parts of the platform, and one uses none.
 Files files() {
   constexpr std::array kCalls{"(light speed 2.0)", "(wait)", "(both)", ""};
   Files result;
@@ -54,7 +54,7 @@ std::string said(const syntax::Diagnostic& it) {
                      it.location.range.begin, it.location.range.end, it.message);
 }
 
-/// By a check of every program that has the file.
+/// By checking every program with the file.
 Said checked(const Files& files, const std::string& path) {
   Said result;
   for (int i = 0; i < kMissions; ++i) {
@@ -121,7 +121,7 @@ void compare(const Editor& editor, test::RandomEdits& edits) {
 } // namespace
 
 TEST_CASE("what is told of a file of many programs is what a fresh check of each of them tells") {
-  // With room for all trees, and with so little that they are read again and again.
+  // With enough memory for all trees, and with so little that they are read again and again.
   for (const std::size_t room : {std::size_t{1} << 20, std::size_t{500}})
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       Editor editor(room);
@@ -152,6 +152,6 @@ TEST_CASE("of the programs of a file only that one keeps its flow which features
   for (const auto& view : editor.snapshot().views(kPlatform)) {
     const bool isFirst = view.owner->program.files.front().path == missionPath(0);
     CHECK((view.owner->flowIfKnown() != nullptr) == isFirst);
-    CHECK(view.owner->flow()); // who asks for it has it
+    CHECK(view.owner->flow()); // clients that request it get it
   }
 }

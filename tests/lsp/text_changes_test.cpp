@@ -19,7 +19,7 @@ Json change(unsigned line, unsigned from, unsigned toLine, unsigned to, const st
           {"text", text}};
 }
 
-/// The text after the changes, each applied to a document of its own.
+/// The text after the changes, applied one by one.
 std::string oneByOne(std::string text, const Json& changes) {
   for (const auto& each : changes)
     text =

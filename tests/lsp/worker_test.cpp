@@ -12,7 +12,7 @@ constexpr std::string_view kBegin =
 constexpr std::string_view kDecided =
     R"({"decided":{"index":1,"property":{"name":"b","verdict":"holds"}}})";
 
-/// What comes of a process that says these lines, and ends.
+/// The result of a process that prints these lines and ends.
 std::expected<OrderedJson, worker::WorkerFailure> heard(const std::vector<std::string_view>& lines,
                                                         const std::string& afterwards = "exit 7") {
   std::string script;

@@ -42,7 +42,7 @@ void compareTruth(bool expected, const verify::Answer& answer, Comparison& compa
                                         wordOf(answer.truth), answer.reason, expected);
 }
 
-/// Compares the answers that the engine gives with these options.
+/// Compares the engine's answers with these options.
 void compareAnswers(const Script& script, const codegen::Model& model, const Verdicts& verdicts,
                     const Replays& replays, const verify::Options& options,
                     Comparison& comparison) {

@@ -10,23 +10,23 @@
 
 namespace proskill::meaning {
 
-/// What came of a comparison.
+/// The result of a comparison.
 struct Comparison {
   bool tooLarge = false;
-  std::size_t questions = 0; ///< that were decided by both
-  std::size_t scopes = 0;    ///< of these, patterns with a scope or a time
-  std::size_t traces = 0;    ///< of the engine, each a run of the interpreter
+  std::size_t questions = 0; ///< decided by both
+  std::size_t scopes = 0;    ///< among these: patterns with a scope or a time
+  std::size_t traces = 0;    ///< of the engine, each of which is a run of the interpreter
   std::size_t situations = 0;
-  std::optional<std::string> refusal; ///< the engine cannot run it
+  std::optional<std::string> refusal; ///< the engine does not support it
   std::optional<std::string> disagreement;
-  std::string kind; ///< of the disagreement: which question, and what the engine says
+  std::string kind; ///< the disagreement: the question, and the engine's answer
 };
 
 /// Asks the engine and the interpreter of programs the same questions.
 [[nodiscard]] Comparison compare(const std::vector<test::Form>& program, std::size_t limit,
                                  const verify::Options& options = {});
 
-/// The smallest program that still shows that they disagree, and on what.
+/// Reduces the program to the smallest one with a disagreement, and describes it.
 [[nodiscard]] std::string smallest(std::vector<test::Form> program, std::size_t limit,
                                    const verify::Options& options = {});
 

@@ -23,7 +23,7 @@ struct Tally {
   std::map<std::string, std::uint64_t> disagreements; ///< by kind
 };
 
-/// The first of each kind is shown, as small as can be.
+/// The first of each kind is shown, reduced to a minimum.
 void note(Tally& tally, std::uint64_t seed, const std::string& kind,
           const std::vector<test::Form>& program) {
   if (++tally.disagreements[kind] > 1) return;

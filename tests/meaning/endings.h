@@ -4,8 +4,8 @@
 
 namespace proskill::meaning {
 
-/// The outcomes that a basic skill may have by itself: those that it declares; without a success,
-/// one without a tag.
+/// The outcomes of a basic skill: those that it declares, and success without a tag if it declares
+/// none.
 [[nodiscard]] std::vector<Ending> outcomesOf(const syntax::Skill& skill);
 /// Of `(success tag)` and `(failure tag)`.
 [[nodiscard]] Ending endingOf(const syntax::Skill& skill, const syntax::Statement& statement);

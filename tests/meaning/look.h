@@ -4,23 +4,23 @@
 
 namespace proskill::meaning {
 
-/// Whether a condition holds at a moment; `thread` is whose body it stands in, nobody for guards,
-/// preconditions, postconditions and properties.
+/// Whether a condition is true at a moment. \param thread whose body contains it; nobody for
+/// guards, preconditions, postconditions and properties
 class Look {
 public:
   Look(const Script& of, const Situation& at) : script(of), now(at) {}
 
   [[nodiscard]] bool holds(const syntax::Expr& condition, int thread = kNobody) const;
   [[nodiscard]] std::int64_t number(const syntax::Expr& value) const;
-  /// Which of a variable's states a word names: one of its own, or another variable's value.
+  /// The state of a variable that a word names: its own, or the value of another variable.
   [[nodiscard]] std::int64_t stateOf(int variable, std::string_view word) const;
 
-  /// Every guard of the skill, if it has any, is true.
+  /// Whether every guard of the skill is true.
   [[nodiscard]] bool guardsHold(int skill) const;
-  /// It ends early, and waits for what it called, which may be one that must not be stopped. Then
-  /// nobody waits for it because of its guards.
+  /// Whether it ends early and waits for its callees, which may have to finish. Its guards then no
+  /// longer hold up others.
   [[nodiscard]] bool lingers(int skill) const;
-  /// A skill runs of which a guard is false.
+  /// Whether a skill runs with a false guard.
   [[nodiscard]] bool someGuardFails() const;
   [[nodiscard]] bool preconditionHolds(int skill) const;
 
@@ -29,7 +29,8 @@ private:
   [[nodiscard]] bool equal(const syntax::Expr& a, const syntax::Expr& b, int thread) const;
   [[nodiscard]] bool hasValue(std::string_view variable, const syntax::Expr& value) const;
   [[nodiscard]] std::string_view wordOf(const syntax::Expr& expr, int thread) const;
-  /// Of its own last call where the body calls it, else of the last call by anybody.
+  /// The outcome of the body's own last call if it calls the skill, otherwise of the last call by
+  /// anybody.
   [[nodiscard]] Outcome outcomeOf(std::string_view skill, int thread) const;
 
   const Script& script;

@@ -32,7 +32,7 @@ void apply(const std::vector<verify::Change>& changes, Values& values) {
       found->second = change.after;
 }
 
-/// \pre time can pass: nothing has to happen before
+/// \pre time can pass: no step is urgent
 std::vector<Age> after(std::vector<Age> ages, std::int64_t time, std::int64_t parts) {
   for (auto& age : ages) {
     if (!age.counts) continue;
@@ -67,7 +67,7 @@ std::optional<std::string> Replays::whyNoRun(const verify::Trace& trace) const {
       return fmt::format("so much time cannot pass before its step {}", i + 1);
     const Values before = values;
     apply(step.changes, values);
-    if (i < choices) { // what it begins with is chosen by the first steps
+    if (i < choices) { // the first steps choose the initial values
       if (i + 1 < choices) continue;
       std::erase_if(now, [&](const auto& each) { return valuesIn(script, each) != values; });
       if (now.empty() || step.date > 0) return "it does not begin so";

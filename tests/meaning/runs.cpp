@@ -13,7 +13,7 @@ bool isPast(const Age& age, std::int64_t bound, bool open) { return reaches(age,
 
 namespace {
 
-/// Whether the step cannot be put off any longer.
+/// Whether the step is due now.
 bool hasToHappen(const Step& step, const std::vector<Age>& ages) {
   const auto& when = step.when;
   if (when.isUrgent()) return true;
@@ -21,7 +21,7 @@ bool hasToHappen(const Step& step, const std::vector<Age>& ages) {
          reaches(ages[when.clock], *when.upper, false);
 }
 
-/// What is at a whole number gets a fraction; else the one with the greatest becomes whole.
+/// Clocks at integers get a fraction; otherwise the greatest fraction becomes an integer.
 std::vector<Age> later(std::vector<Age> ages) {
   const bool someWhole = std::ranges::any_of(
       ages, [](const Age& age) { return age.counts && !age.beyond && age.fraction == 0; });
@@ -82,7 +82,7 @@ std::size_t Runs::add(Situation situation) {
   return place->second;
 }
 
-/// Fractions count from 1 without gaps; an age beyond all bounds is only that.
+/// Fractions are numbered from 1 without gaps; an age beyond all bounds has none.
 Situation Runs::inOrder(Situation situation) const {
   std::set<std::int64_t> fractions{0};
   for (auto& age : situation.ages) {
@@ -135,7 +135,7 @@ void Runs::letTimePass(std::size_t node, const std::vector<Step>& steps) {
   if (target != node) all[node].later = target;
 }
 
-/// What is there for a while: statements that are reached, and skills that take too long.
+/// Facts that last: reached statements, and skills that take too long.
 void Runs::noteState(const Situation& situation) {
   for (std::size_t i = 0; i < script.threads.size(); ++i) {
     const auto& state = situation.threads[i];

@@ -9,35 +9,35 @@ namespace proskill::meaning {
 struct Edge {
   std::size_t target = 0;
   std::vector<Fact> facts;
-  bool due = false; ///< it has to happen now
+  bool due = false; ///< it is urgent
 };
 
 struct Node {
   Situation situation;
   std::vector<Edge> edges;
   std::optional<std::size_t> later; ///< after a little time
-  bool timePasses = false;          ///< by however little
-  std::size_t restarted = 0;        ///< the same moment with the watch at 0, where there is one
+  bool timePasses = false;          ///< after arbitrarily little time
+  std::size_t restarted = 0;        ///< the same moment with the watch at 0, if there is one
 };
 
-/// All runs of a program. Times are told apart as far as bounds can tell them apart: whole units,
-/// and the order of the fractions. Alur and Dill, "A theory of timed automata" (TCS 1994).
+/// All runs of a program, by regions: ages are distinguished by integers up to the bounds, and by
+/// the order of their fractions. Alur and Dill, "A theory of timed automata" (TCS 1994).
 class Runs {
 public:
-  /// Stops when there are `limit` nodes. \param watch where given, one age more goes on all the
-  /// time, as `watch()` says; it is told apart up to this bound
+  /// Stops at `limit` nodes. \param watch adds an age that always runs, as `watch()` says,
+  /// distinguished up to this bound
   Runs(const Script& script, std::size_t limit, std::optional<std::int64_t> watch = {});
 
   [[nodiscard]] bool complete() const { return finished; }
   [[nodiscard]] const std::vector<Node>& nodes() const { return all; }
-  /// How long it is since the watch was at 0. \pre there is one
+  /// Time since the watch was at 0. \pre there is one
   [[nodiscard]] static const Age& watch(const Node& node) { return node.situation.ages.back(); }
-  /// Where runs begin.
+  /// The initial nodes.
   [[nodiscard]] const std::set<std::size_t>& starts() const { return begins; }
-  /// What happens in some run.
+  /// Facts of some run.
   [[nodiscard]] const std::set<Fact>& facts() const { return found; }
   [[nodiscard]] bool canStop() const;
-  /// In every situation time can go on, now or after some steps that have to happen.
+  /// Whether time can pass in every situation, now or after some urgent steps.
   [[nodiscard]] bool timeCanGoOn() const;
 
 private:
@@ -57,15 +57,15 @@ private:
   bool finished = false;
 };
 
-/// An age against a bound: `reaches` from the first moment that is not before it, `isPast` from the
-/// first one that is after it.
+/// Compares an age with a bound: `reaches` is true from the first moment not before it, `isPast`
+/// from the first one after it.
 [[nodiscard]] bool reaches(const Age& age, std::int64_t bound, bool open);
 [[nodiscard]] bool isPast(const Age& age, std::int64_t bound, bool open);
 
 /// Whether a step may happen at these ages.
 [[nodiscard]] bool isDue(const When& when, const std::vector<Age>& ages);
 
-/// Whether its last moment is over.
+/// Whether its deadline has passed.
 [[nodiscard]] bool isLate(const When& when, const std::vector<Age>& ages);
 
 } // namespace proskill::meaning

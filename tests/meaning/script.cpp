@@ -18,7 +18,7 @@ template <class Nodes> int indexOf(const Nodes& nodes, std::string_view name) {
   return kNobody;
 }
 
-/// Lays a body out from its end to its beginning, so that what follows a statement is known first.
+/// Places statements from the end of a body to its beginning, so that successors are known.
 class Layout {
 public:
   Layout(Script& made, int number) : script(made), me(number) {}
@@ -186,7 +186,7 @@ private:
     }
   }
 
-  /// What must not be stopped once it runs, what calls such a skill, and so on.
+  /// Marks skills that must not be stopped while they run, and their callers, transitively.
   void findHoldOuts() {
     for (auto& skill : script.skills) skill.holdsOut = skill.node->unstoppable;
     for (std::size_t rounds = script.threads.size(); rounds-- > 0;)

@@ -8,10 +8,10 @@ namespace proskill::meaning {
 
 enum class Phase : std::uint8_t {
   Idle,
-  Called, ///< and not yet started
+  Called, ///< not yet started
   Running,
-  Returned, ///< a shared skill is done, and its caller has not yet seen it
-  Ended,    ///< it ran once and never runs again
+  Returned, ///< a shared skill has ended, and its caller has not yet noticed
+  Ended,    ///< it has run once and never runs again
 };
 
 enum class Status : std::uint8_t { None, Success, Failure, FailedInvariant, Interrupted };
@@ -34,20 +34,20 @@ struct SkillState {
 
 enum class Control : std::uint8_t {
   Off,
-  Called,   ///< a branch that has not yet begun
+  Called,   ///< a branch that has not started
   Before,   ///< a statement
-  Busy,     ///< a call whose skill somebody else uses
-  Within,   ///< a call or a `//`: waiting for the end
-  Stopping, ///< waiting for what it called to be gone
+  Busy,     ///< a call whose skill is busy
+  Within,   ///< a call or a `//`: waits for the end
+  Stopping, ///< waits for its callees to end
 };
 
-/// How a skill, or a branch, is to end.
+/// How a skill or a branch is to end.
 struct Ending {
   Outcome outcome;
   const syntax::Effects* effects = nullptr;
   const syntax::Expr* postcondition = nullptr;
-  std::uint32_t at = 0;              ///< where the program declares it
-  std::uint32_t postconditionAt = 0; ///< where its postcondition stands
+  std::uint32_t at = 0;              ///< its declaration in the program
+  std::uint32_t postconditionAt = 0; ///< its postcondition
   friend auto operator<=>(const Ending&, const Ending&) = default;
 };
 
@@ -55,13 +55,13 @@ struct ThreadState {
   Control control = Control::Off;
   int place = 0;
   bool stop = false;  ///< a branch: asked to stop
-  Ending ending;      ///< Stopping: what comes then
+  Ending ending;      ///< Stopping: what follows
   bool waits = false; ///< Stopping: for the call or the branches of its place
   friend auto operator<=>(const ThreadState&, const ThreadState&) = default;
 };
 
-/// How long something has lasted: whole units, and what is beyond them, as the keeper of time
-/// counts it. How much longer than every bound it is does not matter.
+/// An age: integer units and a remainder, as the clock counts them. Ages beyond every bound are not
+/// distinguished.
 struct Age {
   bool counts = false;
   bool beyond = false;
@@ -70,14 +70,15 @@ struct Age {
   friend auto operator<=>(const Age&, const Age&) = default;
 };
 
-/// Everything that matters at a moment.
+/// The complete state at a moment.
 struct Situation {
-  std::vector<std::int64_t> values; ///< of state variables; of an enumeration, which of its states
+  std::vector<std::int64_t> values; ///< of state variables; for an enumeration, the index of its
+                                    ///< state
   std::vector<int> used;            ///< of each resource
   std::vector<SkillState> skills;
   std::vector<ThreadState> threads;
-  std::vector<std::optional<Ending>> decided; ///< by skill: how a branch has ended it
-  std::map<std::pair<int, int>, Outcome> own; ///< of thread and skill: the last call's outcome
+  std::vector<std::optional<Ending>> decided; ///< by skill: the ending that a branch has chosen
+  std::map<std::pair<int, int>, Outcome> own; ///< by thread and skill: the last call's outcome
   std::vector<Age> ages; ///< of threads' statements, skills' runs, events with `:every`
   friend auto operator<=>(const Situation&, const Situation&) = default;
 };

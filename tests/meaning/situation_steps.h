@@ -9,7 +9,7 @@ namespace proskill::meaning {
 using syntax::Statement;
 using syntax::StatementKind;
 
-/// Everything that can happen in one situation.
+/// All possible steps in a situation.
 class Steps {
 public:
   Steps(const Script& of, const Situation& at) : script(of), now(at), look(of, at) {}
@@ -20,7 +20,7 @@ private:
   [[nodiscard]] Change change(When when = When::now()) const { return {script, now, when}; }
   void add(Change made) { all.push_back(made.take()); }
 
-  // Skills
+  // --- Skills
   void ofSkill(int skill);
   void ofCalled(int skill);
   [[nodiscard]] bool resourcesAreFree(int skill) const;
@@ -28,19 +28,19 @@ private:
   void end(int skill, const Ending& ending, When when);
   [[nodiscard]] When within(const syntax::Interval& seconds, int clock) const;
 
-  // Threads
+  // --- Threads
   void ofThread(int thread);
-  /// Time goes on whatever the guards say.
+  /// Time passes whatever the guards say.
   [[nodiscard]] bool waitsForTime(int thread) const { return now.ages[thread].counts; }
 
-  /// A body whose guard is false does nothing more.
+  /// A body whose guard is false takes no further step.
   [[nodiscard]] bool mayGoOn(int thread) const;
   [[nodiscard]] bool hasLost(int thread) const;
   [[nodiscard]] bool isInRace(int thread) const;
-  /// Control stands where time can pass.
+  /// Control is at a place where time can pass.
   [[nodiscard]] bool isWaiting(int thread) const;
   void ofCalledBranch(int thread);
-  /// Nothing that it called is left running.
+  /// No callee is left running.
   void ofStopping(int thread);
   [[nodiscard]] bool isOutstanding(int callee, int thread) const;
   void strike(int thread, const Ending& ending);
@@ -53,12 +53,12 @@ private:
           When when = When::now());
   [[nodiscard]] int armOf(int thread, const Place& place) const;
   void ofBodyEnd(int thread);
-  /// The first branch that ends the skill decides how.
+  /// The first branch that ends the skill determines the outcome.
   void ofOutcome(int thread, const Statement& statement);
   void ofFork(int thread, const Place& place);
   void ofJoin(int thread, const Place& place);
 
-  // Calls
+  // --- Calls
   [[nodiscard]] bool isFree(int callee) const { return now.skills[callee].caller == kNobody; }
 
   void ofNewCall(int thread, const Place& place);
@@ -69,16 +69,16 @@ private:
   [[nodiscard]] bool isCalledOrRuns(int skill) const;
   void ofInterrupt(int thread, const Place& place);
 
-  // The world
+  // --- The world
   void ofEmit(int thread, const Place& place);
   void occur(Change& made, int event) const;
   /// Without an environment of its own, everything may happen at any time.
   void ofEvents();
   void ofTheWorld();
-  /// A composite skill notices an interrupt from outside where it waits for something.
+  /// A composite skill notices an interrupt from outside while it waits.
   [[nodiscard]] bool takesInterrupts(int skill) const;
   void interruptFromOutside(int skill, When when, int thread, int next);
-  /// When the mission has ended, nothing more is asked of the program: it may idle for ever.
+  /// Once the mission has ended, the program may idle for ever.
   void ofTheEnd();
 
   const Script& script;

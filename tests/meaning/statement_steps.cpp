@@ -123,7 +123,7 @@ void Steps::ofCall(int thread, const Place& place) {
   add(std::move(returned));
 }
 
-/// The first arm that names the outcome. There is one: else nothing would happen any more.
+/// The first arm that matches the outcome. There must be one; otherwise the program would be stuck.
 int Steps::armFor(const Outcome& outcome, const Place& place) {
   const auto& arms = place.statement->arms;
   for (std::size_t i = 0; i < arms.size(); ++i) {

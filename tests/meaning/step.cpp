@@ -23,7 +23,7 @@ What whatOf(Status status) {
   return What::Refused;
 }
 
-/// A lower bound is missed by an end before it; an open one by an end at it, too.
+/// An end before a lower bound violates it; for an open one, an end at the bound does, too.
 bool isTooEarly(const Age& age, std::int64_t lower, bool open) {
   if (age.beyond) return false;
   return age.whole < lower || (open && age.whole == lower && age.fraction == 0);
@@ -55,7 +55,7 @@ void Change::setEffects(const syntax::Effects& effects) {
 
 // --- Calls
 
-/// The status is that of no call from the call on, for everybody.
+/// The call resets the status for everybody.
 void Change::call(int skill, int caller) {
   auto& called = state(skill);
   called.phase = Phase::Called;
@@ -64,7 +64,7 @@ void Change::call(int skill, int caller) {
   if (caller >= 0) tellCallers(caller, skill, {});
 }
 
-/// A skill that several call stays taken until its caller has seen that it is done.
+/// A skill with several callers stays busy until its caller has noticed the end.
 void Change::returnFrom(int skill) {
   auto& done = state(skill);
   done.stop = false;
@@ -82,8 +82,8 @@ void Change::seeReturn(int skill, int thread) {
   state(skill).caller = kNobody;
 }
 
-/// The thread that calls, and those around it, have an outcome of their own where the skill has
-/// other callers, too.
+/// The calling thread, and those around it, keep an outcome of their own if the skill has other
+/// callers.
 void Change::tellCallers(int thread, int skill, const Outcome& outcome) {
   if (!script.skills[skill].isShared()) return;
   for (int at = thread; at != kNobody; at = script.threads[at].parent)
@@ -140,7 +140,7 @@ void Change::noteDuration(int skill) {
   if (!entry.isComposite() || !entry.node->timeInterval) return;
   const auto& interval = *entry.node->timeInterval;
   if (!isTooEarly(ageOf(skill), script.units(interval.lower), interval.lowerOpen)) return;
-  // Seen when time has passed since; against an open bound it is seen at once.
+  // Noticed after some time has passed; with an open bound at once.
   if (interval.lowerOpen)
     note(What::Undershoot, skill, interval.range.begin);
   else

@@ -4,7 +4,7 @@
 
 namespace proskill::meaning {
 
-/// A step as it is put together: each word changes the situation after it and notes what happens.
+/// Builds a step: each function changes the situation after it, and records facts.
 class Change {
 public:
   Change(const Script& of, const Situation& before, When when)
@@ -18,9 +18,9 @@ public:
   // --- Calls
 
   void call(int skill, int caller);
-  /// The skill is as it was before the call, and its caller goes on.
+  /// The skill is as before the call, and its caller continues.
   void returnFrom(int skill);
-  /// A caller sees that its call is over.
+  /// A caller notices the end of its call.
   void seeReturn(int skill, int thread);
   void askToStop(int skill, int thread);
 
@@ -36,9 +36,9 @@ public:
   void goTo(int thread, int place, Control control = Control::Before);
   void wait(int thread, Control control) { goTo(thread, after().threads[thread].place, control); }
   void endBranch(int thread);
-  /// It has won its race, if it is in one: the others are to stop.
+  /// It has won its race, if it is in one: the others have to stop.
   void stopRivals(int thread);
-  /// Asks what the thread is waiting for to stop, and notes what comes when it has.
+  /// Asks the thread's callees to stop, and records what follows.
   void strike(int thread, const Ending& ending);
 
   [[nodiscard]] Situation& after() { return step.after; }

@@ -122,7 +122,7 @@ bool Steps::mayGoOn(int thread) const {
   return skill == kNobody || (look.guardsHold(skill) && !hasLost(thread));
 }
 
-/// Another branch has won a race that the thread is in.
+/// Another branch has won a race that contains the thread.
 bool Steps::hasLost(int thread) const {
   for (int at = thread; at != kNobody; at = script.threads[at].parent)
     if (now.threads[at].stop && !script.threads[at].rivals.empty()) return true;
@@ -162,7 +162,7 @@ void Steps::ofStopping(int thread) {
     if (place.branches.empty()) {
       const int callee = script.skill(place.call->head.text);
       if (isOutstanding(callee, thread)) return;
-      // Behind a race the body goes on, and may look at how what was stopped has ended.
+      // after a race the body continues, and may read the outcomes of what was stopped
       if (now.skills[callee].caller == thread && isInRace(thread)) {
         made.seeReturn(callee, thread);
       } else if (now.skills[callee].caller == thread) {
@@ -227,7 +227,7 @@ void Steps::occur(Change& made, int event) const {
   made.setEffects(script.events[event]->effects);
 }
 
-/// Those that say themselves how much time there is between two occurrences.
+/// Events with `:every`.
 void Steps::ofEvents() {
   for (int event = 0; event < static_cast<int>(script.events.size()); ++event) {
     const auto& every = script.events[event]->every;

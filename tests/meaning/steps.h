@@ -21,7 +21,7 @@ enum class What : std::uint8_t {
   Occurs, ///< subject: an event
 };
 
-/// Something that is said to happen, of what, and where the program has it.
+/// A fact: its kind, its subject, and its place in the program.
 struct Fact {
   What what = What::Runs;
   int subject = 0;
@@ -29,9 +29,9 @@ struct Fact {
   friend auto operator<=>(const Fact&, const Fact&) = default;
 };
 
-/// When a step happens. Without a clock it happens at once, or whenever it pleases.
+/// When a step happens. Without a clock: at once, or at any time.
 struct When {
-  int clock = kNobody; ///< an index into the ages
+  int clock = kNobody; ///< index into the ages
   std::int64_t lower = 0;
   std::optional<std::int64_t> upper;
   bool lowerOpen = false;
@@ -42,19 +42,19 @@ struct When {
   [[nodiscard]] bool isUrgent() const { return clock == kNobody && upper.has_value(); }
 };
 
-/// One thing that can happen. Nothing comes between its beginning and its end.
+/// A possible step. Steps are atomic.
 struct Step {
   When when;
   std::vector<Fact> facts;
   Situation after;
 };
 
-/// With the first value of each variable that is listed.
+/// With the first listed value of each variable.
 [[nodiscard]] Situation beginning(const Script& script);
-/// With each of the values that variables may begin with; that one is the first.
+/// With each combination of possible initial values; that one is the first.
 [[nodiscard]] std::vector<Situation> beginnings(const Script& script);
 
-/// All that can happen in a situation if time allows it, each by itself.
+/// All steps that are possible in a situation apart from time.
 [[nodiscard]] std::vector<Step> stepsFrom(const Script& script, const Situation& situation);
 
 } // namespace proskill::meaning

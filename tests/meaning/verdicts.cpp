@@ -126,7 +126,7 @@ bool Verdicts::isAt(std::string_view label, const Situation& now) const {
   return false;
 }
 
-/// It has this value at a point of some run: in a situation, or as a step leaves it.
+/// It has this value at a point of some run: in a situation, or after a step.
 bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
   return std::ranges::any_of(runs.nodes(), [&](const Node& node) {
     return isTrueAt(wish, node.situation, {}) == value ||
@@ -136,7 +136,7 @@ bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
   });
 }
 
-/// From which situations some run that counts never sees it.
+/// The situations from which some counted run never reaches it.
 std::vector<bool> Verdicts::avoiding(const syntax::Property& property,
                                      const syntax::Expr& wish) const {
   const auto& nodes = runs.nodes();
@@ -149,7 +149,7 @@ std::vector<bool> Verdicts::avoiding(const syntax::Property& property,
   return goOn(countedBy(property), script, runs, without, misses);
 }
 
-/// Whether `cause` is seen at some point, and from there on, that point included, no `wish`.
+/// Whether `cause` is true at some point, and `wish` is false from that point on.
 bool Verdicts::canMiss(const syntax::Property& property) const {
   const auto& cause = property.operands[0];
   const auto& wish = property.operands[1];
@@ -167,7 +167,7 @@ bool Verdicts::canMiss(const syntax::Property& property) const {
   return false;
 }
 
-/// Whether some run sees `late` before it has seen `early`.
+/// Whether some run reaches `late` before `early`.
 bool Verdicts::canPrecede(const syntax::Expr& late, const syntax::Expr& early) const {
   const auto& nodes = runs.nodes();
   std::vector<bool> seen(nodes.size());

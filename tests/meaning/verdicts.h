@@ -6,13 +6,13 @@
 
 namespace proskill::meaning {
 
-/// What is true of a program, by its second meaning.
+/// Truth of properties, by the second semantics.
 class Verdicts {
 public:
   Verdicts(const Script& of, const Runs& explored) : script(of), runs(explored) {}
 
-  /// Whether a question of the verifier is answered by yes, as the property is written: what is
-  /// absent never happens. Nothing where the question is not of a kind that is known here.
+  /// Whether the verifier's question is answered by yes, as the property is written: what is absent
+  /// never happens. nullopt for unknown kinds of questions.
   [[nodiscard]] std::optional<bool> isTrue(const codegen::Check& check,
                                            const fiacre::Origin& place) const;
 

@@ -82,12 +82,12 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
                                         const fiacre::Provenance& provenance, const Judged& judged,
                                         const std::pair<std::string, Options>& setting,
                                         std::size_t* decided) {
-  std::vector<verify::Question> questions; // those that the oracle has judged
+  std::vector<verify::Question> questions; // those that the oracle has decided
   for (std::size_t i = 0; i < program.properties.size(); ++i)
     if (judged.truths[i]) questions.push_back({i});
   Options options = setting.second;
-  // Without extrapolation a model may have zones without end; what was decided until then must
-  // still be right. With it every question is decided.
+  // Without extrapolation a model may have infinitely many zones; what was decided before the limit
+  // must still be correct. With it every question is decided.
   const bool mayStayOpen = !options.reductions.contains(Reduction::Extrapolation);
   options.limits.classes = 200'000;
   auto result = verify::verify(program, provenance, questions, options);

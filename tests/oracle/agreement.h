@@ -9,29 +9,29 @@
 
 namespace proskill::oracle {
 
-/// How the engine may be set: all measures, none, and each one left out. By name.
+/// Settings of the engine: all reductions, none, and all but each one. By name.
 [[nodiscard]] const std::vector<std::pair<std::string, verify::Options>>& settings();
 
-/// What an exploration by the interpreter has to offer, where the model is small enough.
+/// Results of the interpreter's exploration, if the model is small enough.
 struct Judged {
   std::vector<std::optional<bool>>
-      truths; ///< by property; nothing where the oracle does not know the pattern
+      truths; ///< by property; nullopt if the oracle does not know the pattern
   std::size_t nodes = 0;
   bool complete = false;
 };
 [[nodiscard]] Judged judge(const fiacre::Program& program, std::size_t limit,
                            Reading reading = Reading::Engine);
 
-/// Asks the engine for every property under one setting, and says where it is not of the oracle's
-/// mind, or where a trace of its cannot be replayed. A question that stays open is a disagreement,
-/// but where zones are not extrapolated. \param decided counts those that were answered
+/// Asks the engine for every property under one setting, and describes disagreements with the
+/// oracle and traces that cannot be replayed. An undecided question is a disagreement, unless zones
+/// are not extrapolated. \param decided counts the answers
 [[nodiscard]] std::optional<std::string>
 disagreement(const fiacre::Program& program, const fiacre::Provenance& provenance,
              const Judged& judged, const std::pair<std::string, verify::Options>& setting,
              std::size_t* decided = nullptr);
 
-/// The program with a property for each state of each instance and for each tag, which the
-/// properties do not ask for yet: is it never there?
+/// The program with a property for each state of each instance and for each tag without one: is it
+/// absent?
 [[nodiscard]] fiacre::Program askedForControl(fiacre::Program program);
 
 } // namespace proskill::oracle

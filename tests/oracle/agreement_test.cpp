@@ -11,14 +11,14 @@ using namespace proskill;
 namespace {
 
 constexpr std::uint64_t kPrograms = 3000;
-constexpr std::size_t kLimit = 1500; ///< nodes of a graph of regions
+constexpr std::size_t kLimit = 1500; ///< nodes of a region graph
 
 using Setting = std::pair<std::string, verify::Options>;
 using Asked = fiacre::Program (*)(fiacre::Program);
 
 fiacre::Program defaultChecks(fiacre::Program program) { return program; }
 
-/// What is wrong with the answers to a program: nothing where it is too large for the oracle.
+/// The disagreements on a program; empty if it is too large for the oracle.
 std::optional<std::string> quarrel(const std::vector<test::Form>& forms, Asked asked,
                                    const Setting& setting) {
   analysis::Program program = test::programOfText(test::textOf(forms));
@@ -31,7 +31,7 @@ std::optional<std::string> quarrel(const std::vector<test::Form>& forms, Asked a
   return oracle::disagreement(questions, model->provenance, judged, setting);
 }
 
-/// The smallest program that still shows a disagreement under this setting, and what it is.
+/// The smallest program with a disagreement under this setting, and a description.
 std::string report(std::uint64_t seed, Asked asked, const Setting& setting) {
   auto shows = [&](const std::vector<test::Form>& forms) {
     try {
@@ -53,7 +53,7 @@ struct Tally {
   std::size_t decided = 0; ///< over all settings
 };
 
-/// Compares under every `stride`-th setting, another one first for each program.
+/// Compares under every `stride`-th setting, with a different first one for each program.
 Tally compareAll(Asked asked, std::uint64_t programs, std::size_t stride) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < programs; ++seed) {

@@ -19,8 +19,8 @@ struct Questions {
   std::size_t decided = 0;
 };
 
-/// Asks everything of a program that may be too large for the oracle. An answer may be missing
-/// because there was no room, never because its trace could not be made.
+/// Asks all questions about a program that may be too large for the oracle. An answer may be
+/// missing because of a limit, but never because its trace could not be made.
 void askAll(std::uint64_t seed, const test::ProgramSize& size, Questions& tally) {
   const auto text = test::textOf(test::randomProgram(seed, size));
   const auto model = codegen::generate(test::programOfText(text));

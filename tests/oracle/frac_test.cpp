@@ -14,7 +14,7 @@ using codegen::Edition;
 namespace {
 
 constexpr std::uint64_t kFracPrograms = 400;
-constexpr std::size_t kFracLimit = 2500; ///< nodes of a graph of regions
+constexpr std::size_t kFracLimit = 2500; ///< nodes of a region graph
 
 std::optional<codegen::Model> modelOf(const std::vector<test::Form>& forms, Edition edition) {
   const auto program = test::programOfText(test::textOf(forms));
@@ -24,7 +24,7 @@ std::optional<codegen::Model> modelOf(const std::vector<test::Form>& forms, Edit
   return std::move(*model);
 }
 
-/// Where the engine and frac's reading of an edition differ; nothing where it is too large.
+/// Where the engine and frac's interpretation of an edition differ; empty if it is too large.
 std::optional<std::string> difference(const codegen::Model& model, bool& decided) {
   const auto judged = oracle::judge(model.fiacre, kFracLimit, oracle::Reading::Frac);
   decided = judged.complete;
@@ -52,8 +52,8 @@ TEST_CASE(
   CHECK(compared > (end - first) / 10);
 }
 
-/// The skill takes 2 s in all; the environment changes `door` at 1 s. The end of `open` tests
-/// `door` behind its wait: two paths, of which the second starts its clock when the test changes.
+/// The skill takes 2 s; the environment changes `door` at 1 s. The end of `open` tests `door` after
+/// its wait: two paths, of which the second starts its clock when the test changes.
 constexpr std::string_view kTestBehindAWait = R"((defsv door :states (Shut Open Jammed) :init Shut
   :transitions ((Shut Open) (Open Shut) (Jammed Shut) (Shut Jammed)))
 (defevent slam :effects (door Open))

@@ -9,7 +9,7 @@ using namespace proskill::fiacre::test;
 
 namespace {
 
-/// The processes side by side, all given the same variables and ports.
+/// The processes in parallel, all with the same variables and ports.
 Program system(std::vector<Process> processes, std::vector<Variable> variables = {},
                std::vector<Port> ports = {}) {
   Component main{.name = "Main", .variables = std::move(variables), .ports = std::move(ports)};
@@ -68,7 +68,8 @@ TEST_CASE("an open bound is never reached") {
 }
 
 TEST_CASE("three strict windows leave room for one order alone") {
-  // b within the first unit, a after it began, c between them: fractions, not whole dates, decide.
+  // b within the first unit, a after it started, c between them: fractions decide, not integer
+  // dates
   auto within = [](std::string text, std::string after, std::string sets) {
     return process(
         text, {"run", "done"},

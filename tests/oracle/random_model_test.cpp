@@ -12,7 +12,7 @@ namespace proskill::test::random_model_test {
 namespace {
 
 constexpr std::uint64_t kModels = 3000;
-constexpr std::size_t kLimit = 2500; ///< nodes of a graph of regions
+constexpr std::size_t kLimit = 2500; ///< nodes of a region graph
 
 fiacre::Provenance watchingEverything(const fiacre::Program& program) {
   fiacre::Provenance provenance;
@@ -28,8 +28,8 @@ fiacre::Provenance watchingEverything(const fiacre::Program& program) {
   return provenance;
 }
 
-/// What the oracle says of a right model, with which the engine agrees in every fifth setting;
-/// nothing where it is too large for the oracle.
+/// The oracle's answers for a correct model, with which the engine agrees in every fifth setting;
+/// nullopt if it is too large for the oracle.
 std::optional<oracle::Judged> agreedOn(const fiacre::Program& program, std::uint64_t seed) {
   const auto problems = fiacre::check(program);
   INFO("seed " << seed << (problems.empty() ? "" : ": " + problems[0].message) << "\n"

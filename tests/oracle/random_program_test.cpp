@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kPrograms = 3000;
 
-/// How often each thing that the language has came up.
+/// How often each construct of the language occurred.
 class Census {
 public:
   void count(const analysis::Program& program) {

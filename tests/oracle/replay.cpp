@@ -111,7 +111,7 @@ private:
     return origins && movesTheSame(step, firing) && changesTheSame(step, before, firing.after);
   }
 
-  /// The names of transitions, `skill_takeoff_1_t3`, name the instances.
+  /// The names of transitions, such as `skill_takeoff_1_t3`, contain the instances.
   bool movesTheSame(const Step& step, const Firing& firing) const {
     std::string all;
     for (const auto& name : step.transitions) all += "_" + name;
@@ -120,7 +120,7 @@ private:
     });
   }
 
-  /// The process, and which of its instances it is, from 1.
+  /// The process and the number of its instance, from 1.
   std::string instanceName(std::size_t instance) const {
     const auto* process = model.instances()[instance].process;
     auto end = model.instances().begin() + static_cast<std::ptrdiff_t>(instance) + 1;
@@ -150,9 +150,9 @@ private:
     return pattern.kind == PatternKind::Always && !observed(model, pattern.operands[0], moment);
   }
 
-  /// What shows at the last state of all, and not in a step.
+  /// What the last state shows, and not a step.
   bool endsBadly(const fiacre::Pattern& pattern) const {
-    if (pattern.kind == PatternKind::Progress) return true; // the graph of regions judges that
+    if (pattern.kind == PatternKind::Progress) return true; // the region graph decides that
     return pattern.kind == PatternKind::DeadlockFree &&
            std::ranges::any_of(now, [&](const Concrete& state) {
              return model.firings(state.store).empty() &&

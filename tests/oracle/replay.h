@@ -8,9 +8,9 @@
 
 namespace proskill::oracle {
 
-/// Plays a trace in the interpreter, with exactly the dates that it gives: time passes, then a step
-/// that takes the same origins, moves the same instances and changes the same variables. Where
-/// several steps look the same, all are followed. Says what went wrong, or nothing.
+/// Replays a trace in the interpreter with exactly its dates: time passes, then a step with the
+/// same origins moves the same instances and changes the same variables. Follows all of several
+/// equal steps. \return an error; empty on success
 [[nodiscard]] std::optional<std::string> replay(const Interpreter& model,
                                                 const fiacre::Provenance& provenance,
                                                 const fiacre::Pattern& pattern,

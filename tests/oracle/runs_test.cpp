@@ -31,7 +31,7 @@ namespace {
 
 constexpr std::int64_t kLongest = 4; ///< time in a pattern
 
-/// What a random model asks for, as something to make patterns of.
+/// The properties of a random model, as parts of patterns.
 Observable observable(RandomSource& random, const fiacre::Program& program) {
   std::vector<Observable> asked;
   for (const auto& property : program.properties)
@@ -99,7 +99,7 @@ Ltl formula(RandomSource& random, const fiacre::Program& program, int depth, int
   return made;
 }
 
-/// The answer of the engine under each of the settings; it has a trace where it is no.
+/// The engine's answer under each setting; it has a trace if it is no.
 bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pattern& asked,
             std::span<const Setting> settings) {
   program.properties = {{.name = "p", .pattern = asked}};
@@ -119,7 +119,7 @@ bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pa
   return *known;
 }
 
-/// With everything reduced, and with nothing.
+/// With all reductions, and with none.
 std::span<const Setting> bothEnds() { return std::span(oracle::settings()).first(2); }
 
 struct Tally {
@@ -134,7 +134,7 @@ struct Tally {
   }
 };
 
-/// Compares the answers to random patterns with those of the oracle, where it can judge.
+/// Compares the answers to random patterns with those of the oracle, if it can decide them.
 void comparePatterns(const fiacre::Program& program, const fiacre::Provenance& origins,
                      std::uint64_t seed, std::span<const Setting> settings, Tally& tally) {
   const oracle::Interpreter model(program);

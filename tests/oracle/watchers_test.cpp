@@ -15,8 +15,8 @@ using fiacre::Expr;
 using fiacre::Op;
 using fiacre::Statement;
 
-/// Processes that wait for inputs which an environment sets at any time; most of them for one of
-/// their own. What they do there others may see, or nobody.
+/// Processes that wait for inputs which an environment sets at any time, most of them for one of
+/// their own. Others may observe what they do there, or not.
 class Watchers {
 public:
   explicit Watchers(std::uint64_t seed) : random(seed) {}
@@ -41,7 +41,7 @@ private:
 
   static std::string input(std::size_t i) { return "input" + std::to_string(i); }
 
-  /// Now and then it starts with a value that nobody sets.
+  /// Sometimes it starts with a value that is never set.
   void addInput(std::size_t i) {
     const std::int64_t values = random.between(2, 3);
     model.variable(input(i), range(0, 3), number(random.chance(20) ? 3 : 0));

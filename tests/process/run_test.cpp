@@ -25,7 +25,7 @@ process::Finished finished(const process::Job& job) {
   return std::move(*result);
 }
 
-/// Whether a process is there and is no zombie.
+/// Whether a process exists and is not a zombie.
 bool lives(pid_t pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   std::string word;
@@ -70,7 +70,7 @@ TEST_CASE("a program that a signal ends says which") {
 
 TEST_CASE("a program that hangs is ended at its time, with all that it started, wherever it went") {
   const test::TemporaryDirectory files;
-  // One child in the group, one in a session of its own whose parent has gone.
+  // One child in the group, one in a session of its own whose parent has ended.
   auto job = shell("sleep 600 & echo $! > near; (setsid sh -c 'echo $$ > far; exec sleep 600' &); "
                    "while [ ! -s far ]; do :; done; echo ready; sleep 600");
   job.directory = files.path();
@@ -134,6 +134,6 @@ TEST_CASE("when we are killed ourselves, the program goes, too") {
   CHECK(lives(child));
   kill(us, SIGKILL);
   waitpid(us, nullptr, 0);
-  while (lives(child)) sched_yield(); // ctest's own limit of time is the other outcome
+  while (lives(child)) sched_yield(); // otherwise ctest's time limit ends it
   CHECK_FALSE(lives(child));
 }

@@ -6,14 +6,14 @@
 namespace proskill::test {
 
 struct Example {
-  std::string name; ///< from the examples' folder on
+  std::string name; ///< relative to the examples' folder
   std::string text;
 };
 
-/// Every program in examples/, in the order of its name.
+/// Every program in examples/, by name.
 [[nodiscard]] std::vector<Example> examples();
 
-/// Texts that are wrong in one way each: deep, long, binary, half of something.
+/// Texts with one problem each: deep, long, binary, truncated.
 struct Broken {
   std::string name;
   std::string text;
@@ -21,9 +21,9 @@ struct Broken {
 [[nodiscard]] std::vector<Broken> brokenTexts();
 
 [[nodiscard]] std::string repeated(const std::string& part, std::size_t times);
-/// Any bytes, the same ones for the same seed.
+/// Random bytes from a seed.
 [[nodiscard]] std::string randomBytes(std::uint64_t seed, std::size_t count);
-/// The characters and words that mean something to the parser, in any order.
+/// Characters and words that the parser knows, in random order.
 [[nodiscard]] std::string randomWords(std::uint64_t seed, std::size_t count);
 
 } // namespace proskill::test

@@ -16,7 +16,7 @@ namespace {
 
 const std::string kTour = PROSKILL_SOURCE_DIR "/docs/tour/dock.proskill";
 
-/// Six counters of a thousand values each: more states than any machine explores.
+/// Six counters of a thousand values each: too many states to explore.
 constexpr const char* kEndless = "process p is\n"
                                  "states s\n"
                                  "var x : 0..999 := 0\n"

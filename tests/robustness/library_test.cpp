@@ -14,7 +14,7 @@ void standsIn(const std::string& text, const syntax::Range& range) {
   REQUIRE(range.end <= text.size());
 }
 
-/// Parses, checks, and follows the flow, and looks that every diagnostic stands in the text.
+/// Parses, checks, runs the flow analysis, and tests that every diagnostic is within the text.
 void survives(const std::string& text) {
   analysis::Program program = test::programOfText(text);
   for (const auto& found : analysis::flow::inspect(program, {.style = true})) {
@@ -24,7 +24,7 @@ void survives(const std::string& text) {
   }
 }
 
-/// The flow even of what has errors: it is never asked about that, and must not break on it.
+/// The flow even of programs with errors: it is never used for them, but must not fail.
 void flows(const std::string& text) {
   analysis::Program program = test::programOfText(text);
   analysis::Analysis analysis = analysis::analyse(program);

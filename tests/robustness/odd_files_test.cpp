@@ -16,13 +16,13 @@ namespace {
 
 constexpr const char* kLamp = "(defsv lamp :states (On Off) :init Off :transitions :all)\n";
 
-/// Ended by a signal of its own where it would wait for ever.
+/// Ends by a signal of its own if it would wait for ever.
 Finished soon(std::vector<std::string> words) {
   words.insert(words.begin(), {"/usr/bin/timeout", "20", PROSKILL_PROGRAM});
   return test::run(words);
 }
 
-/// What is at each path is no file, with the reason that users are given.
+/// The path is not a regular file; users get this reason.
 struct Odd {
   std::string path;
   std::string reason;
@@ -134,7 +134,7 @@ TEST_CASE(
 
 namespace {
 
-/// A model of one step and one property.
+/// A model with one step and one property.
 std::string modelOf(const std::string& statement, const std::string& property) {
   return "process p is\nstates s0, s1\nvar x : nat := 0, b : bool := false\nfrom s0 " + statement +
          "; to s1\ncomponent main is par p end\n" +
@@ -147,13 +147,13 @@ std::string times(std::size_t count, const std::string& part) {
   return text;
 }
 
-/// Chains of operators within chains: `deep` of them, each `long` operators.
+/// Nested chains of operators: `deep` of them, each with `long` operators.
 std::string chains(std::size_t deep, std::size_t length, const std::string& operand,
                    const std::string& sign) {
   return times(deep, "(") + operand + times(deep, times(length, sign + operand) + ")");
 }
 
-/// Expressions and formulas, each higher by one with each of `count` operators.
+/// Expressions and formulas whose height grows with each of `count` operators.
 std::vector<std::string> towers(std::size_t count) {
   const std::string here = "(main/1/state s0)";
   std::string named = "property q0 is ltl " + here + "\n";
@@ -173,7 +173,7 @@ std::vector<std::string> towers(std::size_t count) {
           "const c : int is " + chains(1, count, "1", " + ") + "\n" + modelOf("x := 0", "")};
 }
 
-/// On threads' and the main thread's stack as most systems have it.
+/// With the usual stack sizes of threads and the main thread.
 Finished onUsualStack(const std::string& command, const std::string& path) {
   return test::run(
       {"/bin/sh", "-c",

@@ -16,7 +16,7 @@ using test::Finished;
 
 namespace {
 
-/// Names that a terminal, a URI or XML would take for something else.
+/// Names that a terminal, a URI or XML would misinterpret.
 const std::vector<std::string> kNames{"per%41cent",
                                       "two words",
                                       "a#b?c",
@@ -31,14 +31,14 @@ const std::vector<std::string> kNames{"per%41cent",
                                       "\xef\xbf\xbf",
                                       "ta\tb"};
 
-/// It violates something, so that the reports have places.
+/// It violates a property, so that the reports contain places.
 constexpr const char* kProgram =
     "(defsv lamp :states (On Off) :init Off :transitions ((On Off)))\n"
     "(defskill s :start (lamp On) :action (a) :success ok)\n"
     "(defskill m :time_interval [5,6] :success ok :body ((s) (success ok)))\n";
 constexpr const char* kMistaken = "(defskill s :start (lamp On))\n";
 
-/// Control characters that a terminal obeys, one byte or UTF-8; line ends are not among them.
+/// Control characters that a terminal obeys, as one byte or UTF-8; line ends are not among them.
 bool obeyed(const std::string& text) {
   const bool c0 = std::ranges::any_of(
       text, [](char c) { return (c >= 0 && c < 0x20 && c != '\n' && c != '\t') || c == 0x7f; });
@@ -70,7 +70,7 @@ void collectUris(const nlohmann::json& json, std::vector<std::string>& uris) {
     for (const auto& part : json) collectUris(part, uris);
 }
 
-/// What a command prints on a terminal of its own, both streams.
+/// What a command prints on a terminal, on both streams.
 std::string onTerminal(std::vector<std::string> words) {
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);

@@ -17,8 +17,8 @@ Finished proskillOn(const std::string& command, const std::string& path) {
   return test::run({PROSKILL_PROGRAM, command, path});
 }
 
-/// Finished by its own will: clean, with findings, or with a complaint; never 70, which says that
-/// it is to blame.
+/// Ends by itself: without findings, with findings, or with an error message; never with 70, which
+/// means a bug.
 bool isOrderly(const Finished& finished) {
   return finished.exitCode >= 0 && finished.exitCode <= 3;
 }
@@ -70,7 +70,7 @@ TEST_CASE("a hundred megabytes in one line take memory in proportion") {
         "check", directory.write("large.proskill", test::repeated(part, 100 * kMegabyte / 8)));
     CHECK(isOrderly(small));
     CHECK(isOrderly(large));
-    CHECK(large.peakKiB < 12 * 100 * 1024); // a dozen bytes for each of the text's
+    CHECK(large.peakKiB < 12 * 100 * 1024); // a dozen bytes for each byte of the text
   }
 }
 

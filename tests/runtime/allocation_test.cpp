@@ -21,7 +21,7 @@ void* allocated(std::size_t size) {
 
 } // namespace
 
-// Those of the whole program: what the library allocates counts too.
+// Replaces the global operators, to count allocations of libraries, too.
 void* operator new(std::size_t size) { return allocated(size); }
 void* operator new[](std::size_t size) { return allocated(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
@@ -31,7 +31,7 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 
 namespace {
 
-/// Counts what is allocated between two steps.
+/// Counts allocations between two steps.
 class Counter final : public runtime::Observer {
 public:
   static constexpr std::uint64_t kFirst = 2'000;

@@ -54,8 +54,8 @@ std::string flight(const std::string& after) {
   return R"({"signals":[],"actions":{"fly":[{"result":"there","after":)" + after + "}]}}";
 }
 
-/// A platform on which everything is interrupted now and then, and events come often, but
-/// for those that say themselves how often.
+/// A platform with occasional interrupts of everything and frequent events, except those with
+/// `:every`.
 std::string interruptions(const runtime::Executable& executable) {
   std::string interrupts;
   std::string events;
@@ -140,7 +140,7 @@ TEST_CASE("every simulated run of a random program conforms to the model that is
     const auto text = test::textOf(test::randomProgram(seed, {.properties = 0}));
     const auto executable = test::executableOf(text);
     const auto ran = test::runOf(*executable, seed, "", interruptions(*executable), 30);
-    if (ran.steps.size() > 400) continue; // in all likelihood time stands still
+    if (ran.steps.size() > 400) continue; // probably time has stopped
     const auto result = judged(text, ran.recorded);
     INFO("seed " << seed << "\n" << text << textOf(ran.recorded));
     INFO("step " << result.step << ": " << result.why << "; " << result.assumption);

@@ -12,7 +12,7 @@ using test::runOf;
 
 namespace {
 
-/// A skill that takes its time, may be interrupted, and watches a guard.
+/// A skill that takes time, may be interrupted, and has a guard.
 const std::string kFly = R"(
   (defsv sky :states (Clear Stormy) :init Clear :transitions :all)
   (defsv motors :states (Off On) :init Off :transitions ((Off On) (On Off)))
@@ -134,7 +134,7 @@ TEST_CASE("a run ends where nothing can happen, where its time is over, where ti
 
 namespace {
 
-/// Does not perform anything; asked to stop an action it calls `onStop`.
+/// Performs nothing; when asked to stop an action, it calls `onStop`.
 class Silent final : public runtime::Platform {
 public:
   void start(const runtime::Start&, runtime::Nanoseconds) override { onStart(); }
@@ -150,7 +150,7 @@ public:
   std::function<void()> onStop = [] {};
 };
 
-/// A clock of which a test says what it shows.
+/// A clock that a test sets.
 class Jumping final : public runtime::Clock {
 public:
   explicit Jumping(std::vector<runtime::Nanoseconds> all) : dates(std::move(all)) {}

@@ -15,8 +15,8 @@ using runtime::RemarkKind;
 
 namespace {
 
-/// What a platform's program does in a test, as a shell does it: `hear` reads a line, `say` sends
-/// one, `leave` waits for the end of the run.
+/// A platform's program in shell: `hear` reads a line, `say` sends one, `leave` waits for the end
+/// of the run.
 const std::string kSpoken = R"(
 hear() { read -r heard || exit 0; }
 say() { printf '%s\n' "$1"; }

@@ -9,8 +9,8 @@ using namespace proskill;
 
 namespace {
 
-/// Whether the run is one of its own transition system, by the simulator of the verifier, which
-/// knows neither the machine's dates nor its sets. Why not, in words; empty where it is.
+/// Whether the run is a run of its own transition system, according to the verifier's simulator,
+/// which does not use the machine's dates and sets. \return an error; empty on success
 std::string judge(const runtime::Executable& executable, const test::Ran& ran) {
   const verify::Simulator simulator(executable.system, executable.unit);
   auto now = simulator.start();
@@ -38,7 +38,7 @@ TEST_CASE("every run of a random program is a run of its transition system") {
     const auto ran = runOf(*executable, seed, "", "", 30);
     INFO("seed " << seed << "\n" << text << ran.text());
     CHECK(ran.result.end != runtime::End::Failed);
-    if (ran.steps.size() > 2000) continue; // in all likelihood time stands still
+    if (ran.steps.size() > 2000) continue; // probably time has stopped
     CHECK(judge(*executable, ran) == "");
     steps += ran.steps.size();
     missions += ran.result.end == runtime::End::Mission ? 1 : 0;

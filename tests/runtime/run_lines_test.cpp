@@ -17,7 +17,7 @@ using runtime::Nanoseconds;
 
 namespace {
 
-/// Compares each line with what the general writers of traces make of the same step.
+/// Compares each line with what the general writer of traces makes of the same step.
 class LineComparison final : public runtime::Observer {
 public:
   explicit LineComparison(report::RunSubject of) : subject(of), lines(of) {}

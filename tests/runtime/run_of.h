@@ -10,7 +10,7 @@
 
 namespace proskill::test {
 
-/// What happened in a run.
+/// Everything that happened in a run.
 struct Ran {
   struct Taken {
     verify::TransitionId step = 0;
@@ -30,9 +30,9 @@ struct Ran {
   runtime::RecordedRun recorded;
   runtime::Nanoseconds maxLag = 0;
 
-  /// `2.5 fly succeeds with `there``, a line each.
+  /// `2.5 fly succeeds with `there``, one step per line.
   [[nodiscard]] std::string text() const;
-  /// When an actor does something for the first time, in seconds; -1: never.
+  /// The date at which an actor does something for the first time, in seconds; -1: never.
   [[nodiscard]] double when(std::string_view actor, std::string_view description) const;
   [[nodiscard]] const Told* told(runtime::RemarkKind kind) const;
 };
@@ -46,10 +46,10 @@ struct Ran {
                         double until = 600);
 [[nodiscard]] Ran runOf(const runtime::Executable& executable, runtime::Platform& platform,
                         runtime::RunOptions options);
-/// By the machine's clock: tests may not say when what happens.
+/// With the real clock: dates depend on the machine.
 [[nodiscard]] Ran runInRealTime(const runtime::Executable& executable, runtime::Platform& platform,
                                 runtime::RunOptions options);
-/// By a clock of the test's own.
+/// With a clock of the test.
 [[nodiscard]] Ran runOf(const runtime::Executable& executable, runtime::Platform& platform,
                         runtime::Clock& clock, runtime::RunOptions options);
 /// Events and interrupts only as the script says.

@@ -4,10 +4,10 @@
 
 namespace proskill::test {
 
-/// The same with links between them.
+/// Files in memory, with links between them.
 class LinkedFiles : public MemoryFiles {
 public:
-  using Links = std::map<std::string, std::string>; ///< from each to where it leads
+  using Links = std::map<std::string, std::string>; ///< from each link to its target
 
   LinkedFiles(std::map<std::string, std::string> files, Links links)
       : MemoryFiles(std::move(files)), links(std::move(links)) {}

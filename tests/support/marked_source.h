@@ -9,12 +9,12 @@
 
 namespace proskill::test {
 
-/// A program with places marked in it: `^` is a point, `[[` and `]]` are around a range. The `^` of
-/// a wait, which stands between a parenthesis and a space, is no mark.
+/// A program with marks: `^` is a point, `[[` and `]]` enclose a range. The `^` of a wait, between
+/// a parenthesis and a space, is not a mark.
 struct MarkedSource {
   std::string text; ///< without the marks
   std::vector<syntax::Offset> points;
-  std::vector<syntax::Range> ranges; ///< in the order of their begins
+  std::vector<syntax::Range> ranges; ///< in the order of their beginnings
 
   explicit MarkedSource(std::string_view marked) {
     std::vector<std::size_t> open;
@@ -41,7 +41,7 @@ struct MarkedSource {
     }
   }
 
-  /// Of a source with one mark.
+  /// A source with one mark.
   [[nodiscard]] syntax::Offset point() const {
     assert(points.size() == 1);
     return points.front();

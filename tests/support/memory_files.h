@@ -7,7 +7,7 @@
 
 namespace proskill::test {
 
-/// Files that exist only here.
+/// Files in memory.
 class MemoryFiles : public analysis::FileSystem {
 public:
   explicit MemoryFiles(std::map<std::string, std::string> files = {}) : files(std::move(files)) {}

@@ -52,7 +52,7 @@ void closeEnd(int& end) {
   _exit(127);
 }
 
-/// Reads what is there; false at the end.
+/// Reads the available bytes; returns false at the end.
 bool drain(int end, std::string& into) {
   char buffer[65536];
   auto count = read(end, buffer, sizeof buffer);
@@ -67,7 +67,7 @@ void feed(Pipe& in, std::string_view& input) {
   if (input.empty()) closeEnd(in.write);
 }
 
-/// Passes bytes both ways until both streams of output have ended.
+/// Passes bytes in both directions until both output streams have ended.
 void converse(int child, const RunOptions& options, Pipe& in, Pipe& out, Pipe& err,
               Finished& result) {
   std::string_view input = options.input;

@@ -6,9 +6,9 @@
 
 namespace proskill::test {
 
-/// What a finished program left behind.
+/// The result of a program that has ended.
 struct Finished {
-  int exitCode = -1; ///< 128 + the signal where one ended it
+  int exitCode = -1; ///< 128 + the signal if one ended it
   std::string out;
   std::string err;
   long peakKiB = 0; ///< largest resident set
@@ -16,15 +16,15 @@ struct Finished {
 
 struct RunOptions {
   std::string input;
-  std::vector<std::string> environment; ///< `NAME=value`, added to this process's own
-  /// Called once when the first byte has come out on either stream, with the process's id.
+  std::vector<std::string> environment; ///< `NAME=value`, in addition to this process's own
+  /// Called with the process's id after the first byte of output on either stream.
   std::function<void(int)> onOutput;
 };
 
-/// Runs a program to its end, without a shell. Throws where it cannot be started.
+/// Runs a program to its end, without a shell. Throws if it cannot be started.
 [[nodiscard]] Finished run(const std::vector<std::string>& command, const RunOptions& options = {});
 
-/// A directory of its own, gone with the object.
+/// A temporary directory, removed by the destructor.
 class TemporaryDirectory {
 public:
   TemporaryDirectory();
@@ -33,7 +33,7 @@ public:
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
   [[nodiscard]] std::string path(const std::string& name = "") const;
-  /// Writes a file, and gives its path.
+  /// Writes a file, and returns its path.
   std::string write(const std::string& name, const std::string& text) const;
 
 private:

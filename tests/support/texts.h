@@ -9,7 +9,7 @@ namespace proskill::test {
 /// A program whose only file is `text`.
 [[nodiscard]] analysis::Program programOfText(std::string text);
 
-/// Whether the analysis finds no error in it. Warnings do not count.
+/// Whether the analysis finds no errors. Warnings do not count.
 [[nodiscard]] bool isWellFormed(const analysis::Program& program);
 
 } // namespace proskill::test

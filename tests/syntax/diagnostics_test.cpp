@@ -10,7 +10,7 @@ using syntax::Document;
 
 TEST_CASE("each diagnostic of form is raised by its example, and nothing else is") {
   for (const auto& entry : syntax::allCodes()) {
-    // From PS0006 on, PS00xx are about files, which a text alone cannot show.
+    // from PS0006 on, PS00xx concern files, which a text alone does not have
     bool ofForm = entry.id < "PS0006" || entry.id.starts_with("PS01");
     if (!ofForm || entry.example.empty()) continue;
     INFO(entry.example);

@@ -9,7 +9,7 @@ using syntax::Range;
 
 namespace {
 
-/// Everything that a document says, so that two can be compared.
+/// Everything that a document contains, for comparison.
 std::string everything(const Document& document) {
   std::string all = document.dump();
   auto add = [&](Range range) { all += fmt::format(" {}-{}", range.begin, range.end); };
@@ -61,7 +61,7 @@ TEST_CASE("after any edit the document equals a fresh parse, and undo restores i
       Document undone = edited.edit(back, replaced);
       REQUIRE(undone.text() == document.text());
       REQUIRE(everything(undone) == everything(document));
-      // Mistakes pile up for a while, then the text is sound again.
+      // Errors accumulate for a while, then the text is valid again.
       document = edits.pick(12) == 0 ? Document::parse(program) : edited;
     }
   }

@@ -8,7 +8,7 @@ using syntax::ExprKind;
 
 namespace {
 
-/// A condition, or a proposition of a property, on its own.
+/// A condition, or a proposition of a property.
 struct Condition {
   syntax::Document document;
 

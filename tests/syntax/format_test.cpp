@@ -23,8 +23,7 @@ std::string formatted(const std::string& text) {
   return result;
 }
 
-/// Other white space between the tokens; a new line stays a new line, since an author may choose
-/// some of them.
+/// Other white space between the tokens; line ends are kept, since users may choose some of them.
 std::string damaged(const std::string& text, test::RandomSource& random) {
   std::string result;
   bool quoted = false;

@@ -10,7 +10,7 @@ using syntax::NodeKind;
 using syntax::Parser;
 using syntax::Tree;
 
-/// The grammar on its own, without what Document does for it.
+/// The grammar alone, without Document.
 namespace {
 
 bool hasError(const Tree& tree) {

@@ -7,7 +7,7 @@ using namespace proskill;
 using syntax::Code;
 using syntax::Document;
 
-/// Parentheses are diagnosed where a person would look: one mistake, one diagnostic.
+/// Parentheses are diagnosed where a person would look: one error, one diagnostic.
 namespace {
 
 /// The marked `(` is reported as unclosed, and its `)` is proposed at the point.
@@ -24,7 +24,7 @@ void checkUnclosed(std::string_view marked) {
   CHECK(diagnostic.related.back().location.range.begin == source.point());
 }
 
-/// The marked `)` is reported as one too many.
+/// The marked `)` is reported as superfluous.
 void checkSurplus(std::string_view marked) {
   test::MarkedSource source(marked);
   auto document = Document::parse(source.text);

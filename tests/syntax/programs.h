@@ -9,7 +9,7 @@
 
 namespace proskill::test {
 
-/// The listings of the paper, as they are printed there.
+/// The listings of the paper, as printed there.
 extern const std::string_view kPaperStateVariables;
 extern const std::string_view kPaperEvent;
 extern const std::string_view kPaperBasicSkill;
@@ -19,7 +19,7 @@ extern const std::string_view kPaperMonitor;
 /// All five of them in one text.
 [[nodiscard]] std::string paperProgram();
 
-/// The text of each program in examples/, the paper's listings before them.
+/// The text of each program in examples/, after the paper's listings.
 [[nodiscard]] std::vector<std::string> allPrograms();
 
 /// The first form of a text, with the document that keeps it alive.
@@ -30,7 +30,7 @@ template <class Node> struct Parsed {
   const Node* operator->() const { return &std::get<Node>(document.forms().at(0).node()); }
 };
 
-/// The codes of what is wrong with a text, in its order: `PS0101 PS0105`.
+/// The codes of the errors in a text, in order: `PS0101 PS0105`.
 [[nodiscard]] std::string codesOf(const syntax::Document& document);
 
 } // namespace proskill::test

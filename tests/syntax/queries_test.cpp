@@ -13,7 +13,7 @@
 
 using namespace proskill;
 
-/// The queries of the grammar, by which editors colour, fold, and indent.
+/// The queries of the grammar, which editors use for colours, folds and indentation.
 namespace {
 
 struct Delete {

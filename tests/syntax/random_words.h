@@ -8,7 +8,7 @@
 
 namespace proskill::test {
 
-/// Pieces of programs in an order that no program has.
+/// Pieces of programs in random order.
 [[nodiscard]] inline std::string randomWords(RandomSource& random) {
   static constexpr std::array<std::string_view, 60> kWords = {
       "(",        ")",         "(defskill a",

@@ -9,7 +9,7 @@ using syntax::Range;
 
 namespace {
 
-/// The ranges that a test collects from a typed tree are the marked ones, in their order.
+/// The ranges that a test collects from a typed tree are the marked ones, in order.
 struct Marked {
   test::MarkedSource source;
   Document document;

@@ -21,7 +21,7 @@ bool inside(const Document& document, syntax::Range range) {
   return range.begin <= range.end && range.end <= document.text().size();
 }
 
-/// What holds of every document, whatever its text.
+/// Invariants of every document, whatever its text.
 bool isSound(const Document& document) {
   for (const auto& form : document.forms())
     if (!inside(document, form.range)) return false;
@@ -29,7 +29,7 @@ bool isSound(const Document& document) {
     if (document.text().at(comment.begin) != ';') return false;
   for (const auto& diagnostic : document.diagnostics())
     if (!inside(document, diagnostic.location.range)) return false;
-  // The grammar takes every text; an ERROR would be a hole in it.
+  // the grammar accepts every text; an ERROR would be a gap in it
   return document.dump().find("ERROR") == std::string::npos;
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("a hundred thousand closing parentheses are few diagnostics") {
 TEST_CASE("what is nested too deep does not hide its neighbours") {
   auto document = Document::parse("(defsv a :init 1 :min 0 :max 2)\n" + repeated("(", 300) +
                                   "\n(defevent gust :effects (a 2))\n");
-  // Both stand in one region of text, up to the next definition.
+  // both are in one region of text, up to the next definition
   CHECK(test::codesOf(document) == "PS0005");
   CHECK(document.forms().back().is<syntax::Event>());
 }

@@ -10,7 +10,7 @@ using syntax::StatementKind;
 
 namespace {
 
-/// A skill with one statement, or several, as its body.
+/// A skill whose body is this statement, or several.
 struct Body {
   syntax::Document document;
 

@@ -21,7 +21,7 @@ TEST_CASE("the nearest word is suggested, and of equals one with letters too few
   CHECK(best("Of", {"Off", "On"}) == "Off");
   CHECK(best("Opn", {"Own", "Open", "Opt"}) == "Open");
   CHECK(best("Oopen", {"Copen", "Open"}) == "Open");
-  CHECK(best("redy", {"reddy", "ready"}) == "reddy"); // the first of equals
+  CHECK(best("redy", {"reddy", "ready"}) == "reddy"); // the first of equal ones
   CHECK(best("good", {"goods", "Good"}) == "Good");
   CHECK(best("takeof", {"take", "takeoff"}) == "takeoff");
   CHECK(best("x", {"y", "xy"}).empty());

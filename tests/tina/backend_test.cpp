@@ -297,7 +297,7 @@ TEST_CASE("what is missing is said, each with how to get it") {
   const auto whole = find({});
   REQUIRE(whole.has_value());
   CHECK(whole->selt == programs.path("renamed"));
-  CHECK(whole->fraclib.filename() == "lib"); // beside frac
+  CHECK(whole->fraclib.filename() == "lib"); // in the directory of frac
   programs.remove("sift");
   programs.replace("tina", "");
   REQUIRE(find({}).has_value());

@@ -36,7 +36,7 @@ std::string ktzOf(const StateGraph& graph, const std::string& name) {
   return text.str();
 }
 
-/// Two moves or one, then the end; `rung_1` and `a_b` have underscores of their own.
+/// One or two moves, then the end; `rung_1` and `a_b` contain underscores.
 constexpr auto kPlay = R"(
 process play is
 states move, done_1
@@ -48,7 +48,7 @@ from move
     end
 play)";
 
-/// `late` may come before `early` is due, or after; then its clock goes on.
+/// `late` may fire before or after `early` is due; then its clock keeps running.
 constexpr auto kTwoClocks = R"(
 process late is
 states a, b
@@ -60,7 +60,7 @@ component main is
 par * in late || early end
 main)";
 
-/// What an .aut says, read by its rules alone.
+/// The contents of an .aut file, read by the rules of the format only.
 struct Aut {
   std::size_t transitions = 0;
   std::size_t states = 0;
@@ -133,15 +133,15 @@ trans
 )");
 }
 
-// By hand: the initial class; `late` alone (at 1..2), with `early` then due within 0..1; `early`
-// alone (at 2), with `late` due within 0..1; and both.
+// Computed by hand: the initial class; `late` alone (at 1..2), with `early` then due within 0..1;
+// `early` alone (at 2), with `late` due within 0..1; and both.
 TEST_CASE("classes, markings and untimed markings are three graphs") {
   const auto parsed = test::model(kTwoClocks);
   const auto classes = graphOf(parsed.program);
   CHECK(classes.markingOf.size() == 4);
   CHECK(classes.edges.size() == 4);
   CHECK(classes.counts.classes == 4);
-  // A loop that starts anew at any time makes classes that have the same marking.
+  // A loop that may restart at any time makes classes with the same marking.
   const auto timed = test::model(R"(
 process tick is
 states a
@@ -152,7 +152,7 @@ from a wait [2,3]; to b
 component main is
 par * in tick || slow end
 main)");
-  // slow's delay: 2..3, then 1..2, 0..1, 0; after it tick's: 0 or 0..1 or 1 …, always one marking.
+  // slow's delay: 2..3, then 1..2, 0..1, 0; after it tick's: 0 or 0..1 or 1 …, always one marking
   const auto all = graphOf(timed.program);
   const auto markings = graphOf(timed.program, GraphKind::Markings);
   const auto untimed = graphOf(timed.program, GraphKind::Untimed);

@@ -21,7 +21,7 @@ std::vector<verify::Question> allOf(const fiacre::Program& program) {
   return questions;
 }
 
-/// The graph of a model as ktzio would write it, read back; nothing where it is large.
+/// The graph of a model as ktzio would write it, read back; nullopt if it is large.
 std::optional<tina::KtzGraph> graphOf(const fiacre::Program& program) {
   verify::Options options;
   options.limits.classes = 3000;

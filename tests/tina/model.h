@@ -8,7 +8,7 @@
 
 namespace proskill::test {
 
-/// A model by its text. \pre it has no mistakes
+/// A model from text. \pre it has no errors
 inline fiacre::Parsed model(const std::string& text) {
   auto parsed = fiacre::parse(text);
   for (const auto& problem : parsed.problems) FAIL(problem.message << " in\n" << text);

@@ -15,7 +15,7 @@ std::expected<tina::KtzGraph, std::string> ktz(const std::string& text) {
   return tina::readKtzText(in);
 }
 
-/// The head and two states of a file that ktzio made.
+/// The head and two states of a file from ktzio.
 constexpr auto kGenuine = R"(# Created Sun May 12 22:09:35 2019 by TINA version 3.4.4
 
 kts process_play_1
@@ -40,7 +40,7 @@ trans play_1_t0/0 play_1_t3/3
 } // namespace
 
 TEST_CASE("frac's formulas are definitions and, for each assert, a query") {
-  // The end is that of a file that frac made.
+  // The end is that of a file from frac.
   const auto file = tina::readLtl("op deadlockFree = [] - dead; # a; comment\n"
                                   "infix 0 p W q = p U (q \\/ []p);\n\n"
                                   "# user formulas\n"

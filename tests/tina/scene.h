@@ -11,7 +11,7 @@
 
 namespace proskill::test {
 
-/// Counts to 2, a step every 1 to 2 units, then stops; `done` in one way only.
+/// Counts to 2, a step every 1 to 2 units, then stops; `done` is passed in one way only.
 inline constexpr auto kCount = R"(
 process play_it is
 states move, done
@@ -45,7 +45,7 @@ inline tina::Tools toolsOf(const StandIns& programs) {
   return std::move(*tools);
 }
 
-/// The model above and the programs that stand in for Tina.
+/// The model above, with fake tools.
 struct Scene {
   Scene() : parsed(model(kCount)) {
     programs.formulas(kFormulas);

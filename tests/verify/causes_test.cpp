@@ -37,14 +37,14 @@ std::vector<std::string> relevantOf(const verify::Trace& trace) {
 
 using Names = std::vector<std::string>;
 
-/// How many traces were cut down, and of how many.
+/// Number of traces, and how many were shortened.
 struct Tally {
   std::size_t traces = 0;
   std::size_t shorter = 0;
 };
 
-/// Searches for all questions, and tries the slice of each trace: what `reproduces` does, which the
-/// engine asks, too, but only to fall back on all steps.
+/// Answers all questions, and tests the slice of each trace with `reproduces`. The engine tests it,
+/// too, but falls back on all steps.
 Tally tryAll(const fiacre::Program& program, const fiacre::Provenance& provenance) {
   Tally tally;
   std::vector<verify::Question> questions(program.properties.size());
@@ -134,7 +134,7 @@ TEST_CASE("what a step overwrites does not matter, and what it adds to does") {
                     {from("a", {now(), assign(name("x"), number(5)), to("b")}),
                      from("b", {now(), assign(name("x"), sum(name("x"), number(1))), to("c")}),
                      from("c", {now(), assign(name("x"), sum(name("x"), number(1))), to("d")})}));
-  // The order of its steps is that of one process: each needs the one before it.
+  // the order of its steps is that of one process: each needs the previous one
   CHECK(relevantOf(traceOf(model, absentValue(equals(name("x"), number(7))))).size() == 3);
 
   Model apart;

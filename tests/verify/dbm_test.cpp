@@ -39,7 +39,7 @@ public:
   int upTo(int most) { return std::uniform_int_distribution<>(0, most)(random); }
   Bound anyBound(int low, int high) { return bound(low + upTo(high - low), upTo(1) == 0); }
 
-  /// Some zone of two clocks that is not empty, with constants up to 4.
+  /// A non-empty zone of two clocks with constants up to 4.
   Dbm any() {
     while (true) {
       Dbm zone(2);
@@ -127,8 +127,8 @@ TEST_CASE("Extrapolation adds only points that some old point can imitate") {
     std::vector<std::int32_t> upper{-1, zones.upTo(3) - 1, zones.upTo(3) - 1};
     Dbm wider = zone;
     wider.extrapolate(lower, upper);
-    // Clock by clock: the same value, or one that no lower bound, or no upper bound, can tell
-    // apart.
+    // Clock by clock: the same value, or one that no lower bound, or no upper bound, can
+    // distinguish.
     const auto imitates = [&](const Point& old, const Point& made) {
       for (std::size_t i = 0; i < 2; ++i) {
         const int l = lower[i + 1] < 0 ? -1 : lower[i + 1] * kParts;

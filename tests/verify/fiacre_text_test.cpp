@@ -11,7 +11,7 @@ using test::Text;
 
 namespace {
 
-/// One process, alone.
+/// A single process.
 Text process(const std::string& body) { return test::processText(body); }
 
 } // namespace

@@ -13,8 +13,8 @@ namespace {
 
 std::string digits(std::size_t number) { return std::to_string(number); }
 
-/// A process that goes through many states, beside one that turns; it is asked for a state, a
-/// deadlock, whether time goes on, and whether one state leads to another.
+/// A process that goes through many states, in parallel with one that cycles. The questions are
+/// about a state, a deadlock, whether time goes on, and whether one state leads to another.
 fiacre::Parsed row(std::size_t length) {
   std::string text = "process Row is states s0";
   for (std::size_t i = 1; i <= length; ++i) text += ", s" + digits(i);
@@ -32,7 +32,7 @@ fiacre::Parsed row(std::size_t length) {
 
 const std::vector<verify::Question> kAll{{0}, {1}, {2}, {3}};
 
-/// Time stands still until it is looked at for the n-th time, and is then past every limit.
+/// A clock that stands still until it is read for the n-th time, and is then past every limit.
 class JumpingClock {
 public:
   explicit JumpingClock(std::size_t when) : jump(when) {}
@@ -60,13 +60,13 @@ TEST_CASE("Whenever the time limit is met, what is decided is right and the rest
   };
   JumpingClock never(SIZE_MAX);
   const auto whole = ask(never.options());
-  REQUIRE(never.looks > 100); // each phase looks
+  REQUIRE(never.looks > 100); // each phase reads it
   std::size_t left = kAll.size();
   for (std::size_t when = 1; when < never.looks; when += 1 + never.looks / 97) {
     JumpingClock clock(when);
     const auto result = ask(clock.options());
     INFO("met at look " << when << " of " << never.looks);
-    CHECK(clock.looks < when + 12); // nothing goes on for long
+    CHECK(clock.looks < when + 12); // nothing continues for long
     std::size_t open = 0;
     for (std::size_t i = 0; i < kAll.size(); ++i) {
       const auto& answer = result.answers[i];
@@ -156,16 +156,18 @@ TEST_CASE("What is decided is told as soon as it is, and once") {
 
 TEST_CASE("The memory of a process is that which it uses") {
   const auto before = verify::residentBytes();
-  if (before == 0) return; // the system does not say
+  if (before == 0) return; // the system does not report it
   std::vector<char> more(64 << 20, 1);
   CHECK(verify::residentBytes() >= before + (60 << 20) * static_cast<std::uint64_t>(more[5]));
 }
 
 TEST_CASE("A limit of memory is not met by what was freed before") {
   const auto before = verify::residentBytes();
-  if (before == 0) return; // the system does not say
+  if (before == 0) return; // the system does not report it
   std::vector<std::vector<char>> pieces;
-  for (int i = 0; i < 2000; ++i) pieces.emplace_back(50'000, 'x'); // too small to be mapped alone
+  for (int i = 0; i < 2000; ++i)
+    pieces.emplace_back(50'000, 'x');         // too small to be mapped
+                                              // separately
   const std::vector<char> above(50'000, 'x'); // keeps the heap from shrinking by itself
   pieces.clear();
   verify::Options options;

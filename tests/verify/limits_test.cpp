@@ -11,7 +11,7 @@ using verify::Truth;
 
 namespace {
 
-/// Counters that count on their own: (size + 1)^count states.
+/// Independent counters: (size + 1)^count states.
 Model counters(int count, int size) {
   Model model;
   for (int i = 0; i < count; ++i) {

@@ -8,7 +8,7 @@ using test::Text;
 
 namespace {
 
-/// A process of the model, and one that watches it by ports of the given types.
+/// A process of the model, and one that observes it through ports of the given types.
 Text watched(const std::string& model, const std::string& ports, const std::string& observer) {
   return Text("process P [a: sync] is " + model +
               "\ncomponent main is port a: sync in [1,2] par * in P[a] end"
@@ -37,7 +37,7 @@ TEST_CASE("the time of a probe counts from when it holds and is waited for") {
   };
   CHECK_FALSE(model("[1,1]").reaches("watch/1/state seen"));
   CHECK(model("[3,3]").reaches("watch/1/state seen"));
-  // At the very date at which the model may leave, the observer goes before.
+  // at the very date at which the model may leave, the observer has priority
   CHECK_FALSE(model("[2,2]").reaches("(main/1/state u) and (watch/1/state w)"));
   CHECK(
       model("[3,3]").isTrue("(enter (main/1/state t)) leadsto (watch/1/state seen) within [2,2]"));
@@ -66,7 +66,7 @@ TEST_CASE("what an observer does not wait for happens all the same") {
   const auto model = watched("states s, t from s a; to t from t a; to s",
                              "p: sync is main/event a, q: sync in [10,10]",
                              "states w, seen, again from w p; to seen from seen q; to again");
-  CHECK(model.reaches("(main/1/state s) and (watch/1/state seen)")); // it goes on, unseen
+  CHECK(model.reaches("(main/1/state s) and (watch/1/state seen)")); // it continues, unobserved
   CHECK(model.reaches("watch/1/state again"));
   CHECK(model.isTrue("always ((main/1/state t) => not (watch/1/state w))"));
 }

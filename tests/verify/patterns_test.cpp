@@ -6,16 +6,16 @@
 #include <functional>
 #include <map>
 
-/// Patterns with scopes against the formulas that Dwyer, Avrunin and Corbett publish for them
+/// Compares patterns with scopes with the formulas that Dwyer, Avrunin and Corbett publish for them
 /// ("Patterns in property specifications for finite-state verification", ICSE 1999, and
-/// https://matthewbdwyer.github.io/psp/patterns/ltl.html), on runs that go round.
+/// https://matthewbdwyer.github.io/psp/patterns/ltl.html), on cyclic runs.
 using namespace proskill;
 using test::RandomSource;
 using test::Text;
 
 namespace {
 
-/// Where a run goes on for ever: its letters, and the one that follows the last.
+/// An infinite run: its letters, and the one that follows the last.
 struct Lasso {
   std::vector<std::string> letters; ///< each a set of p, q, r, s
   std::size_t loop = 0;
@@ -81,7 +81,7 @@ Formula always(const Formula& a) { return no(finally(no(a))); }
 Formula weakly(const Formula& a, const Formula& b) { return either(until(a, b), always(a)); }
 
 struct Case {
-  std::string pattern; ///< with p, q, r, s for what is seen
+  std::string pattern; ///< with p, q, r, s for what is observed
   Formula published;
 };
 
@@ -121,8 +121,8 @@ std::vector<Case> cases() {
       {"p leadsto s after q", part(q, part(p, finally(s)))},
       {"p leadsto s between q and r", part(ends, until(responds, r))},
       {"p leadsto s after q until r", part(begun, weakly(responds, r))},
-      // From the first q, as all scopes. The published `<>(q & (!p W s))` is fine with any q that
-      // p does not follow too early: a second q would excuse what came after the first.
+      // From the first q, like all scopes. The published `<>(q & (!p W s))` accepts any q that p
+      // does not follow too early: a second q would excuse what came after the first.
       {"s precedes p after q", weakly(no(q), both(q, weakly(no(p), s)))},
       {"infinitelyoften p", always(finally(p))},
       {"mortal p", finally(always(no(p)))},
@@ -153,7 +153,7 @@ Text model(const Lasso& run) {
   return Text("process P is states " + states + steps + "\ncomponent main is par * in P end");
 }
 
-/// The pattern about the letters of a run.
+/// The pattern on the letters of a run.
 std::string asked(const std::string& pattern, const Lasso& run) {
   std::string text;
   for (std::size_t i = 0; i < pattern.size(); ++i) {

@@ -131,7 +131,7 @@ TEST_CASE("Safe steps: a cycle of them does not put others off for ever") {
 
 namespace {
 
-/// `weather` is set to 0, 1 or 2 at any time; it starts with 3, which nobody sets.
+/// `weather` is set to 0, 1 or 2 at any time; it starts with 3, which is never set again.
 Model weather() {
   Model model;
   model.variable("weather", range(0, 3), number(3)).variable("x", range(0, 3), number(0));
@@ -215,7 +215,7 @@ TEST_CASE("Open variables: a number that is counted up and down at any time has 
   };
   counts("up", "n", 1, 5);
   counts("down", "n", -1, 0);
-  counts("once", "m", 1, 3); // m never goes back: it is not open
+  counts("once", "m", 1, 3); // m never returns: it is not open
   model.add(process(
       "p", {"a", "b", "c"},
       {from("a", {wait(1, 1), to("b")}), from("b", {now(), on(equals(name("n"), number(4))),
@@ -326,7 +326,7 @@ namespace {
 
 constexpr int kWatchers = 4;
 
-/// Watchers of an alarm each: one that is heard is passed on, then its end is waited for.
+/// Each process watches an alarm: it reports the alarm, then waits for its end.
 Model watchers(bool alarmIsShared) {
   Model model;
   model.variable("heard", range(0, 1), number(0));

@@ -17,7 +17,7 @@ const Text& dialogue() {
   return model;
 }
 
-/// It comes to `b` or not, as often as it likes.
+/// It reaches `b` or not, as often as it likes.
 const Text& chance() {
   static const Text model("process P is states a, b from a select to a [] to b end from b to a\n"
                           "component main is par * in P end");
@@ -34,7 +34,7 @@ TEST_CASE("`leadsto within` is about every time that the first is seen") {
   CHECK(dialogue().isFalse(kAsks + " leadsto " + kAnswers + " within [2,3["));
   CHECK(dialogue().isFalse(kAsks + " leadsto " + kAnswers + " within ]2,3]"));
   CHECK(dialogue().isTrue("(main/1/tag asks) leadsto (main/1/state answered) within [3,4]"));
-  // The state lasts: at its beginning the answer is too far, at its end near.
+  // At the beginning of the state the answer is too far, at its end near.
   CHECK(dialogue().isFalse("(main/1/state asked) leadsto " + kAnswers + " within [2,3]"));
   CHECK(dialogue().isTrue("(main/1/state asked) leadsto " + kAnswers + " within [0,3]"));
   CHECK(dialogue().isTrue("(main/1/state asked) leadsto (main/1/state answered)"));

@@ -9,7 +9,7 @@ namespace {
 
 using fiacre::PatternKind;
 
-/// One process that goes from `a` to `b` with this statement before `to b`.
+/// A process that goes from `a` to `b` with this statement before `to b`.
 fiacre::Process once(std::string text, std::vector<fiacre::Statement> statements) {
   statements.push_back(to("b"));
   return process(std::move(text), {"a", "b"}, {from("a", std::move(statements))});

@@ -8,7 +8,7 @@ using namespace proskill::test;
 
 namespace {
 
-/// Keeps what a simulation refers to.
+/// Owns what a simulation refers to.
 struct Run {
   explicit Run(const Model& of) : model(of), simulation(started()) {}
 
@@ -45,7 +45,7 @@ TEST_CASE("a simulation offers what may come next, what has to happen soonest fi
   auto choices = run.simulation.choices();
   CHECK(choices[0].earliest == 1 * choices[0].scale);
   CHECK(choices[0].latest == 5 * choices[0].scale);
-  // The other must come before the first one's deadline, too.
+  // the other must come before the first one's deadline, too
   CHECK(choices[1].earliest == 2 * choices[1].scale);
   CHECK(choices[1].latest == 5 * choices[1].scale);
 }

@@ -6,7 +6,7 @@ namespace proskill::test::slices_test {
 
 namespace {
 
-/// A process that takes a step every `seconds`, of three that it can take.
+/// A process that takes one of three possible steps every `seconds`.
 std::string walker(const std::string& name, const std::string& seconds) {
   return "process " + name + " is states a, b, c from a wait [" + seconds +
          "]; to b from b wait [" + seconds + "]; to c from c wait [" + seconds + "]; to a ";
@@ -26,7 +26,7 @@ TEST_CASE("a slice leaves out what has nothing to do with the question") {
 }
 
 TEST_CASE("a run of a slice does not count where the whole has no such run") {
-  // The urgent loop stops time before P can move.
+  // the urgent loop stops time before P can move
   const Text model(walker("P", "1,2") + walker("Q", "1,3") +
                    "process Spinner is states a from a wait [0,0]; to a "
                    "component main is par * in P || Q || Spinner end");
@@ -35,7 +35,7 @@ TEST_CASE("a run of a slice does not count where the whole has no such run") {
 }
 
 TEST_CASE("what others have to do at once is done before the steps of a slice") {
-  // P starts when no alarm is on; Q puts its alarm out at once.
+  // P starts when no alarm is on; Q clears its alarm at once
   const Text model(
       "process P (&alarm: bool) is states idle, run, over from idle wait [0,0]; on not alarm; "
       "to run from run wait [2,2]; to over from over wait [1,1]; to idle "
@@ -61,7 +61,7 @@ TEST_CASE("a condition that stays false is not left out") {
 }
 
 TEST_CASE("a process that ends early may do so late in a slice, and the whole says when") {
-  // P waits for both; that Q is slow does not matter to what R sees of P.
+  // P waits for both; that Q is slow does not matter to what R observes of P
   const Text model("process P (&go: bool, &done: bool) is states start, wait_, end_, over "
                    "from start wait [0,0]; go := true; to wait_ "
                    "from wait_ wait [0,0]; on done; to end_ from end_ wait [0,0]; to over "

@@ -9,7 +9,7 @@ using namespace proskill::test;
 
 namespace {
 
-/// A worker that takes `work`, watched for a time between 2 and 4 as the code generator does it.
+/// A worker that takes `work`, with a watchdog for 2 to 4, as the code generator makes it.
 Model watched(fiacre::Interval work) {
   Model model;
   model.variable("running", boolean(), truth(true));

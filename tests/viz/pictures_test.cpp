@@ -11,7 +11,7 @@ using namespace proskill::viz::test;
 
 namespace {
 
-/// The outline of a body, in a program that has the skills `a` and `b`.
+/// The outline of a body, in a program with the skills `a` and `b`.
 std::string body(const std::string& statements) {
   const auto text = "(defskill a :action (a))\n(defskill b :action (b) :interrupt (:effects ()))\n"
                     "(defsv s :states (X Y) :init X)\n"

@@ -31,7 +31,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// What goes to standard error while it lives.
+/// Captures standard error while this lives.
 class StandardError {
 public:
   StandardError() : kept(dup(STDERR_FILENO)), file(std::tmpfile()) {

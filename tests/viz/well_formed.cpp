@@ -14,7 +14,7 @@ const std::regex kOpen("^<(" + kName + ")(\\s+" + kName + "=\"[^<\"]*\")*\\s*(/?
 const std::regex kClose("^</(" + kName + ")\\s*>$");
 const std::regex kEntity("^&(#[0-9]+|#x[0-9A-Fa-f]+|amp|lt|gt|quot|apos);");
 
-/// Every `&` begins an entity that XML knows.
+/// Every `&` begins an entity of XML.
 bool entitiesAreGood(std::string_view text) {
   for (auto at = text.find('&'); at != std::string_view::npos; at = text.find('&', at + 1)) {
     const std::string rest(text.substr(at, 12));

@@ -4,8 +4,8 @@
 
 namespace proskill::viz::test {
 
-/// Why a text is no well-formed XML document; empty where it is one. Tags and how they nest,
-/// attributes and their quotes, entities, comments, characters.
+/// Why a text is not a well-formed XML document; empty if it is. Checks tags and their nesting,
+/// attributes and quotes, entities, comments, characters.
 [[nodiscard]] std::string whyNotWellFormed(const std::string& xml);
 
 } // namespace proskill::viz::test

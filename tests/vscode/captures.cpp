@@ -1,5 +1,5 @@
-/// Prints how tree-sitter colours a file: `first-byte end-byte capture` for each capture, later
-/// ones over earlier ones. For the test that the TextMate grammar colours alike.
+/// Prints how tree-sitter colours a file: `first-byte end-byte capture` for each capture; later
+/// ones override earlier ones. Used to test that the TextMate grammar colours alike.
 
 #include <fstream>
 #include <iostream>
@@ -34,7 +34,7 @@ std::string stringOf(const TSQuery* query, std::uint32_t id) {
   return {text, length};
 }
 
-/// `#any-of?` is the one predicate of our queries: its words, for a pattern that has it.
+/// `#any-of?` is the only predicate of our queries: its words, for a pattern that has it.
 std::vector<std::string> wordsOf(const TSQuery* query, std::uint32_t pattern) {
   std::uint32_t count = 0;
   const auto* steps = ts_query_predicates_for_pattern(query, pattern, &count);

@@ -1,5 +1,5 @@
-/// Prints what Fiacre's lexer sees in a file: `first-byte end-byte kind` for each of its tokens;
-/// without a file, the reserved words. For the test that the TextMate grammar sees the same.
+/// Prints the tokens of Fiacre's lexer: `first-byte end-byte kind` for each; without a file, the
+/// reserved words. Used to test that the TextMate grammar agrees.
 
 #include <fstream>
 #include <iostream>

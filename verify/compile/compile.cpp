@@ -15,10 +15,10 @@ namespace proskill::verify {
 
 namespace {
 
-/// What is known of each two of them is kept.
+/// Limit, since tables have an entry for each pair of transitions.
 constexpr std::size_t kMostTransitions = 30'000;
 
-/// Whether some number lies in it; an empty interval would stop time for ever.
+/// Throws if an interval is empty, which would stop time for ever.
 void requireSound(const fiacre::Interval& interval, fiacre::OriginId origin) {
   constexpr std::int64_t kLargest = 100'000'000;
   bool empty = interval.upper &&
@@ -29,7 +29,7 @@ void requireSound(const fiacre::Interval& interval, fiacre::OriginId origin) {
     unsupported("a bound of time beyond 10^8 units", origin);
 }
 
-/// What the code of a path reads and writes, and whether it may fail.
+/// Collects what the code of a path reads and writes, and whether it may fail.
 void summarise(const System& system, Path& path) {
   addReads(system, path.guard, path.guardReads);
   path.guardReads.insert(system.instances[path.instance].location);
@@ -53,7 +53,7 @@ void summarise(const System& system, Path& path) {
   if (path.tentative) path.guardReads |= path.reads;
 }
 
-/// By port: what its probe watches for. Nothing where it has none.
+/// By port: the condition of its probe, if it has one.
 using Probes = std::vector<std::optional<NodeId>>;
 
 class Assembler {
@@ -120,7 +120,7 @@ private:
     }
   }
 
-  /// A guard that comes to a fault is an error at once: a path of its own that fails.
+  /// Adds a failing path for each guard that may fail.
   void addErrors(std::vector<Path>& paths) {
     std::vector<Path> errors;
     for (const auto& path : paths)
@@ -144,8 +144,7 @@ private:
     return probes[port] && fiacre::watchesSteps(*model.probes[port]);
   }
 
-  /// Each step of the model is one with those who watch for it, too, which goes before the one
-  /// without.
+  /// Adds the variants of a step with its observers; they have priority over the step without.
   void addSeen(std::uint32_t port, const std::vector<std::vector<PathId>>& choices) {
     const auto most = static_cast<TransitionId>(system.transitions.size());
     for (TransitionId i = 0; i < most; ++i)
@@ -193,7 +192,7 @@ private:
     made.tentative = true;
     made.unseen = base.unseen == kNone ? step : base.unseen;
     addReads(system, *probes[port], made.guardReads);
-    made.guardReads |= made.reads; // what the step does decides whether it is seen
+    made.guardReads |= made.reads; // what the step does determines whether it is observed
     std::ranges::copy_if(base.blockers, std::back_inserter(made.blockers), [&](TransitionId other) {
       return system.transitions[other].unseen == kNone;
     });
@@ -201,7 +200,8 @@ private:
     putBeforeFewer(id);
   }
 
-  /// Before the same step with fewer observers: who watches and can take part does.
+  /// Gives the step priority over the same step with fewer observers, since an observer that can
+  /// take part does.
   void putBeforeFewer(TransitionId id) {
     const auto& made = system.transitions[id];
     const std::set<PathId> all(made.parts.begin(), made.parts.end());
@@ -250,8 +250,8 @@ private:
     system.transitions.push_back(std::move(made));
   }
 
-  /// Every choice of paths that pass a port together: one of each part that waits on it for the
-  /// others, or those of a part that does not.
+  /// All combinations of paths that synchronise on a port: one path of each part that synchronises
+  /// with the others, or those of a single part that does not.
   std::vector<std::vector<PathId>> synchronised(const Branch& branch, std::uint32_t port) const {
     std::vector<std::vector<PathId>> together{{}};
     std::vector<std::vector<PathId>> all;
@@ -283,8 +283,8 @@ private:
     return all;
   }
 
-  /// What its probe watches for has to hold. What one part puts on the port, the others take:
-  /// receivers become paths of their own for each sender.
+  /// Joins paths on a port, if the condition of its probe is true. The values that one part sends
+  /// are received by the others, so a receiver becomes a separate path for each sender.
   void join(std::vector<PathId> parts, std::optional<NodeId> probe) {
     const std::vector<NodeId>* sent = nullptr;
     NodeId agree = probe.value_or(expressions.nodes().number(1));
@@ -297,23 +297,23 @@ private:
         sent = &path.sent;
         continue;
       }
-      if (sent->size() != path.sent.size()) return; // of other types: nothing that crosses
+      if (sent->size() != path.sent.size()) return; // the types differ, so they do not synchronise
       for (std::size_t i = 0; i < sent->size(); ++i)
         agree = expressions.nodes().both(agree, same((*sent)[i], path.sent[i]));
     }
-    if (expressions.nodes().constant(agree) == 0) return; // two values that are never the same
+    if (expressions.nodes().constant(agree) == 0) return; // two values that are never equal
     Bits compared;
     addReads(system, agree, compared);
     for (auto id : parts) system.paths[id].guardReads |= compared;
     if (!receives) return addTransition(std::move(parts), agree);
-    if (!sent) return; // nobody sends
+    if (!sent) return; // no part sends
     const std::vector<NodeId> values = *sent;
     for (auto& id : parts)
       if (system.paths[id].receives) id = received(system.paths[id], values);
     addTransition(std::move(parts), agree);
   }
 
-  /// Whether two send the same; where one has no value to send the step is taken, and fails.
+  /// Whether two parts send the same value. If one has no value, the step is taken and fails.
   NodeId same(NodeId a, NodeId b) {
     auto& nodes = expressions.nodes();
     const NodeId equal = nodes.equal(a, b);
@@ -343,7 +343,7 @@ private:
   const Events& events;
   System& system;
   std::vector<bool> timed;
-  std::vector<std::vector<PathId>> pathsWith; ///< by instance: those with the port at hand
+  std::vector<std::vector<PathId>> pathsWith; ///< by instance: paths with the current port
 };
 
 } // namespace

@@ -46,7 +46,7 @@ void rootsAssigned(const Statement& statement, std::set<std::string>& roots) {
   }
   if (statement.kind == StatementKind::Foreach) roots.insert(statement.name);
   if (statement.kind == StatementKind::Case)
-    for (std::size_t i = 1; i < statement.values.size(); ++i) { // what `frame(x)` gives to x
+    for (std::size_t i = 1; i < statement.values.size(); ++i) { // the value of `frame(x)` for x
       const fiacre::Expr* inner = &statement.values[i];
       const bool binds = !inner->operands.empty();
       while (!inner->operands.empty()) inner = &inner->operands[0];
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  /// The model or an observer: a component, or a process.
+  /// Adds the model or an observer, which is a component or a process.
   Branch addAlone(const std::string& name, const ModelPath& path, Scope& scope) {
     const auto component = find(program.components, name);
     const auto process = find(program.processes, name);
@@ -79,12 +79,12 @@ private:
         unsupported("the main component has parameters");
       return addComponent(*component, path, scope, {});
     }
-    if (process) // a process alone: a path to it has no places
+    if (process) // a single process: the path to it is empty
       return addProcess(*process, {.process = process->name}, path, {}, {});
     unsupported("the component `" + name + "` is not declared");
   }
 
-  /// They run beside the model, and share no port with it or with each other.
+  /// Adds observers, which run in parallel with the model and share no port with it or each other.
   void addObservers() {
     Branch all;
     all.children.push_back(std::move(made.composition));
@@ -103,7 +103,7 @@ private:
     if (value.parts.size() == 1) made.constants[constant.name] = firstValue(system, value.parts[0]);
   }
 
-  /// The names of ports within a component or a process, and which ports they are.
+  /// The names of ports within a component or a process, and their global indices.
   using PortNames = std::map<std::string, std::uint32_t, std::less<>>;
 
   template <class Item>
@@ -125,7 +125,7 @@ private:
     return static_cast<std::uint32_t>(system.ports.size() - 1);
   }
 
-  /// Its variables and ports, then what it is composed of.
+  /// Adds a component: its variables and ports, then its parts.
   Branch addComponent(const fiacre::Component& component, const ModelPath& path, Scope& scope,
                       PortNames ports) {
     if (path.size() > kMostNested) unsupported("components contain each other too deeply");
@@ -204,7 +204,7 @@ private:
     return static_cast<CellId>(system.cells.size() - 1);
   }
 
-  /// A variable's cells, with its first value.
+  /// Allocates the cells of a variable, with its initial value.
   void declare(const fiacre::Variable& variable, const std::string& name, Scope& scope) {
     const Type& type = types.resolve(variable.type);
     Value initial =
@@ -213,7 +213,7 @@ private:
     scope[variable.name] = std::move(initial);
   }
 
-  /// Turns a value into cells that start with it.
+  /// Allocates cells with a value as their initial values.
   void allocate(const Type& type, const std::string& name, Value& value) {
     std::vector<const Type*> scalars;
     std::vector<std::string> names;
@@ -265,7 +265,7 @@ private:
     return branch;
   }
 
-  /// \param assigned those of the parameters that are variables of their own
+  /// \param assigned parameters that need variables of their own
   Scope bind(const std::vector<fiacre::Parameter>& parameters,
              const std::set<std::string>& assigned, const fiacre::Instance& instance,
              const std::string& name, const Scope& outer) {

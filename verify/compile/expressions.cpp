@@ -201,7 +201,7 @@ Value Expressions::index(const Expr& expr, const Scope& scope) {
   Value chosen = slice(bounds.high);
   for (std::int64_t i = bounds.high - 1; i >= bounds.low; --i)
     chosen = choose(maker.equal(at, maker.number(i)), slice(i), chosen);
-  if (bounds.low == bounds.high && mayFail(at)) // no choice has looked at it
+  if (bounds.low == bounds.high && mayFail(at)) // no conditional has checked it
     for (auto& part : chosen.parts)
       part = maker.require(maker.equal(at, maker.number(bounds.high)), part, system.nodes[at].c);
   return chosen;
@@ -209,7 +209,7 @@ Value Expressions::index(const Expr& expr, const Scope& scope) {
 
 namespace {
 
-/// Where a field stands within a record, and its type.
+/// The position of a field within a record, and its type.
 std::pair<std::size_t, const Type*> fieldOf(const Types& types, const Type& record,
                                             const std::string& name) {
   if (record.kind != TypeKind::Record) unsupported("`." + name + "`: the value is not a record");
@@ -309,8 +309,8 @@ void Expressions::assign(const Expr& lvalue, const Value& source, const Scope& s
     }
 }
 
-/// One cell, where a condition holds. `a[i], a[j] := x, y` may write a cell twice: it then gets
-/// what the last of those that hold says.
+/// Writes a cell if a condition is true. `a[i], a[j] := x, y` may write a cell twice; the last true
+/// one wins.
 void Expressions::write(CellId cell, NodeId old, NodeId condition, NodeId source,
                         std::vector<Assignment>& assignments, std::size_t first) {
   const auto begin = assignments.begin() + static_cast<std::ptrdiff_t>(first);

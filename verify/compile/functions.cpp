@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-/// Calls of functions, inlined: the body is run on expressions instead of values.
+/// Inlines calls of functions: interprets the body on expressions instead of values.
 namespace proskill::verify {
 
 using fiacre::Expr;
@@ -68,7 +68,7 @@ Value Expressions::call(const Expr& expr, const Scope& scope) {
   --depth;
   made = fitted(std::move(made), result, "the result of `" + function->name + "`");
   for (const auto& argument :
-       arguments) // what fails, fails whether the function looks at it or not
+       arguments) // a failing argument fails the call, whether the function reads it or not
     if (verify::mayFail(system, argument))
       for (auto& part : made.parts)
         part = maker.require(maker.equal(argument, argument), part, kNoFault);
@@ -94,7 +94,7 @@ void Expressions::assignInFunction(const Statement& statement, Scope& scope) {
   }
 }
 
-/// A value that cannot be had.
+/// A value whose evaluation fails.
 Value Expressions::nothing(Value like, const std::string& why) {
   for (auto& part : like.parts) part = maker.require(maker.number(0), part, maker.fault(why));
   return like;

@@ -80,7 +80,7 @@ void InitRunner::assign(const Statement& statement) {
   set(assignments);
 }
 
-/// All values are read before one is set.
+/// Reads all values before it sets any.
 void InitRunner::set(const std::vector<Assignment>& assignments) {
   std::vector<std::int64_t> values;
   for (const auto& assignment : assignments) values.push_back(firstValue(system, assignment.value));

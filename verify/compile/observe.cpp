@@ -33,7 +33,7 @@ Goal Observer::goal(const fiacre::Property& property) {
   return {.kind = GoalKind::Run, .monitor = std::move(*monitor)};
 }
 
-/// A formula may be too large; others are answered all the same.
+/// A formula may be too large; the other questions are still answered.
 Goal Observer::goalOfRuns(const fiacre::Ltl& ltl) {
   const auto condition = [this](const Observable& atom) { return node(atom); };
   try {
@@ -43,7 +43,7 @@ Goal Observer::goalOfRuns(const fiacre::Ltl& ltl) {
   }
 }
 
-/// A question of which one state or step is the answer.
+/// The goal of a question that a single state or step answers.
 std::optional<Goal> Observer::goalOfStates(const fiacre::Pattern& pattern) {
   switch (pattern.kind) {
   case PatternKind::Absent: return reach(pattern.operands.at(0));
@@ -75,7 +75,8 @@ Goal Observer::reach(const Observable& observable) {
           .ofSteps = watchesSteps(observable)};
 }
 
-/// States, tags, events, and any of several of these: seen when they are entered or passed.
+/// Adds states, tags and events, or a disjunction of them: observed when they are entered or
+/// passed.
 bool Observer::simple(const Observable& observable, Goal& goal) {
   switch (observable.kind) {
   case ObservableKind::State: {
@@ -134,7 +135,7 @@ NodeId Observer::stateNode(const Observable& observable) {
   return nodes.equal(nodes.cell(system.instances[in].location), nodes.number(location(observable)));
 }
 
-/// What has no value, such as `10 / x > 2` where x is 0, does not hold.
+/// A condition that fails, such as `10 / x > 2` for x = 0, counts as false.
 NodeId Observer::valueNode(const Observable& observable) {
   const auto path = pathOf(program, observable);
   const auto component = model.scopeAt.find(path);
@@ -175,7 +176,7 @@ std::vector<EventId> Observer::tagEvents(const Observable& observable) {
   const auto whole = pathOf(program, observable);
   const bool ofModel = observable.observer.empty();
   std::vector<EventId> all;
-  const auto isWithin = [&](const ModelPath& path) { // these follow each other in the map
+  const auto isWithin = [&](const ModelPath& path) { // these are adjacent in the map
     return path.size() >= whole.size() && std::equal(whole.begin(), whole.end(), path.begin());
   };
   for (auto at = model.instanceAt.lower_bound(whole);

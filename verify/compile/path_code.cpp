@@ -63,7 +63,7 @@ RestOfPath withNext(RestOfPath rest, const Statement& next) {
   return rest;
 }
 
-/// Statements that are all plain, to their end.
+/// Generates code for statements that neither wait nor communicate.
 void PathWriter::codeAll(PathDraft& draft, RestOfPath rest) {
   while (!rest.empty() && !draft.ended) {
     const Statement& statement = *rest.back();
@@ -84,7 +84,7 @@ void PathWriter::codeAll(PathDraft& draft, RestOfPath rest) {
   }
 }
 
-/// The code of two sides; each is the whole of what is to come on it.
+/// Generates code for both branches, each up to the end of the path.
 void PathWriter::codeChoice(NodeId condition, PathDraft& draft, const RestOfPath& then,
                             const RestOfPath& otherwise) {
   draft.branched = true;

@@ -20,7 +20,8 @@ bool sendsValue(const Statement& statement) {
          std::ranges::any_of(statement.children, sendsValue);
 }
 
-/// What is sent has to be known over the state before the path, so a choice before it splits it.
+/// Whether the rest may send a value. A sent value is an expression over the state before the path,
+/// so a conditional before it has to split the path.
 bool mayStillSend(const RestOfPath& rest) {
   return std::ranges::any_of(rest, [](const auto* statement) { return sendsValue(*statement); });
 }
@@ -67,7 +68,7 @@ void PathWriter::write(PathDraft draft, RestOfPath rest) {
   finish(std::move(draft));
 }
 
-/// A statement that does not branch. False: no path goes on from here.
+/// Adds a statement that does not branch. \return false if no path continues from here
 bool PathWriter::step(const Statement& statement, PathDraft& draft, RestOfPath& rest) {
   noteOrigin(statement, draft);
   switch (statement.kind) {
@@ -134,7 +135,7 @@ void PathWriter::assign(const Statement& statement, PathDraft& draft) {
   addAssignments(draft, first);
 }
 
-/// Those from `first` on happen at once.
+/// The assignments from `first` on are simultaneous.
 void PathWriter::addAssignments(PathDraft& draft, std::uint32_t first) {
   auto& instruction = addInstruction(draft, InstructionKind::Assign);
   instruction.first = first;
@@ -148,7 +149,7 @@ void PathWriter::addAssignments(PathDraft& draft, std::uint32_t first) {
   draft.current = std::move(next);
 }
 
-/// A value within the path, over the state before it.
+/// Rewrites a value within the path to an expression over the state before it.
 NodeId PathWriter::beforePath(NodeId value, const PathDraft& draft) {
   return nodes().substitute(value, [&](const Node& leaf) -> std::optional<NodeId> {
     if (leaf.op != NodeOp::Cell) return std::nullopt;
@@ -169,13 +170,13 @@ void PathWriter::send(const Statement& statement, PathDraft& draft) {
     if (type) sent = expressions.fitted(std::move(sent), *type, "what goes over the port");
     for (auto part : sent.parts) {
       draft.path.sent.push_back(beforePath(part, draft));
-      if (expressions.mayFail(part)) // the sender's fault, whoever takes it
+      if (expressions.mayFail(part)) // an error of the sender, whoever receives it
         addInstruction(draft, InstructionKind::On).node = nodes().equal(part, part);
     }
   }
 }
 
-/// What comes is assigned first, and `where` looks at it then.
+/// Assigns the received values first, since `where` reads them.
 void PathWriter::receive(const Statement& statement, PathDraft& draft) {
   synchronise(statement, draft);
   const auto first = static_cast<std::uint32_t>(draft.path.assignments.size());
@@ -191,7 +192,7 @@ void PathWriter::receive(const Statement& statement, PathDraft& draft) {
     require(scalar(condition), draft, statement.origin);
 }
 
-/// A path for each value.
+/// Adds a path for each value.
 void PathWriter::any(const Statement& statement, const PathDraft& draft, const RestOfPath& rest) {
   std::vector<PathDraft> all{draft};
   for (const auto& target : statement.targets) {
@@ -248,7 +249,7 @@ void PathWriter::end(const Statement& statement, PathDraft& draft) {
   draft.path.assignments.push_back({context.location, nodes().number(number), false});
 }
 
-/// Gives the variables of a pattern their values.
+/// Assigns the variables of a pattern.
 void PathWriter::bind(const fiacre::Expr& pattern, const Value& tested, PathDraft& draft) {
   const auto all = expressions.bindings(pattern, tested, *context.scope);
   if (all.empty()) return;

@@ -13,7 +13,7 @@ bool isTimed(const fiacre::Interval& interval) {
   return !immediate && !always;
 }
 
-/// What a path is split by when it waits: where it ends, `kNone` for `loop`.
+/// The targets by which a waiting path is split: where it ends, `kNone` for `loop`.
 std::set<std::uint32_t> endsOf(const Path& path) {
   std::set<std::uint32_t> ends;
   for (const auto& instruction : path.code) {
@@ -23,7 +23,7 @@ std::set<std::uint32_t> endsOf(const Path& path) {
   return ends;
 }
 
-/// The path with every end outside of `kept` turned into giving up.
+/// The path, in which every end outside of `kept` becomes a failed guard.
 Path restricted(Path path, const std::set<std::uint32_t>& kept, NodeId never) {
   for (auto& instruction : path.code) {
     bool to = instruction.kind == InstructionKind::To;

@@ -16,10 +16,10 @@ public:
 
 private:
   void putObserversBefore();
-  /// By port: those that have to let it go first, by what is said and what follows from it.
+  /// By port: the ports with priority over it, directly or by transitivity.
   [[nodiscard]] std::vector<Bits> portsBelow() const;
-  /// Where what goes first is possible at any time when it is enabled, being enabled decides; else
-  /// its clock.
+  /// If the transition with priority can fire whenever it is enabled, testing whether it is enabled
+  /// suffices; otherwise its clock matters, too.
   void putBefore(TransitionId high, TransitionId low);
 
   const Elaboration& model;

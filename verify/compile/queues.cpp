@@ -2,8 +2,8 @@
 #include "verify/compile/expressions.h"
 #include "verify/unsupported.h"
 
-/// Queues as values: the length, then the places, the first one first. Places beyond the length
-/// hold the lowest value, so that equal queues are equal part by part.
+/// Queues as values: the length, then the elements from the first to the last. Unused elements have
+/// the lowest value, so that equal queues have equal parts.
 namespace proskill::verify {
 
 using fiacre::Expr;
@@ -39,7 +39,7 @@ Value Expressions::queueLiteral(const Expr& expr, const Scope& scope, const Type
   return made;
 }
 
-/// `first` and `dequeue` of an empty queue are faults.
+/// `first` and `dequeue` of an empty queue fail.
 Value Expressions::queueUnary(const Expr& expr, const Scope& scope) {
   const Value all = queue(expr.operands.at(0), scope);
   const NodeId length = all.parts.at(0);
@@ -50,7 +50,7 @@ Value Expressions::queueUnary(const Expr& expr, const Scope& scope) {
   const auto size = static_cast<std::ptrdiff_t>(types.scalars(element));
   const auto first = all.parts.begin() + 1;
   const auto fault =
-      maker.fault("`" + fiacre::printExpr(expr) + "` of an empty queue"); // where it is one
+      maker.fault("`" + fiacre::printExpr(expr) + "` of an empty queue"); // if it is one
   if (expr.op == Op::First) {
     Value made{&element, {first, first + size}};
     for (auto& part : made.parts) part = maker.require(maker.negation(none), part, fault);
@@ -65,7 +65,7 @@ Value Expressions::queueUnary(const Expr& expr, const Scope& scope) {
   return made;
 }
 
-/// `enqueue` adds at the end, `append` in front. A full queue is a fault.
+/// `enqueue` adds at the end, `append` at the front. Both fail on a full queue.
 Value Expressions::queueBinary(const Expr& expr, const Scope& scope, const Type* expected) {
   const Value all = queue(expr.operands.at(0), scope, expected);
   const Type& element = types.resolve(all.type->element.at(0));

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-/// Unions as values: which constructor, then a place for the value of each constructor that has
-/// one. Places of the others hold the lowest value, so that equal unions are equal part by part.
+/// Unions as values: the constructor, then a place for the value of each constructor that has one.
+/// Places of the others have the lowest value, so that equal unions have equal parts.
 namespace proskill::verify {
 
 using fiacre::Expr;
@@ -39,7 +39,7 @@ Value Expressions::construct(const Expr& expr, const Scope& scope, const Type* e
   return made;
 }
 
-/// \pre `tested` is of a union that has the constructor, with a value
+/// \pre `tested` is of a union type with this constructor, which has a value
 Value Expressions::payloadOf(const Value& tested, const std::string& constructor) {
   const auto number = types.constructor(*tested.type, constructor);
   if (!number) unsupported("`" + constructor + "` is not a constructor of the value");

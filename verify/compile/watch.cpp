@@ -13,7 +13,7 @@ using fiacre::TypeKind;
 
 namespace {
 
-/// `skill[takeoff].status`, cut into `skill`, `[takeoff`, `.status`.
+/// Splits `skill[takeoff].status` into `skill`, `[takeoff`, `.status`.
 std::vector<std::string> cut(const std::string& lvalue) {
   std::vector<std::string> parts(1);
   for (char c : lvalue) {
@@ -33,7 +33,7 @@ std::vector<std::string> valueWords(const Type& type, const fiacre::Watched& wat
   return words;
 }
 
-/// Follows the parts of an lvalue from the component's variables to one cell.
+/// Follows the parts of an lvalue from a component's variable to a cell.
 class Finder {
 public:
   Finder(const Elaboration& of, const Types& known, const System& in)
@@ -95,7 +95,7 @@ void watchStates(System& system) {
       system.watched.push_back({instance.name, instance.location, instance.locations});
 }
 
-/// A model that nobody says anything about: all of its variables.
+/// Watches all variables of a model without provenance.
 void watchAll(const Elaboration& model, System& system) {
   for (CellId i = 0; i < system.cells.size(); ++i)
     if (const Type* type = model.cellTypes[i])

@@ -113,7 +113,7 @@ void Explorer::expand(NodeIndex index) {
   passed.clear();
   if (reductions.freeInputs) return expandOpen(index);
   bool stopped = true;
-  const bool ends = fails(loaded.enabled); // the run ends here: a guard comes to a fault
+  const bool ends = fails(loaded.enabled); // a guard fails, which ends the run
   eachIn(loaded.enabled, [&](TransitionId transition) {
     stopped = false;
     if (ends && !system.transitions[transition].fails) return;
@@ -122,8 +122,9 @@ void Explorer::expand(NodeIndex index) {
   if (stopped) noticeDeadlock();
 }
 
-/// The state stands for all choices of values of its open variables: each transition is fired from
-/// those that differ for it. There is no deadlock, since the environment can always go on.
+/// The state represents all values of its open variables; each transition is fired once for each
+/// choice of values that matters to it. There is no deadlock, since the environment can always
+/// change its inputs.
 void Explorer::expandOpen(NodeIndex index) {
   const FreeInputs& open = *reductions.freeInputs;
   std::vector<Word> state = loaded.state;
@@ -153,7 +154,7 @@ void Explorer::step(NodeIndex parent, TransitionId transition) {
   follow(parent, transition, 0);
 }
 
-/// A step from the loaded state, with other values of open variables.
+/// Takes a step from the loaded state with other values of open variables.
 void Explorer::stepWith(NodeIndex parent, TransitionId transition, const std::vector<Word>& state,
                         std::uint32_t choice) {
   const FreeInputs& open = *reductions.freeInputs;
@@ -177,7 +178,7 @@ void Explorer::follow(NodeIndex parent, TransitionId transition, std::uint32_t c
   if (result.failure.empty()) add(work, parent, transition, choice);
 }
 
-/// Fires a transition and notices what it shows. False where it cannot be fired after all.
+/// Fires a transition and records what it shows. \return false if it cannot be fired after all
 bool Explorer::advance(Current& current, TransitionId transition) {
   limits.check();
   log.clear();
@@ -203,7 +204,7 @@ bool Explorer::advance(Current& current, TransitionId transition) {
   return true;
 }
 
-/// To the first choice of values of open variables with which the transition is fired.
+/// Sets open variables to the first choice of values with which the transition is fired.
 void Explorer::chooseInputs(Current& current, TransitionId transition) {
   const FreeInputs* open = reductions.freeInputs;
   if (!open || open->readBy(transition).empty()) return;
@@ -238,8 +239,7 @@ void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,
   graph.headOf[state] = index;
 }
 
-/// Whether stored zones of the state include the new one; those that the new one includes are
-/// struck off.
+/// Whether stored zones of the state include the new one. Removes those that the new one includes.
 bool Explorer::isCovered(StateId state, ZoneId zone) {
   const auto& zones = graph.timing.zones();
   if (graph.coverOf[state] != kNone) {
@@ -259,8 +259,8 @@ bool Explorer::isCovered(StateId state, ZoneId zone) {
   return false;
 }
 
-/// Strikes off the zones of the state that the new one includes. Where many are left, what they
-/// cover is kept in their place.
+/// Removes the zones of the state that the new one includes. If many remain, replaces them by their
+/// cover.
 void Explorer::strike(StateId state, ZoneId zone) {
   constexpr std::size_t kMany = 16;
   const auto& zones = graph.timing.zones();
@@ -311,7 +311,7 @@ void Explorer::noticeDeadlock() {
       found(i);
 }
 
-/// Where nobody asks for errors, one ends the exploration.
+/// An error ends the exploration unless somebody asks for errors.
 void Explorer::noticeError() {
   bool asked = false;
   for (std::size_t i = 0; i < goals.size(); ++i) {

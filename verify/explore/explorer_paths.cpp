@@ -10,13 +10,13 @@ Walk Explorer::walkFrom(StateId state) const {
   return walker.from(std::move(words));
 }
 
-/// To values of open variables with which time may pass, and back.
+/// Sets open variables to values with which time may pass, and back.
 void Explorer::walkCalm(Walk& walk) const {
   const auto before = walker.becomeCalm(walk);
   walker.moveInputs(walk, before);
 }
 
-/// The steps from a node's parent to it, or from the initial state.
+/// The steps from a node's parent to the node, or from the initial state.
 const Steps& Explorer::legTo(NodeIndex index) const {
   if (const auto known = legs.find(index); known != legs.end()) return known->second;
   const ZoneNode& node = graph.nodes[index];
@@ -27,11 +27,11 @@ const Steps& Explorer::legTo(NodeIndex index) const {
     walker.take(walk, node.transition);
   }
   walker.runAlone(walk);
-  return legs.emplace(index, std::move(walk.taken)).first->second; // whole, or a limit was met
+  return legs.emplace(index, std::move(walk.taken)).first->second;
 }
 
-/// The way to a node, as it was taken: with the setters that lead to each choice of values and
-/// back, and to one with which time may pass.
+/// The path to a node, including the setters that lead to each choice of values and back, and to
+/// one with which time may pass.
 Steps Explorer::pathTo(NodeIndex index) const {
   std::vector<NodeIndex> line;
   for (auto at = index; at != kNone; at = graph.nodes[at].parent) line.push_back(at);

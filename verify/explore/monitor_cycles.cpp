@@ -7,9 +7,9 @@
 
 namespace proskill::verify {
 
-/// Looks for a component whose nodes and arcs meet all needs, and for a cycle in it that does. The
-/// first need is an accepting location, the second that the monitor reads something; then comes,
-/// where only fair runs count, an end of each open wait, and last a tick.
+/// Finds a component whose nodes and arcs meet all needs, and a cycle in it that does. The first
+/// need is an accepting location; the second is that the monitor reads something. For fair runs,
+/// the end of each open wait follows, and finally a tick.
 class MonitorGraph::CycleSearch {
 public:
   CycleSearch(const MonitorGraph& of, const System& in, const FairNeeds& with)
@@ -48,7 +48,7 @@ private:
     return component[arc.target] == component[node];
   }
 
-  /// What an arc meets together with the node that it leaves.
+  /// Adds what an arc meets together with its source.
   void add(Needs& met, NodeIndex node, const WatchArc& arc) const {
     met.resize(needCount());
     for (std::size_t need = 0; need < met.size(); ++need)
@@ -65,13 +65,13 @@ private:
             system.transitions[arc.move.transition].consumed.contains(needs.waits[wait].instance));
   }
 
-  /// The arc with which the cycle is to close: so time passes between its ticks on each round.
+  /// Whether the arc may close the cycle: time passes in each round.
   [[nodiscard]] bool isLast(NodeIndex node, const WatchArc& arc) const {
     return needs.ticks ? arc.move.kind == MoveKind::Tick : meets(node, arc, kAccepting);
   }
 
-  /// A run to the node and once round. Where only fair runs count, the arc is a tick that leads
-  /// into the cycle and closes it.
+  /// A run to the node and once around the cycle. For fair runs, the arc is a tick that leads into
+  /// the cycle and closes it.
   [[nodiscard]] Evidence evidence(NodeIndex node, const WatchArc& last) const {
     const auto leadsBack = [&](NodeIndex, const WatchArc& arc) { return arc.target == node; };
     Needs met;
@@ -96,7 +96,7 @@ private:
     return graph.evidenceOf(way, stem);
   }
 
-  /// The shortest way within the component whose last arc is wanted. \return where it leads to
+  /// The shortest path within the component whose last arc is wanted. \return its end
   template <class Wanted>
   NodeIndex extend(Way& way, NodeIndex from, Needs& met, Wanted wanted) const {
     std::vector<std::pair<NodeIndex, std::size_t>> cameBy(graph.nodes.size(), {kNone, 0});

@@ -72,7 +72,7 @@ Evidence MonitorGraph::evidenceOf(const Way& way, std::optional<std::size_t> loo
   }
   made.steps = std::move(walk.taken);
   if (made.loop != made.steps.size()) return made;
-  made.loop.reset(); // the run ends; only the monitor goes on
+  made.loop.reset(); // the run ends, and only the monitor continues
   made.rest = marksBefore;
   return made;
 }

@@ -57,10 +57,10 @@ private:
   void explore() {
     start();
     constexpr NodeIndex kBetweenChecks = 8;
-    NodeIndex looked = 512; ///< nodes when cycles were last looked for
+    NodeIndex looked = 512; ///< number of nodes at the last search for cycles
     for (; next < graph.size() && !done(); ++next) {
-      // A cycle of a part is one of the whole. Each time the part has doubled: the looks together
-      // cost no more than one more at the end.
+      // A cycle in a part of the graph is a cycle of the whole. Searching whenever the graph has
+      // doubled costs no more than one extra search at the end.
       if (cycles && next == 2 * looked) {
         looked = next;
         lookForCycle();
@@ -107,9 +107,9 @@ private:
     }
   }
 
-  /// A node for the monitor in `location` as the model has come to a state; `zone` is of that
-  /// moment.
-  /// \param rests no further step comes
+  /// Adds a node for the monitor in `location` after the model has reached a state; `zone` is of
+  /// that moment.
+  /// \param rests no further step follows
   void arrive(const Arrival& there, std::uint32_t location, const Dbm& zone, NodeIndex parent,
               WatchMove move, bool rests = false) {
     if (done()) return;
@@ -138,7 +138,7 @@ private:
     if (at.error) result.evidence = graph.evidenceTo(index);
   }
 
-  /// A node that does for a new one; where cycles are looked for, only the very same.
+  /// A node that covers the new one. When searching for cycles, only an equal node does.
   [[nodiscard]] NodeIndex find(const WatchNode& node) const {
     for (NodeIndex i = node.next; i != kNone; i = graph.at(i).next) {
       const WatchNode& known = graph.at(i);
@@ -183,7 +183,7 @@ private:
     if (stopped && !monitor.fair) repeatState(index, node);
   }
 
-  /// Nothing more happens, and time goes on for ever, beyond all bounds.
+  /// No more steps: time passes for ever, beyond all bounds.
   void repeatState(NodeIndex index, const WatchNode& node) {
     const auto& edges = monitor.locations[node.location].edges;
     for (std::uint32_t i = 0; i < edges.size(); ++i)
@@ -192,7 +192,7 @@ private:
         moveAlone(index, node, signatureOf[node.state], i, MoveKind::Stutter);
   }
 
-  /// A tick; and where nothing forces a step, the run may rest here.
+  /// Adds a tick; if no step is forced, the run may also end here.
   void goOnInTime(NodeIndex index, const WatchNode& node) {
     const SignatureId signature = signatureOf[node.state];
     const Arrival here{loaded, {signature}, {}};
@@ -206,8 +206,8 @@ private:
       arrive(here, node.location, zones.zone(node.zone), index, {MoveKind::Rest}, true);
   }
 
-  /// The state stands for all choices of values of its open variables. The environment can always
-  /// go on.
+  /// The state represents all values of its open variables. The environment can always change its
+  /// inputs.
   void expandOpen(NodeIndex index, const WatchNode& node) {
     const FreeInputs& open = *reductions.freeInputs;
     std::vector<Word> state = loaded;
@@ -222,7 +222,7 @@ private:
     });
   }
 
-  /// A guard comes to a fault: runs end here, and are no business of the monitor's.
+  /// Whether a guard fails: runs end here, and the monitor ignores them.
   [[nodiscard]] bool fails() const {
     bool any = false;
     if (hasErrors)
@@ -246,7 +246,7 @@ private:
            {kind, kNone, edge}, node.rests);
   }
 
-  /// A step of the model from the loaded state, with some values of its open variables.
+  /// Takes a step of the model from the loaded state, with some values of its open variables.
   void take(NodeIndex index, const WatchNode& node, WatchMove move,
             const std::vector<Word>& state) {
     limits.check();
@@ -278,7 +278,8 @@ private:
     }
   }
 
-  /// The monitor takes part in the step, or does not see it. \param from clocks that go on
+  /// The monitor takes part in the step, or does not observe it. \param from clocks that keep
+  /// running
   void arriveBy(const Arrival& there, const WatchNode& node, std::uint32_t to, Dbm zone,
                 std::vector<std::uint32_t> from, NodeIndex index, WatchMove move) {
     const auto& edges = monitor.locations[node.location].edges;
@@ -288,8 +289,8 @@ private:
     arrive(there, to, arrivals.through(there, zone.over(from), own.count(to)), index, move);
   }
 
-  /// What is enabled in the loaded state with other values of open variables, as far as it matters
-  /// to the transition.
+  /// The transitions enabled in the loaded state with other values of open variables, as far as
+  /// they affect the transition.
   [[nodiscard]] TransitionSet enabledIn(const std::vector<Word>& state, TransitionId transition) {
     TransitionSet there = enabled;
     if (!reductions.freeInputs || state == loaded) return there;
@@ -298,7 +299,7 @@ private:
     return there;
   }
 
-  /// Where nobody asks for errors, one ends the search.
+  /// An error ends the search unless somebody asks for errors.
   void noticeError() {
     if (errorsAsked) return;
     result.failure = log.failure;
@@ -326,7 +327,7 @@ private:
   std::vector<SignatureId> signatureOf; ///< by state
   std::vector<NodeIndex> headOf;        ///< by state
   Watched result;
-  NodeIndex next = 0; ///< to be expanded
+  NodeIndex next = 0; ///< to expand
 
   StateId loadedState = kNone;
   std::vector<Word> loaded;
@@ -341,11 +342,11 @@ Watched watchFor(const System& system, const Monitor& monitor, const Reductions&
   const auto search = [&](bool ticks) {
     return MonitorSearch(system, monitor, reductions, obliged, ticks, errorsAreAsked, limits).run();
   };
-  // Without ticks there are fewer zones, and mostly no cycle: then there is none with ticks.
+  // without ticks there are fewer zones; if there is no cycle, there is none with ticks
   Watched found = search(false);
   if (!monitor.fair || !found.evidence) return found;
   Exploration before = found.statistics;
-  before.complete = true; // as far as it matters
+  before.complete = true; // complete for this question
   before.stopped.clear();
   found = search(true);
   add(found.statistics, before);

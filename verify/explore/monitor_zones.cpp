@@ -8,7 +8,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// Locations on a cycle with an accepting one; one that has no edge at all may be on none.
+/// Locations on a cycle with an accepting location. A location without edges may be on none.
 Bits circlingLocations(const Monitor& monitor) {
   const auto& all = monitor.locations;
   const auto component = graph::componentsOf(all.size(), [&](std::size_t at, std::size_t i) {

@@ -8,7 +8,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// Of an instance: `skill_takeoff_1` is of `skill_takeoff`.
+/// The process of an instance: `skill_takeoff` of `skill_takeoff_1`.
 std::string processOf(const Instance& instance) {
   return instance.name.substr(0, instance.name.rfind('_'));
 }
@@ -18,7 +18,7 @@ bool isOpen(const System& system, const Transition& transition) {
       transition.tentative || transition.fails)
     return false;
   const Path& path = system.paths[transition.parts[0]];
-  if (path.loops) return false; // it leads nowhere
+  if (path.loops) return false; // it changes nothing
   const Node& guard = system.nodes[path.guard];
   return guard.op == NodeOp::Number && guard.number != 0;
 }

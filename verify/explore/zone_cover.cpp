@@ -12,7 +12,7 @@ std::optional<Dbm> convexUnion(const Dbm& a, const Dbm& b) {
   for (std::uint32_t i = 0; i < size; ++i)
     for (std::uint32_t j = 0; j < size; ++j) {
       if (a.at(i, j) == hull.at(i, j)) continue;
-      Dbm outside = hull; // not xi - xj <= c is xj - xi < -c
+      Dbm outside = hull; // the complement of xi - xj <= c is xj - xi < -c
       if (!outside.constrain(j, i, 1 - a.at(i, j))) continue;
       if (!includes(b.matrix(), outside.matrix())) return std::nullopt;
     }
@@ -24,7 +24,7 @@ bool ZoneCover::includesZone(std::span<const Bound> zone) const {
 }
 
 void ZoneCover::add(Dbm zone) {
-  constexpr std::size_t kTried = 8; // of the parts, the newest
+  constexpr std::size_t kTried = 8; // number of the newest parts
   for (bool joined = true; joined;) {
     joined = false;
     for (std::size_t i = parts.size(); i-- > 0 && i + kTried >= parts.size() && !joined;) {

@@ -54,11 +54,11 @@ private:
   std::vector<std::uint32_t> pool;
 };
 
-/// The graph of state classes. All classes of a marking that wait are expanded together, so that
-/// what does not depend on time is done once for them.
+/// Builds the graph of state classes. All pending classes of a marking are expanded together, to
+/// compute what does not depend on time only once.
 class ClassGraph {
 public:
-  /// \param to where edges are written down; null: they are only counted
+  /// \param to records edges; null: they are only counted
   ClassGraph(const System& of, LimitWatch& watch, GraphRecorder* to = nullptr)
       : system(of),
         limits(watch),
@@ -89,13 +89,13 @@ public:
     return result;
   }
 
-  /// \pre it has run to its end, with a recorder
+  /// \pre it has finished, with a recorder
   [[nodiscard]] StateGraph recorded() const { return recorder->graph(initial, markings); }
 
 private:
   struct Marking {
     std::uint32_t signature = 0;
-    std::uint32_t done = 0; ///< classes that were expanded
+    std::uint32_t done = 0; ///< number of expanded classes
     bool waits = false;
   };
 
@@ -113,7 +113,7 @@ private:
     countDomains();
   }
 
-  /// A domain is one of all transitions that are possible, each with where it leads.
+  /// Counts domains: the sets of possible transitions and their targets.
   void countDomains() {
     std::uint64_t hash = 0;
     for (auto number : possible) hash = mix(hash, number);
@@ -130,7 +130,7 @@ private:
     }
   }
 
-  /// Fires a transition from every class that waits.
+  /// Fires a transition from every pending class.
   void follow(std::uint32_t source, TransitionId transition) {
     const std::uint32_t signature = info[source].signature;
     next = state;
@@ -173,7 +173,7 @@ private:
   }
 
   void enter(std::uint32_t marking, ZoneId domain) {
-    if (classes.at(marking).empty()) ++result.markings; // others are possible but for time
+    if (classes.at(marking).empty()) ++result.markings; // others are possible except for time
     if (!classes.insert(marking, domain)) return;
     ++result.classes;
     if (info[marking].waits) return;
@@ -202,14 +202,14 @@ private:
   std::deque<std::uint32_t> waiting;
   std::vector<std::vector<std::uint32_t>> possibleSets;
   NumberTable possibleTable;
-  std::vector<std::uint64_t> domainKeys; ///< of the domains with the transitions that they are of
+  std::vector<std::uint64_t> domainKeys; ///< domains, with the transitions for which they hold
   NumberTable domainTable;
   Exploration result;
   Unsupported failure;
   GraphRecorder::Class initial;
 
   std::vector<ZoneId> pending;
-  std::vector<std::uint32_t> possible; ///< transitions with the locations that they lead to
+  std::vector<std::uint32_t> possible; ///< transitions and their target locations
   std::vector<Word> state;
   std::vector<Word> next;
   TransitionSet enabled;
@@ -217,7 +217,7 @@ private:
   StepLog log;
 };
 
-/// As if every step could wait, and none had to come.
+/// The system in which every step may wait and none has to happen.
 System untimed(System system) {
   for (auto& transition : system.transitions) {
     transition.interval = {};
@@ -232,8 +232,9 @@ System untimed(System system) {
   return system;
 }
 
-/// Classes tell how long each step may still have to wait, and not since when it waits: whether one
-/// that goes first has waited long enough is not to be seen. \return why there are none
+/// State classes contain how long each step may still wait, not since when it has been waiting. So
+/// they cannot tell whether a step with priority has waited long enough. \return why there are no
+/// classes
 std::optional<Unsupported> withoutClasses(const System& system) {
   const auto late = std::ranges::find_if(system.transitions, &Transition::blocksLater);
   if (late == system.transitions.end()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 
 using Edge = StateGraph::Edge;
 
-/// Edges by their source; within a source, as they came.
+/// Edges by source, in the order in which they were found.
 class Successors {
 public:
   Successors(const std::vector<Edge>& all, std::size_t nodes) : first(nodes + 1) {
@@ -64,7 +64,8 @@ void GraphRecorder::edge(Class from, std::uint32_t label, Class to) {
 }
 
 std::uint64_t GraphRecorder::bytes() const {
-  constexpr std::uint64_t kOfNode = 48; // an entry of the table, its bucket and its marking
+  constexpr std::uint64_t kOfNode = 48; // memory of an entry of the table, its bucket and its
+                                        // marking
   return edges.capacity() * sizeof(Edge) + numberOfNode.size() * kOfNode;
 }
 
@@ -96,7 +97,7 @@ StateGraph GraphRecorder::graph(Class initial, const StateStore& markings) const
   return graph;
 }
 
-/// Names what the markings have: places in the order of the instances, then variables.
+/// Names the properties of markings: places in the order of the instances, then variables.
 void GraphRecorder::addProperties(StateGraph& graph, const std::vector<std::uint32_t>& stored,
                                   const StateStore& markings) const {
   std::vector<std::uint32_t> firstPlace;

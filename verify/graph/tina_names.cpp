@@ -6,13 +6,13 @@ namespace proskill::verify {
 
 namespace {
 
-/// `skill_takeoff_1` as `skill__takeoff_1`: the number behind the last `_` is a part of its own.
+/// `skill_takeoff_1` as `skill__takeoff_1`: the number after the last `_` is kept separate.
 std::string numbered(std::string_view name) {
   const auto last = name.rfind('_');
   return doubled(name.substr(0, last)) + std::string(name.substr(last));
 }
 
-/// `skill[0].status` as the C code that frac writes has it: `skill.at[0].status`.
+/// `skill[0].status` in the notation of frac's C code: `skill.at[0].status`.
 std::string accessed(std::string_view path) {
   std::string made;
   for (const char c : path) {
@@ -51,7 +51,7 @@ std::string tinaVariable(const System& system, CellId cell, std::string_view mai
   const bool length = name.starts_with(kLength);
   if (length) name.remove_prefix(kLength.size());
   std::string owner = doubled(main) + "_1";
-  // Variables of the main component stand before all others.
+  // variables of the main component come first
   if (!system.instances.empty() && cell > system.instances.front().location) {
     const auto dot = name.find('.');
     if (dot != std::string_view::npos) {

@@ -6,7 +6,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// Who writes which cells.
+/// Finds out which instances write which cells.
 class Writers {
 public:
   explicit Writers(const System& system) : only(system.cells.size(), kNone) {
@@ -18,8 +18,8 @@ public:
       });
   }
 
-  /// Whether one of the cells may change while the instance stays where it is: what others write,
-  /// and what it writes itself on a path that ends in `loop`.
+  /// Whether one of the cells may change while the instance stays in its location: by others, or on
+  /// a path of its own that ends in `loop`.
   [[nodiscard]] bool changeAround(InstanceId instance, const Bits& cells) const {
     bool change = cells.meets(many);
     cells.each(
@@ -29,7 +29,7 @@ public:
 
 private:
   std::vector<InstanceId> only; ///< by cell: an instance that writes it
-  Bits many; ///< cells that several instances write, or one that stays where it is
+  Bits many; ///< cells written by several instances, or by one that stays in its location
 };
 
 } // namespace
@@ -40,7 +40,7 @@ void assignClocks(System& system) {
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     Transition& transition = system.transitions[i];
     if (!isClocked(transition.interval)) continue;
-    if (transition.unseen != kNone) { // behind the one that it is the same as
+    if (transition.unseen != kNone) { // after the transition that it equals
       transition.clock = system.transitions[transition.unseen].clock;
       continue;
     }

@@ -15,7 +15,7 @@ std::int64_t clampWide(Wide value) {
   return static_cast<std::int64_t>(std::clamp<Wide>(value, -kHuge, kHuge));
 }
 
-/// Nothing where it is too large: that is an error when it happens.
+/// \return nullopt on overflow, which is an error at run time
 std::optional<std::int64_t> within(Wide value) {
   if (value < -kHuge || value > kHuge) return std::nullopt;
   return static_cast<std::int64_t>(value);
@@ -141,7 +141,7 @@ FaultId Nodes::fault(const std::string& words) {
 }
 
 NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
-  const Node node = system.nodes[id]; // a copy: nodes are added
+  const Node node = system.nodes[id]; // a copy, since nodes are added
   switch (node.op) {
   case NodeOp::Number:
   case NodeOp::Test:
@@ -249,7 +249,7 @@ ValueBounds valueBounds(const System& system, NodeId id) {
 
 namespace {
 
-/// Calls `visit` with each node of an expression, itself included.
+/// Calls `visit` with each node of an expression, including itself.
 template <class Visit> void eachNode(const System& system, NodeId id, Visit& visit) {
   const Node& node = system.nodes[id];
   visit(node);

@@ -20,12 +20,12 @@ enum class Op : std::uint8_t { Literal, And, Or, Next, Until, Release };
 /// A formula in negation normal form.
 struct Formula {
   Op op = Op::Literal;
-  std::uint32_t a = 0; ///< the condition of a literal
+  std::uint32_t a = 0; ///< of a literal: its condition
   std::uint32_t b = 0;
   friend auto operator<=>(const Formula&, const Formula&) = default;
 };
 
-/// Formulas, equal ones once.
+/// Formulas without duplicates.
 class Formulas {
 public:
   Formulas(Nodes& in, const std::function<NodeId(const fiacre::Observable&)>& of)
@@ -35,7 +35,7 @@ public:
   FormulaId truth() { return literal(nodes.number(1)); }
   FormulaId untruth() { return literal(nodes.number(0)); }
 
-  /// The formula, or its negation.
+  /// The normal form of a formula or of its negation.
   FormulaId normal(const Ltl& ltl, bool negative) {
     const auto of = [&](std::size_t i, bool turned) { return normal(ltl.operands.at(i), turned); };
     switch (ltl.kind) {
@@ -71,7 +71,7 @@ public:
   [[nodiscard]] bool isFalse(FormulaId id) const {
     return all[id].op == Op::Literal && nodes.constant(all[id].a) == 0;
   }
-  /// The condition of all literals in a set.
+  /// The conjunction of all literals in a set.
   NodeId label(const std::set<FormulaId>& set) {
     NodeId every = nodes.number(1);
     for (auto id : set)
@@ -92,7 +92,7 @@ private:
   std::map<Formula, FormulaId> known;
 };
 
-/// What is promised for this position and for the next.
+/// The obligations for the current and for the next position.
 struct Draft {
   std::set<FormulaId> todo;
   std::set<FormulaId> old;
@@ -129,7 +129,7 @@ private:
   static constexpr std::size_t kMostStates = 20'000;
   static constexpr std::size_t kMostDrafts = 300'000;
 
-  /// The states in which a position may be where all of `wanted` is promised.
+  /// The states in which all of `wanted` is promised.
   std::vector<std::uint32_t> covers(const std::set<FormulaId>& wanted) {
     auto [entry, added] = coversOf.try_emplace(wanted);
     if (!added) return entry->second;
@@ -160,7 +160,7 @@ private:
         draft.todo.insert(formula.b);
         break;
       }
-      case Op::Until: { // b, or a and the same again
+      case Op::Until: { // b, or a and next the same
         Draft other = draft;
         other.todo.insert(formula.a);
         other.next.insert(id);
@@ -168,7 +168,7 @@ private:
         draft.todo.insert(formula.b);
         break;
       }
-      case Op::Release: { // b, and a or the same again
+      case Op::Release: { // b, and a or next the same
         Draft other = draft;
         other.todo.insert(formula.b);
         other.next.insert(id);
@@ -194,7 +194,7 @@ private:
 
 } // namespace
 
-/// Each `until` that is promised has to be kept again and again; a counter says whose turn it is.
+/// Each promised `until` must be fulfilled infinitely often; a counter selects the one that is due.
 Monitor negated(const Ltl& ltl, Nodes& nodes,
                 const std::function<NodeId(const fiacre::Observable&)>& atom) {
   Formulas formulas(nodes, atom);

@@ -73,9 +73,9 @@ MonitorBuilder::Wait MonitorBuilder::wait(NodeId good, const Interval& when, Loc
   }
   if (hasZero(when)) return wait;
   wait.early = addLocation(outside, true, beforeInterval(when));
-  made.locations[wait.early].accepting = !when.upper; // time need not get there
+  made.locations[wait.early].accepting = !when.upper; // time may never get there
   silent(wait.early, wait.now, no(good), sinceInterval(when));
-  if (pattern.first) // too early is as bad as too late
+  if (pattern.first) // too early is a violation as well
     go(wait.early, lost, good, beforeInterval(when));
   return wait;
 }
@@ -93,7 +93,7 @@ MonitorBuilder::Wait MonitorBuilder::waitWithin(NodeId good, const Interval& whe
   for (auto at : {waits.now, waits.first()})
     if (!pattern.until || pattern.between) made.locations[at].accepting = false; // it has to come
   go(waits.now, lost, end);
-  // Later, what is good has come: the monitor can stay here for as long as nothing happens.
+  // The good event has come in time: the monitor may stay here until something happens.
   if (waits.early != kNone) go(waits.early, lost, end, beforeInterval(when));
   return waits;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Interval kAlways{};
 
-/// Writes the monitor of a pattern: a function for each scope.
+/// Builds the monitor of a pattern; there is a function for each scope.
 class PatternMonitor : MonitorBuilder {
 public:
   PatternMonitor(const Pattern& of, Nodes& in,
@@ -93,7 +93,7 @@ private:
     std::unreachable();
   }
 
-  /// From a point on where `when` holds, nothing good comes in time.
+  /// After a point at which `when` is true, nothing good comes in time.
   void response(LocationId idle, NodeId when, const Interval& in) {
     const LocationId lost = addError();
     begin(idle, wait(b, in, lost, yes()), when, b, lost);
@@ -106,12 +106,12 @@ private:
     return true;
   }
 
-  /// Whether other times come with `lasting`.
+  /// Whether there are other times besides `lasting`.
   [[nodiscard]] bool isLonger() const {
     return pattern.within || pattern.forInterval || pattern.forDuration;
   }
 
-  /// Waits for what has to last, and for it to end too early.
+  /// Locations that wait for a condition to last, and for it to end too early.
   struct Lasting {
     LocationId none;
     LocationId there;
@@ -134,7 +134,7 @@ private:
     return true;
   }
 
-  /// Behind the first point at which what `after` names is seen.
+  /// After the first point at which `after` is true.
   bool after() {
     const NodeId begun = atom(*pattern.after);
     const LocationId none = addLocation(no(begun));
@@ -185,7 +185,7 @@ private:
     std::unreachable();
   }
 
-  /// Before the first point at which what `before` names is seen; where it never is, all is well.
+  /// Before the first point at which `before` is true; if there is none, the property holds.
   bool before() {
     if (pattern.after) return false;
     const NodeId end = atom(*pattern.before);
@@ -247,7 +247,7 @@ private:
     std::unreachable();
   }
 
-  /// From each point where `after` is seen to the next where `until` is.
+  /// From each point at which `after` is true to the next at which `until` is.
   bool segments() {
     const auto when = interval();
     if (!when || pattern.before) return false;
@@ -257,7 +257,7 @@ private:
     const LocationId idle = addLocation(yes());
     const LocationId lost = addError();
     start(idle);
-    // A violation counts at once, or where the end has to come when it does.
+    // a violation counts at once or, if the end is required, when it comes
     LocationId bad = lost;
     if (pattern.between) {
       bad = addLocation(open);

@@ -44,7 +44,7 @@ std::int64_t product(std::int64_t a, std::int64_t b, FaultId& fault) {
   return fitting(overflows, value, fault);
 }
 
-/// One reading of the nodes for both kinds of state: `leaf` reads a cell or tests it.
+/// Evaluation for both kinds of states: `leaf` reads or tests a cell.
 template <class Leaf, class Steps>
 std::int64_t walk(const System& system, NodeId id, const Leaf& leaf, const Steps& steps,
                   FaultId& fault) {
@@ -70,7 +70,7 @@ std::int64_t walk(const System& system, NodeId id, const Leaf& leaf, const Steps
   case NodeOp::Happens: return steps.event(node.a);
   case NodeOp::Entered:
   case NodeOp::Left: return steps.change(node, fault);
-  case NodeOp::Received: return 0; // replaced before anything runs
+  case NodeOp::Received: return 0; // replaced before the exploration
   case NodeOp::Require:
     if (at(node.a) != 0) return at(node.b);
     fail(fault, node.c);
@@ -94,13 +94,13 @@ struct PackedLeaf {
   }
 };
 
-/// Outside of goals nothing happens.
+/// Outside of goals there are no steps.
 struct NoSteps {
   static std::int64_t event(EventId) { return 0; }
   static std::int64_t change(const Node&, FaultId&) { return 0; }
 };
 
-/// Events and changes as a moment has them.
+/// The events and changes of a step.
 struct MomentSteps {
   const System& system;
   const Moment& moment;

@@ -73,7 +73,7 @@ ZoneId FiringDomains::calculate(ZoneId id, std::uint32_t beforeId, TransitionId 
   return enter(domain, kept, after);
 }
 
-/// Keeps some delays; the others, where `kept` is 0, begin now.
+/// Keeps some delays; the others, for which `kept` is 0, start now.
 ZoneId FiringDomains::enter(const Dbm& from, const std::vector<std::uint32_t>& kept,
                             const Signature& signature) {
   Dbm made = from.over(kept);

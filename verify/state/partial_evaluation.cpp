@@ -11,7 +11,7 @@ namespace {
 
 using KnownValue = std::optional<std::int64_t>;
 
-/// One evaluation: the values of nodes that do not depend on unknown bits.
+/// Evaluates nodes that do not depend on unknown bits.
 class Reading {
 public:
   Reading(const System& of, const PartialState& where, BitField& open)
@@ -39,7 +39,7 @@ public:
     case NodeOp::Happens:
     case NodeOp::Entered:
     case NodeOp::Left:
-    case NodeOp::Received: return 0; // not in guards
+    case NodeOp::Received: return 0; // does not occur in guards
     case NodeOp::Require: return whole(id, {node.a, node.b});
     case NodeOp::Fails: return whole(id, {node.a});
     }
@@ -54,8 +54,8 @@ public:
     return std::nullopt;
   }
 
-  /// The value of a node all of whose parts have one; evaluated together, since a part may come to
-  /// a fault.
+  /// The value of a node whose parts are all known. They are evaluated together, since a part may
+  /// fail.
   KnownValue whole(NodeId id, std::initializer_list<NodeId> parts) {
     for (auto part : parts)
       if (!isKnown(part)) return std::nullopt;
@@ -64,12 +64,12 @@ public:
     return fault == kNoFault ? result : 0;
   }
 
-  /// The truth of a guard that may come to a fault, which counts as false.
+  /// The value of a guard; false if it fails.
   KnownValue asGuard(NodeId id) {
     return isKnown(id) ? KnownValue(holds(system, id, at.state)) : std::nullopt;
   }
 
-  /// Whether no cell that the node reads is unknown.
+  /// Whether the node reads no unknown cell.
   bool isKnown(NodeId id) {
     const Node& node = system.nodes[id];
     switch (node.op) {
@@ -115,7 +115,7 @@ private:
     return readCell(system, id, at.state);
   }
 
-  /// `deciding` is the truth of one part that settles the whole.
+  /// `deciding` is the value of one part that determines the result.
   KnownValue connective(const Node& node, bool deciding) {
     const KnownValue a = value(node.a);
     if (a && (*a != 0) == deciding) return deciding;
@@ -134,7 +134,7 @@ private:
   BitField& undecided;
 };
 
-/// Whether a fault within the node may decide its value.
+/// Whether a failure within the node may determine its value.
 bool isOpaque(const System& system, NodeId id) {
   const Node& node = system.nodes[id];
   const auto any = [&](auto... parts) { return (isOpaque(system, parts) || ...); };
@@ -160,7 +160,7 @@ bool isOpaque(const System& system, NodeId id) {
   case NodeOp::Divide:
   case NodeOp::Modulo: return mayFail(system, id);
   case NodeOp::Require: return true;
-  case NodeOp::Fails: return false; // Reading takes it as a whole, and it never fails itself
+  case NodeOp::Fails: return false; // evaluated as a whole, and never fails itself
   }
   return true;
 }

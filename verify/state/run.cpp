@@ -23,7 +23,7 @@ Outcome failed(const System& system, FaultId fault, StepLog& log) {
   return Outcome::Failed;
 }
 
-/// Hears of a step; a search has none.
+/// Ignores a step; a search needs no listener.
 struct NoListener {
   static void beginApart() {}
   static void evaluates(NodeId, const Word*, CellId = kNone) {}
@@ -38,7 +38,7 @@ struct TellListener {
   void writes(CellId cell) const { told.writes(cell); }
 };
 
-/// Several assignments at once: all values first.
+/// Simultaneous assignments: evaluates all values first.
 template <class Listener>
 Outcome assignAll(const System& system, std::span<const Assignment> assignments, Word* state,
                   StepLog& log, const Listener& listener) {
@@ -126,7 +126,7 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
   }
 }
 
-/// Each part reads the state before the step; their writes are disjoint and are joined.
+/// Each part reads the state before the step; their writes are disjoint, and are combined.
 template <class Listener>
 Outcome fireApart(const System& system, const Transition& transition, Word* state, StepLog& log,
                   const Listener& listener) {
@@ -154,7 +154,7 @@ Outcome firePaths(const System& system, const Transition& transition, Word* stat
   return Outcome::Done;
 }
 
-/// Whether the step is one that its observers wait for.
+/// Whether the observers wait for this step.
 bool isSeen(const System& system, const Transition& transition, const Word* before,
             const Word* after, std::span<const EventId> happened) {
   Bits events;

@@ -11,7 +11,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// Hands out bit fields; none crosses the border of a word.
+/// Allocates bit fields, none of which crosses a word boundary.
 class Packer {
 public:
   void place(Cell& cell) {
@@ -34,7 +34,7 @@ private:
   std::uint32_t used = 0;
 };
 
-/// Comparisons of a cell with a constant become one test of bits.
+/// Turns comparisons of a cell with a constant into a bit test.
 void makeTest(const System& system, Node& node) {
   if (node.op != NodeOp::Equal) return;
   const Node* cell = &system.nodes[node.a];
@@ -50,7 +50,7 @@ void makeTest(const System& system, Node& node) {
   node = {.op = NodeOp::Test, .a = place.word, .b = cell->a, .mask = place.mask, .value = value};
 }
 
-/// Equalities of one word become one test.
+/// Combines equalities on one word into one test.
 void addTest(std::vector<BitTest>& tests, const Node& node, bool equal) {
   auto same = std::ranges::find_if(
       tests, [&](const BitTest& test) { return test.equal && equal && test.word == node.a; });
@@ -76,7 +76,7 @@ void lowerGuard(const System& system, Transition& transition) {
   }
 }
 
-/// Assignments of constants become stores.
+/// Turns assignments of constants into stores.
 void lowerCode(const System& system, Path& path) {
   for (auto& instruction : path.code) {
     if (instruction.kind != InstructionKind::Assign) continue;

@@ -22,7 +22,7 @@ StateStore::Added StateStore::add(const Word* state) {
   hash = mix(hash, hash >> 32);
   auto id = table.findOrAdd(hash, count, [&](StateId other) {
     const Word* known = at(other);
-    Word difference = 0; // a few words: faster than a call
+    Word difference = 0; // a few words, so faster than a call
     for (std::uint32_t i = 0; i < words; ++i) difference |= state[i] ^ known[i];
     return difference == 0;
   });

@@ -34,7 +34,7 @@ std::uint32_t indexOf(const Signature& signature, ClockId clock) {
   return static_cast<std::uint32_t>(at - signature.clocks.begin()) + 1;
 }
 
-/// Fills in what the enabled transitions say of their clocks.
+/// Describes the clocks of the enabled transitions.
 void describeClocks(const System& system, Extrapolation extrapolation, Signature& signature) {
   for (auto id : signature.enabled) signature.clocks.push_back(system.transitions[id].clock);
   std::ranges::sort(signature.clocks);

@@ -12,7 +12,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// What a step looks at of the state before it, and what it writes.
+/// What a step reads of the state before it, and what it writes.
 class StepReads : public StepListener {
 public:
   explicit StepReads(const Footprints& with) : footprints(with) {}
@@ -34,10 +34,10 @@ public:
 
 private:
   const Footprints& footprints;
-  Bits own; ///< written by the part at hand: its value is the step's own
+  Bits own; ///< written by the current part: its value is the step's own
 };
 
-/// From 1: how many were taken with the step. Ascending, each once, when all are found.
+/// Numbers of steps, from 1. Ascending and without duplicates once all are found.
 using StepNumbers = std::vector<std::size_t>;
 
 void tidy(StepNumbers& numbers) {
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  /// False where a step is not what it was.
+  /// \return false if a step differs from the recorded one
   bool go(std::size_t first, std::size_t last, bool firstTime) {
     for (std::size_t i = first; i < last; ++i) {
       limits.check();
@@ -120,7 +120,7 @@ private:
     return true;
   }
 
-  /// What let the step be taken: its guard, and others' that have priority.
+  /// Adds what enabled the step: its guard, and those of transitions with priority.
   void needBefore(std::size_t i, const Transition& transition) {
     if (i == 0 && evidence.monitor) watchState(0);
     depend(causes[i], footprints.of(transition.guard, state.data()));
@@ -139,7 +139,7 @@ private:
     made.timers[i] = Timer{since, transition.interval};
   }
 
-  // --- What is needed
+  // --- Dependencies
 
   void depend(StepNumbers& on, CellId cell) const {
     if (writers[cell] != 0) on.push_back(writers[cell]);
@@ -148,7 +148,7 @@ private:
     for (auto cell : needs.before) depend(on, cell);
   }
 
-  /// That it cannot be taken in this state, or not yet.
+  /// Adds why the transition is not enabled in this state, or not yet.
   void dependOnDisabled(StepNumbers& on, TransitionId id) {
     const Transition& transition = system.transitions[id];
     if (!holds(system, transition.guard, state.data()))
@@ -158,7 +158,7 @@ private:
     if (const auto since = starts.of(transition.clock); since > 0) on.push_back(since);
   }
 
-  // --- What the goal looks at
+  // --- Reads of the goal
 
   void atEnd() {
     const std::size_t last = evidence.steps.size();
@@ -179,13 +179,13 @@ private:
 
   void showCondition() {
     const Moment still{state.data(), nullptr, nullptr};
-    if (!holdsAt(system, goal.condition, still)) return; // a step showed it
+    if (!holdsAt(system, goal.condition, still)) return; // shown by a step
     const auto needs = footprints.of(goal.condition, still);
     depend(seeds, needs);
     made.support = told(needs.before, state);
   }
 
-  /// What a condition that watches steps reads of the last one: as `watchStep` does.
+  /// Adds what a condition on steps reads of the last step, as `watchStep` does.
   void showLastStep(std::size_t i) {
     if (goal.kind != GoalKind::Condition || i + 1 != evidence.steps.size()) return;
     if (holdsAt(system, goal.condition, {state.data(), nullptr, nullptr})) return;
@@ -201,7 +201,8 @@ private:
     depend(seeds, footprints.of(goal.condition, state.data()));
   }
 
-  /// What the monitor reads of a state, after so many steps: that it may stay, and may move on.
+  /// Adds what the monitor reads of the state after this many steps: whether it may stay, and may
+  /// move.
   void watchState(std::size_t taken) {
     const auto& marks = evidence.marks;
     const auto& locations = evidence.monitor->locations;
@@ -209,7 +210,7 @@ private:
     auto mark = firstBehind(taken);
     for (; mark != marks.end() && mark->after == taken; ++mark) {
       needsState(locations[mark->location].stay);
-      if (!mark->ticks) needsState(conditionOf(*mark)); // that time passes reads nothing
+      if (!mark->ticks) needsState(conditionOf(*mark)); // a tick reads nothing
     }
     for (const auto* late : lateMarks)
       if (late->after < taken && taken <= late->until && !late->ticks)
@@ -220,7 +221,7 @@ private:
       needsState(locations[locationAfter(marks.back())].stay);
   }
 
-  /// The first move that comes behind so many steps.
+  /// The first move after this many steps.
   [[nodiscard]] std::vector<MonitorMove>::const_iterator firstBehind(std::size_t taken) const {
     return std::ranges::partition_point(evidence.marks, [&](const MonitorMove& mark) {
       return mark.after < taken || (mark.atStep && mark.after == taken);
@@ -233,7 +234,7 @@ private:
     if (std::prev(mark)->after == i + 1) readStep(i, conditionOf(*std::prev(mark)));
   }
 
-  /// What a condition reads of a step, before it is known as the writer of what it changed.
+  /// Adds what a condition reads of a step, before the step counts as the writer of its changes.
   void readStep(std::size_t i, NodeId condition) {
     const auto needs = footprints.of(condition, {before.data(), state.data(), &happened});
     depend(seeds, needs);
@@ -254,7 +255,7 @@ private:
   }
   [[nodiscard]] NodeId conditionOf(const MonitorMove& mark) const { return edgeOf(mark).condition; }
 
-  // --- Words
+  // --- Descriptions
 
   void explain(std::size_t i, bool afterwards) {
     const auto& at = afterwards ? state : before;
@@ -295,7 +296,7 @@ private:
     return all;
   }
 
-  /// Those that matter, and all that they depend on.
+  /// Adds relevant steps, and all that they depend on.
   void close(bool whole) {
     const std::size_t count = evidence.steps.size();
     made.relevant.assign(count, whole);
@@ -320,14 +321,14 @@ private:
   const Goal& goal;
   const Evidence& evidence;
   LimitWatch& limits;
-  std::vector<std::size_t> writers; ///< by cell: how many steps were taken with the last that did
+  std::vector<std::size_t> writers; ///< by cell: the number of the last step that wrote it
   Footprints footprints;
   ClockStarts starts;
   std::vector<StepNumbers> causes; ///< by step
-  StepNumbers seeds;               ///< what the goal depends on
+  StepNumbers seeds;               ///< the dependencies of the goal
   Causes made;
   std::vector<std::uint32_t> watchedAs;      ///< by cell
-  std::vector<const MonitorMove*> lateMarks; ///< moves that may come behind later steps, too
+  std::vector<const MonitorMove*> lateMarks; ///< moves that may also follow later steps
   std::vector<Word> before;
   std::vector<Word> state;
   TransitionSet enabled;

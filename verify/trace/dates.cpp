@@ -9,7 +9,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// `later - earlier` is at most `limit`, or less: as 2c + 1 or 2c, in 64 bits.
+/// `later - earlier` is at most `limit`, or less: encoded as 2c + 1 or 2c, in 64 bits.
 struct Constraint {
   std::size_t later = 0;
   std::size_t earlier = 0;
@@ -23,8 +23,8 @@ std::int64_t add(std::int64_t a, std::int64_t b) {
   return a + b - ((a | b) & 1);
 }
 
-/// Walks along the steps and writes down what each says about dates. Date 0 is the start, i the
-/// i-th step, and the last the moment at which the evidence is seen.
+/// Walks along the steps, and adds the constraints of each on dates. Date 0 is the start, date i
+/// the i-th step, and the last date is that of the evidence.
 class Writer {
 public:
   Writer(const System& of, const Enabling& with, const Evidence& from, LimitWatch& watch)
@@ -49,7 +49,7 @@ public:
       const TransitionSet before = enabled;
       const Outcome outcome = fire(system, step, state.data(), log);
       if (outcome == Outcome::Failed && i + 1 == evidence.steps.size()) {
-        all.push_back({i + 1, i + 2, kZero}); // an error: all ends here
+        all.push_back({i + 1, i + 2, kZero}); // an error: the run ends here
         all.push_back({i + 2, i + 1, kZero});
         return std::move(all);
       }
@@ -78,8 +78,8 @@ private:
     });
   }
 
-  /// The moves of a monitor: when they are, and what its clock is then. Dates of their own are
-  /// behind that of the end.
+  /// Adds the moves of a monitor: their dates, and the value of its clock. Dates of their own come
+  /// after that of the end.
   void watch(std::size_t last) {
     std::size_t reset = 0;
     std::size_t own = last + 2;
@@ -117,9 +117,9 @@ private:
   StepLog log;
 };
 
-/// Bellman and Ford: applies `relax` to all constraints until it changes nothing. Constraints stand
-/// in the order of the steps, and most chains of them go along it or against it, so the order
-/// alternates: a few rounds do. False where there is no end.
+/// Bellman-Ford: applies `relax` to all constraints until nothing changes. Constraints are in the
+/// order of the steps, and most chains follow or reverse it. So the direction alternates, and a few
+/// rounds suffice. \return false if it does not terminate
 template <class Relax>
 bool relaxAll(const std::vector<Constraint>& constraints, std::size_t dates, LimitWatch& limits,
               Relax relax) {
@@ -135,7 +135,7 @@ bool relaxAll(const std::vector<Constraint>& constraints, std::size_t dates, Lim
   return false;
 }
 
-/// The tightest limit of each date against date 0, or of date 0 against each date.
+/// The tightest bound of each date relative to date 0, or of date 0 relative to each date.
 std::optional<std::vector<std::int64_t>> tightest(const std::vector<Constraint>& constraints,
                                                   std::size_t dates, bool forward,
                                                   LimitWatch& limits) {
@@ -152,8 +152,8 @@ std::optional<std::vector<std::int64_t>> tightest(const std::vector<Constraint>&
   return ends ? std::optional(std::move(bounds)) : std::nullopt;
 }
 
-/// The least dates that meet all constraints, in units so fine that each strict bound can be missed
-/// by one of them.
+/// The least dates that meet all constraints, in units so small that each strict bound can be
+/// missed by one unit.
 std::optional<std::vector<std::int64_t>> earliestRun(const std::vector<Constraint>& constraints,
                                                      std::size_t dates, std::int64_t scale,
                                                      LimitWatch& limits) {

@@ -99,7 +99,7 @@ Footprints::Found Footprints::either(const Node& node, const Moment& moment, boo
   return second;
 }
 
-/// All that it reads: of both operands, and of what decides whether it fails.
+/// Everything that it reads: both operands, and what determines whether it fails.
 Footprints::Found Footprints::strict(NodeId id, const Moment& moment) const {
   FaultId fault = kNoFault;
   return {evaluate(system, id, moment.before, fault), {readBy(id), {}, false}};

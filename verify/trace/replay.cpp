@@ -15,7 +15,7 @@ Bits setOf(const std::vector<EventId>& all) {
   return events;
 }
 
-/// Whether the end of a run of so many steps shows what the goal asks for.
+/// Whether the end of a run with this many steps shows what the goal asks for.
 bool shows(const System& system, const Goal& goal, const ReplayedRun& run, std::size_t steps) {
   if (steps == 0 && goal.initially) return true;
   const Concrete& after = run.after(steps);
@@ -27,10 +27,10 @@ bool shows(const System& system, const Goal& goal, const ReplayedRun& run, std::
   return holdsAt(system, goal.condition, still) || holdsAt(system, goal.condition, step);
 }
 
-/// Whether the monitor can make the moves of the evidence on the run as it was played.
+/// Whether the monitor can make the moves of the evidence on the replayed run.
 class Following {
 public:
-  /// \param end whether nothing is possible behind the last step
+  /// \param end whether no step is possible after the last one
   Following(const System& of, const Evidence& from, const Dating& at, bool end)
       : system(of), evidence(from), monitor(*from.monitor), dating(at), ended(end) {}
 
@@ -67,12 +67,12 @@ public:
 
 private:
   struct Visit {
-    std::size_t after; ///< steps
+    std::size_t after; ///< number of steps
     std::uint32_t location;
   };
 
-  /// Whether the monitor comes by an accepting location, from where it is at the loop's beginning
-  /// to where it is at its end, which is the same.
+  /// Whether the monitor visits an accepting location between the beginning and the end of the
+  /// loop, where it is in the same location.
   [[nodiscard]] bool goesRound(std::uint32_t last) const {
     bool accepts = false;
     for (std::size_t i = visited.size(); i-- > 0;) {
@@ -84,7 +84,7 @@ private:
     return false;
   }
 
-  /// Whether the monitor, which alone goes on, comes by an accepting location again and again.
+  /// Whether the monitor, continuing alone, visits an accepting location infinitely often.
   [[nodiscard]] bool staysBad(std::uint32_t last) const {
     if (!evidence.rest || visited[*evidence.rest].location != last) return false;
     const auto from = static_cast<std::ptrdiff_t>(*evidence.rest);
@@ -122,10 +122,10 @@ private:
   const Monitor& monitor;
   const Dating& dating;
   bool ended;
-  std::vector<Visit> visited; ///< where the monitor was, in order
+  std::vector<Visit> visited; ///< locations of the monitor, in order
 };
 
-/// Whether the end of the run shows what the goal asks for, after so many steps.
+/// Whether the end of the run shows what the goal asks for, after this many steps.
 std::string judge(const System& system, const Goal& goal, const Evidence& evidence,
                   const Dating& dating, const Simulator& simulator, const ReplayedRun& run) {
   const std::size_t count = evidence.steps.size();
@@ -177,7 +177,7 @@ std::string ReplayedRun::take(std::size_t before, TransitionId step, std::int64_
 }
 
 Rest ReplayedRun::restAfter(std::size_t steps) const {
-  if (steps > taken.size()) return Rest::No; // too long to be kept
+  if (steps > taken.size()) return Rest::No; // too long to be stored
   const Concrete& now = after(steps);
   const bool isStill = std::ranges::all_of(now.since, [&](const auto& enabled) {
     StepLog log;

@@ -13,12 +13,12 @@ namespace proskill::verify {
 
 namespace {
 
-/// Dates that must not be met exactly are passed by one of these parts of a unit.
+/// Strict bounds are met with a margin of one of these parts of a unit.
 constexpr std::int64_t kScale = 1 << 16;
 
 struct Taken {
   Concrete before;
-  std::int64_t date = 0; ///< before it
+  std::int64_t date = 0; ///< before the step
 };
 
 struct Candidate {
@@ -34,7 +34,7 @@ struct Simulation::State {
     initial = valuesIn(system, now.state);
   }
 
-  /// The step that a transition would be; nothing where it cannot be taken now or later.
+  /// The step that a transition would be; nullopt if it can be taken neither now nor later.
   [[nodiscard]] std::optional<Candidate> candidate(TransitionId id) const {
     const auto when = simulator.opportunity(now, id, date);
     if (!when) return std::nullopt;
@@ -58,7 +58,7 @@ struct Simulation::State {
     return made;
   }
 
-  /// Once for each state: the choices and what they stand for stay together.
+  /// Computed once per state, so that choices and their candidates match.
   [[nodiscard]] std::vector<Candidate> candidates() const {
     std::vector<Candidate> all;
     for (const auto& [id, since] : now.since)

@@ -44,7 +44,7 @@ bool Simulator::isRipe(const Concrete& now, TransitionId id, std::int64_t date) 
          std::ranges::none_of(of.laterBlockers, canGo);
 }
 
-/// Whether it is enabled for as long as it needs to be.
+/// Whether it has been enabled for long enough.
 bool Simulator::isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const {
   auto enabled = now.since.find(id);
   if (enabled == now.since.end()) return false;
@@ -120,7 +120,7 @@ bool Simulator::canGoOn(const Concrete& now, std::int64_t date) const {
   return false;
 }
 
-/// Whether it has to happen at this date, or to go before something that has to.
+/// Whether it has to be taken at this date, or has priority over a step that has to.
 bool Simulator::isAwaited(const Concrete& now, TransitionId id, std::int64_t date) const {
   const auto waits = [&](TransitionId other) {
     const auto& interval = system.transitions[other].interval;
@@ -145,19 +145,19 @@ std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) c
   return all;
 }
 
-/// The same step without those who watch for it: whether they do does not matter to its time.
+/// The same step without observers, which do not affect its time.
 TransitionId Simulator::withoutObservers(TransitionId id) const {
   const auto unseen = system.transitions[id].unseen;
   return unseen == kNone ? id : unseen;
 }
 
-/// Whether something that has priority is enabled.
+/// Whether a transition with priority is enabled.
 bool Simulator::isBlocked(const Concrete& now, TransitionId id) const {
   return std::ranges::any_of(system.transitions[id].blockers,
                              [&](TransitionId blocker) { return now.since.contains(blocker); });
 }
 
-/// Whether `fired` consumes the place of an instance that takes part in `other`.
+/// Whether `fired` moves an instance that takes part in `other`.
 bool Simulator::mayWaitALittle(const Concrete& now, std::int64_t date) const {
   return std::ranges::all_of(now.since, [&](const auto& entry) {
     const auto& interval = system.transitions[entry.first].interval;

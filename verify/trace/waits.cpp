@@ -12,7 +12,7 @@ namespace {
 using fiacre::Ground;
 using fiacre::OriginId;
 
-/// Of a model without a provenance, nothing is known.
+/// Nothing is known of a model without provenance.
 bool has(const fiacre::Provenance& provenance, OriginId origin, Ground::Kind kind) {
   if (origin >= provenance.origins.size()) return false;
   const auto& grounds = provenance.origins[origin].grounds;

@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
 import type { panel } from './protocol';
 
-/** What a command is about, from whomever it comes: a lens, a link, the Testing view, a person. */
+/** The subject of a command, from any source: a lens, a link, the Testing view, or a user. */
 export interface Subject {
   uri?: vscode.Uri;
   name?: string;
@@ -11,7 +11,7 @@ export interface Subject {
 
 const kKinds = new Set(['sv', 'skill', 'body', 'calls']);
 
-/** A lens gives an object with `program` or `uri`, and `name` or `names`; a menu gives a URI or a test. */
+/** A lens passes an object with `program` or `uri`, and `name` or `names`; a menu passes a URI or a test. */
 export function subjectOf(first?: unknown, second?: unknown): Subject {
   if (typeof first === 'string') return { uri: vscode.Uri.parse(first), ...namesOf(second) };
   if (first instanceof vscode.Uri) return { uri: first, ...namesOf(second) };

@@ -11,13 +11,13 @@ import type { Typing } from './typing';
 const kTyping = 150;
 const kMoving = 60;
 
-/** "Show automaton": one preview for each window, of the program of the text that it was opened for. */
+/** "Show automaton": one preview per window, for the program of the text for which it was opened. */
 export class AutomatonPreview implements vscode.Disposable {
   private host: PanelHost | undefined;
   private readonly subscriptions: vscode.Disposable[];
   private editing: NodeJS.Timeout | undefined;
   private moving: NodeJS.Timeout | undefined;
-  /** since the picture that is shown, which is an older one while the text has errors */
+  /** since the picture that is shown, which is older while the text has errors */
   private readonly edits = new Edits();
 
   constructor(
@@ -43,7 +43,7 @@ export class AutomatonPreview implements vscode.Disposable {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
-  /** Of what is named, such as by a lens, at its node; else of what is defined where the caret is, at the caret's. */
+  /** Shows what is named, for example by a lens, or the definition at the caret. */
   async open(uri?: vscode.Uri, picture?: { kind: panel.PictureKind; name: string }): Promise<void> {
     const document = uri ? await vscode.workspace.openTextDocument(uri) : currentText();
     const editor = vscode.window.visibleTextEditors.find((it) => it.document === document);
@@ -60,7 +60,7 @@ export class AutomatonPreview implements vscode.Disposable {
     this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'automaton', document.uri, show));
   }
 
-  /** After the window was loaded again: the picture that was there. */
+  /** After a reload of the window: restores the picture. */
   async deserializeWebviewPanel(view: vscode.WebviewPanel): Promise<void> {
     const saved = savedPanel(this.context.workspaceState, 'automaton');
     if (!saved) return view.dispose();
@@ -89,7 +89,7 @@ export class AutomatonPreview implements vscode.Disposable {
     return { kind, name };
   }
 
-  /** A skill that calls others is shown by its body. */
+  /** A composite skill is shown by its body. */
   private async named(document: vscode.TextDocument, picture: { kind: panel.PictureKind; name: string }): Promise<typeof picture> {
     if (picture.kind !== 'skill') return picture;
     const { kind, name } = await this.client.running.sendRequest(protocol.automaton, {

@@ -10,14 +10,14 @@ const kMostToStart = 30_000;
 
 export type Life = 'starting' | 'running' | 'crashed' | 'missing' | 'stopped';
 
-/** Says in the output alone what goes wrong: to the user, `Client` says it once, and what to do. */
+/** Writes errors only to the output; `Client` shows them to the user once, with advice. */
 class QuietClient extends LanguageClient {
   override error(message: string, data?: unknown): void {
     super.error(message, data, false);
   }
 }
 
-/** The server's life: found, started, started again. */
+/** The server's life cycle: found, started, restarted. */
 export class Client implements vscode.Disposable {
   readonly output = vscode.window.createOutputChannel('ProSkill', { log: true });
   private readonly lives = new vscode.EventEmitter<Life>();
@@ -25,18 +25,18 @@ export class Client implements vscode.Disposable {
   private readonly news = new vscode.EventEmitter<protocol.Verdicts>();
   readonly onVerdicts = this.news.event;
   life: Life = 'starting';
-  /** shows what a code of a diagnostic means */
+  /** explains a code of a diagnostic */
   explaining: (code: string) => Promise<void> = async () => undefined;
   server: Server | undefined;
   private current: LanguageClient | undefined;
   private begun: Promise<void> | undefined;
   private readonly restarts = new Restarts();
-  /** whether the server was started for a workspace that is trusted */
+  /** whether the server was started for a trusted workspace */
   private trusted = false;
 
   constructor(private readonly extensionPath: string) {}
 
-  /** The client, where the server runs; an error that a user understands where not. */
+  /** The client, if the server runs; otherwise an error for users. */
   get running(): LanguageClient {
     if (this.current?.state === State.Running) return this.current;
     throw new Error('The ProSkill server is not running. See the output "ProSkill".');
@@ -46,7 +46,7 @@ export class Client implements vscode.Disposable {
     return this.current?.state === State.Running;
   }
 
-  /** Sends a request as soon as the server runs, and again where it was sent to one that was stopped to start anew. */
+  /** Sends a request as soon as the server runs; repeats it if the server was restarted meanwhile. */
   async ask<P, R>(type: RequestType<P, R, void>, params: P, token?: vscode.CancellationToken): Promise<R> {
     const client = await this.whenRunning(token);
     try {
@@ -57,7 +57,7 @@ export class Client implements vscode.Disposable {
     }
   }
 
-  /** The client, once a server that is being started runs: after a crash, on request, with the trust just granted. */
+  /** The client, once a server that is starting runs: after a crash, on request, or with new trust. */
   async whenRunning(token?: vscode.CancellationToken): Promise<LanguageClient> {
     const isDue = (): boolean =>
       (!this.ready || this.trusted !== vscode.workspace.isTrusted) && this.life !== 'crashed' && this.life !== 'missing';
@@ -96,8 +96,8 @@ export class Client implements vscode.Disposable {
   }
 
   /**
-   * A server has ended by itself. The next one gets a client of its own: one that lost its server while it
-   * started cannot be used again. Who lost it is told twice, by the connection and by the start.
+   * A server has ended by itself. The next one needs a new client: one that lost its server during the start cannot be used again. Both the
+   * connection and the start report the loss.
    */
   private ended(client: LanguageClient): void {
     if (client !== this.current) return;
@@ -119,7 +119,7 @@ export class Client implements vscode.Disposable {
       synchronize: { configurationSection: 'proskill' },
       initializationOptions,
       outputChannel: this.output,
-      // The server would say the whole explanation in a message.
+      // otherwise the server would show the whole explanation in a message
       middleware: {
         executeCommand: (command, args, next) => (command === 'proskill.explain' ? this.explaining(String(args[0])) : next(command, args)),
       },
@@ -152,7 +152,7 @@ export class Client implements vscode.Disposable {
     return client;
   }
 
-  /** A person asks, or trust was granted: what happened before does not count. */
+  /** On request of the user, or when trust was granted: earlier crashes do not count. */
   async restart(): Promise<void> {
     this.restarts.forget();
     await this.stop();
@@ -164,10 +164,10 @@ export class Client implements vscode.Disposable {
     this.current = undefined;
     if (!client) return;
     try {
-      await this.begun; // until then it cannot be stopped
+      await this.begun; // it cannot be stopped before
       await client.dispose(2000);
     } catch {
-      // It has ended by itself.
+      // it has ended by itself
     }
   }
 

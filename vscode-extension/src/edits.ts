@@ -5,7 +5,7 @@ import type { TextVersion } from './protocol';
 interface Edit {
   version: number;
   range: panel.Range;
-  /** where what was put in its place ends */
+  /** end of the inserted text */
   end: panel.Position;
 }
 
@@ -17,18 +17,18 @@ const endOf = ({ line, character }: panel.Position, text: string): panel.Positio
   return lines.length === 1 ? { line, character: character + last } : { line: line + lines.length - 1, character: last };
 };
 
-/** Where a place was before an edit; of what the edit has put in, where it begins. */
+/** A position before an edit; inserted text maps to its beginning. */
 function before(place: panel.Position, { range: { start, end }, end: now }: Edit): panel.Position {
   if (isBefore(place, start)) return place;
   if (isBefore(place, now)) return start;
   return { line: place.line - now.line + end.line, character: place.line === now.line ? place.character - now.character + end.character : place.character };
 }
 
-/** Edits since a picture was drawn: where a place of the text as it is now was in the text that the picture is of. */
+/** Edits since a picture was drawn: maps positions in the current text to those in the picture's text. */
 export class Edits {
   private readonly known = new Map<string, Edit[]>();
 
-  /** Several changes of one event are all in the text before it; from its end backwards, one does not move another. */
+  /** Changes of one event all refer to the text before it; applied from the end backwards, they do not move each other. */
   note({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
     const uri = document.uri.toString();
     const changes = [...contentChanges].sort((a, b) => b.rangeOffset - a.rangeOffset);

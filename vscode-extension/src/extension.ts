@@ -33,7 +33,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   context.subscriptions.push(
     server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, simulations, debugging);
 
-  /** An error of a command is a message to the user, and never a stack of calls. */
+  /** An error of a command is shown as a message, never as a stack trace. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {
     context.subscriptions.push(vscode.commands.registerCommand(name, async (...args: unknown[]) => {
       try {
@@ -98,14 +98,14 @@ function tellInView(server: Client, editor: vscode.TextEditor | undefined): void
 
 let scrolled: NodeJS.Timeout | undefined;
 
-/** What can be seen is verified first: the server is told once scrolling has come to rest. */
+/** What is visible is verified first: the server is notified when scrolling stops. */
 function soonInView(server: Client, editor: vscode.TextEditor): void {
   if (editor !== vscode.window.activeTextEditor) return;
   clearTimeout(scrolled);
   scrolled = setTimeout(() => tellInView(server, editor), 200);
 }
 
-/** A trace to look at, or a run to replay. */
+/** A trace to show, or a run to replay. */
 async function openTraceFile(trace: TraceView, simulations: Simulations, file?: vscode.Uri): Promise<void> {
   const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { 'Trace or run': ['json'] }, openLabel: 'Open' }))?.[0];
   if (chosen && !(await simulations.openFile(chosen))) await trace.openFile(chosen);

@@ -2,8 +2,8 @@ import { accessSync, constants, realpathSync, statSync } from 'node:fs';
 import { delimiter, isAbsolute, join, relative } from 'node:path';
 
 /**
- * The program of a name on the path, absolute. A folder of the workspace is never looked into, and neither are entries
- * that are relative: whoever wrote the programs that are open must not choose what runs.
+ * The absolute path of a program in PATH. Folders of the workspace and relative entries are never searched: whoever wrote the open programs must not
+ * choose what runs.
  */
 export function findOnPath(name: string, path: string, workspace: string[]): string | undefined {
   const opened = workspace.map(real);

@@ -5,16 +5,16 @@ import * as vscode from 'vscode';
 import { findOnPath } from './find_program';
 
 export interface Server extends Program {
-  /** what it says of itself, such as `proskill 0.1.0` */
+  /** its version, such as `proskill 0.1.0` */
   version: string;
 }
 interface Program {
   command: string;
-  /** what its environment has besides ours */
+  /** additional environment variables */
   env: NodeJS.ProcessEnv;
 }
 
-/** Where a server may be, best first: what the user says, what the extension carries, the path. */
+/** Candidates for the server, best first: the user's setting, the extension's, PATH. */
 export function candidates(extensionPath: string): Program[] {
   const plain = (command: string): Program => ({ command, env: {} });
   const chosen = vscode.workspace.getConfiguration('proskill').get<string>('server.path', '').trim();
@@ -22,12 +22,12 @@ export function candidates(extensionPath: string): Program[] {
   const carried = join(extensionPath, 'server', `${process.platform}-${process.arch}`, 'proskill');
   const installed = onPath().map(plain);
   if (!isThere(carried)) return installed;
-  // Some small computers lack libraries that all others have in the version that fits them best.
+  // some small computers lack libraries that others have in a better matching version
   const fallback = join(dirname(carried), 'fallback');
   return [plain(carried), { command: carried, env: { LD_LIBRARY_PATH: fallback } }, ...installed];
 }
 
-/** The program that is installed on this computer, where there is one. */
+/** The program installed on this computer, if any. */
 function onPath(): string[] {
   const folders = (vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath);
   const found = findOnPath('proskill', process.env['PATH'] ?? '', folders);
@@ -43,7 +43,7 @@ function isThere(file: string): boolean {
   }
 }
 
-/** The version of a program; an error says why it cannot be run, such as a library that is missing. */
+/** The version of a program; the error says why it cannot be run, such as a missing library. */
 function versionOf({ command, env }: Program): Promise<string> {
   return new Promise((resolve, reject) => {
     execFile(command, ['--version'], { timeout: 10_000, env: { ...process.env, ...env } }, (error, stdout, stderr) => {
@@ -53,14 +53,14 @@ function versionOf({ command, env }: Program): Promise<string> {
   });
 }
 
-/** What the loader of programs says, for those who have never met it. */
+/** Explains messages of the dynamic loader. */
 function inWords(complaint: string): string {
   if (/GLIBC_[\d.]+' not found/.test(complaint)) return `it needs a newer Linux: Ubuntu 22.04, Debian 12, or later. (${complaint})`;
   const missing = /error while loading shared libraries: ([^:]+)/.exec(complaint);
   return missing ? `the library ${missing[1]} is missing; install the package of your distribution that contains it. (${complaint})` : complaint;
 }
 
-/** The first server that can be run; an error tells of each that cannot. */
+/** The first server that can be run; the error lists why each cannot. */
 export async function findServer(extensionPath: string): Promise<Server> {
   const failures: string[] = [];
   for (const program of candidates(extensionPath)) {

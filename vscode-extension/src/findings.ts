@@ -6,7 +6,7 @@ export interface Findings {
   inconclusive: number;
 }
 
-/** What is not good, in the words of the command line: `1 bad, 9 warnings`; empty: all is. */
+/** The findings, in the words of the command line: `1 bad, 9 warnings`; empty if there are none. */
 export function inWords({ errors, warnings, inconclusive }: Findings): string {
   return [errors && `${errors} bad`, warnings && `${warnings} warning${warnings === 1 ? '' : 's'}`, inconclusive && `${inconclusive} inconclusive`]
     .filter((part) => part).join(', ');

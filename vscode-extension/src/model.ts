@@ -6,10 +6,7 @@ import type { panel } from './protocol';
 
 const kScheme = 'proskill-model';
 
-/**
- * The Fiacre text of a program, beside it; the transition of a trace's current step is marked. The definition of
- * whatever stands in it is the program's line that it was made from.
- */
+/** The Fiacre text of a program, beside it; the transition of a trace's current step is marked. Go to Definition leads to the line of the program. */
 export class FiacreView implements vscode.TextDocumentContentProvider, vscode.DefinitionProvider, vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<vscode.Uri>();
   readonly onDidChange = this.changes.event;
@@ -50,7 +47,7 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.De
       editor.revealRange(new vscode.Range(made.firstLine, 0, made.lastLine, 0), vscode.TextEditorRevealType.InCenter);
   }
 
-  /** The innermost part of the program that a line of its model was made from. */
+  /** The innermost part of the program that a line of its model comes from. */
   provideDefinition(document: vscode.TextDocument, { line }: vscode.Position): vscode.Location | undefined {
     const parts = this.models.get(document.uri.toString())?.ranges
       .filter(({ firstLine, lastLine, location }) => location && firstLine <= line && line <= lastLine) ?? [];
@@ -61,7 +58,7 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.De
       vscode.Uri.parse(place.uri), new vscode.Range(start.line, start.character, end.line, end.character));
   }
 
-  /** The part of a model that comes from a line of the program: from as little around it as there is. */
+  /** The part of a model that comes from a line of the program, or from as little around it as possible. */
   private madeFrom(model: vscode.Uri, program: vscode.Uri, line: number): protocol.Model['ranges'][number] | undefined {
     const around = this.models.get(model.toString())?.ranges.filter(({ location }) =>
       location?.uri && vscode.Uri.parse(location.uri).toString() === program.toString()
@@ -102,7 +99,7 @@ function smallest<T>(all: T[], size: (one: T) => number): T | undefined {
   return all.reduce<T | undefined>((best, one) => (best === undefined || size(one) < size(best) ? one : best), undefined);
 }
 
-/** Without those that hold others: a transition, and not the process around it. */
+/** Without those that contain others: a transition instead of its process. */
 function innermost<Lines extends { firstLine: number; lastLine: number }>(all: Lines[]): Lines[] {
   const holds = (outer: Lines, inner: Lines): boolean =>
     outer.firstLine <= inner.firstLine && inner.lastLine <= outer.lastLine && outer.lastLine - outer.firstLine > inner.lastLine - inner.firstLine;

@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import * as vscode from 'vscode';
 
-/** The panel's page. Script and style come from the extension alone; nothing is fetched. */
+/** The panel's page. Script and style come from the extension; nothing is downloaded. */
 export function page(webview: vscode.Webview, extension: vscode.Uri): string {
   const file = (name: string): vscode.Uri => webview.asWebviewUri(vscode.Uri.joinPath(extension, 'panel', name));
   const nonce = randomBytes(18).toString('base64');

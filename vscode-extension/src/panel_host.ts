@@ -10,7 +10,7 @@ import type { Typing } from './typing';
 
 export type Layout = 'trace' | 'automaton' | 'simulation';
 
-/** What a panel comes back with when the window is loaded again. */
+/** The state with which a panel is restored after a reload of the window. */
 export interface SavedPanel {
   uri: string;
   remembered?: panel.Remembered;
@@ -19,7 +19,7 @@ export const savedPanel = (memory: vscode.Memento, layout: Layout): SavedPanel |
 
 const kTitles: Record<Layout, string> = { trace: 'ProSkill trace', automaton: 'ProSkill automaton', simulation: 'ProSkill simulation' };
 
-/** The host of one panel: it answers what the panel asks (panel/src/api.ts), and tells it news. */
+/** The host of one panel: answers its requests (panel/src/api.ts) and sends notifications. */
 export class PanelHost implements vscode.Disposable {
   private readonly view: vscode.WebviewPanel;
   private readonly subscriptions: vscode.Disposable[] = [];
@@ -69,7 +69,7 @@ export class PanelHost implements vscode.Disposable {
     this.view.reveal(undefined, !focus);
   }
 
-  /** Shows something else; before the panel is up, it becomes what is shown first. */
+  /** Shows something else; before the panel is ready, it becomes what is shown first. */
   showIt(show: panel.Show): void {
     this.show = show;
     this.tell('show', show);
@@ -109,7 +109,7 @@ export class PanelHost implements vscode.Disposable {
     }
   }
 
-  /** The text goes with a trace's steps by scrolling alone, and not at all while somebody types in it. */
+  /** The editor follows a trace's steps by scrolling only, and not while the user types in it. */
   private async follow({ location, focus }: panel.Told['reveal']): Promise<void> {
     if (focus || this.layout === 'automaton') await goTo(location, focus);
     else if (!this.typing.goesOn) await bringIntoView(location);
@@ -162,7 +162,7 @@ export class PanelHost implements vscode.Disposable {
     this.toldVerdicts = verdicts;
   }
 
-  /** What the panel shows around its views: verdicts for traces to choose from, pictures likewise. */
+  /** What the panel shows around its views: verdicts of traces to choose from, and pictures. */
   private async program(): Promise<panel.Program | null> {
     if (!this.pictures.length && this.client.ready) await this.list();
     const known = this.programs.of(this.uri)[0];
@@ -183,7 +183,7 @@ export class PanelHost implements vscode.Disposable {
   }
 }
 
-/** A program of which the server has said nothing, such as one that is not verified. */
+/** A program without a notification of the server, such as one that is not verified. */
 function unknown(uri: vscode.Uri): panel.Program {
   return {
     program: uri.toString(), label: vscode.workspace.asRelativePath(uri), main: null, state: 'off', stale: false,

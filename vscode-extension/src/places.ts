@@ -10,7 +10,7 @@ export const locationOf = (location: panel.Location): vscode.Location =>
 export const sameUri = (left: string, right: vscode.Uri): boolean =>
   vscode.Uri.parse(left).toString() === right.toString();
 
-/** The editor that shows a text already, else the group that texts are in, beside the panel. */
+/** The editor that already shows a text, else the group with texts, beside the panel. */
 function columnOf(uri: vscode.Uri): vscode.ViewColumn {
   const shown = vscode.window.visibleTextEditors.find((editor) => editor.document.uri.toString() === uri.toString());
   if (shown?.viewColumn) return shown.viewColumn;
@@ -18,7 +18,7 @@ function columnOf(uri: vscode.Uri): vscode.ViewColumn {
   return text?.viewColumn ?? vscode.ViewColumn.One;
 }
 
-/** The user goes to a place: the caret too, and with `focus` the keyboard. Scrolls only where it is out of sight. */
+/** Moves the caret to a place for the user, and with `focus` the keyboard focus. Scrolls only if it is not visible. */
 export async function goTo(location: panel.Location, focus: boolean): Promise<void> {
   const { uri, range } = locationOf(location);
   const editor = await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !focus });
@@ -26,7 +26,7 @@ export async function goTo(location: panel.Location, focus: boolean): Promise<vo
   editor.revealRange(linesOf(range), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
-/** Brings a place into view. Caret, selection and keyboard stay where the user has them. */
+/** Scrolls to a place. Caret, selection and focus stay. */
 export async function bringIntoView(location: panel.Location): Promise<void> {
   const { uri, range } = locationOf(location);
   const shown = vscode.window.visibleTextEditors.find((it) => it.viewColumn && it.document.uri.toString() === uri.toString());
@@ -34,14 +34,14 @@ export async function bringIntoView(location: panel.Location): Promise<void> {
   editor.revealRange(linesOf(range), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
-/** From the beginning of its first line, so that nothing scrolls sideways. */
+/** From the beginning of its first line, to avoid horizontal scrolling. */
 const linesOf = ({ start, end }: vscode.Range): vscode.Range => new vscode.Range(start.line, 0, end.line, 0);
 
-/** A program, or a model that is written by hand; a model that is only shown is neither. */
+/** A program, or a Fiacre model written by hand; a generated model is neither. */
 export const isVerified = (document: vscode.TextDocument): boolean =>
   document.languageId === 'proskill' || (document.languageId === 'fiacre' && document.uri.scheme === 'file');
 
-/** The text that a command without arguments is about. */
+/** The text that a command without arguments refers to. */
 export function currentText(): vscode.TextDocument {
   const active = vscode.window.activeTextEditor?.document;
   const found = active && isVerified(active)

@@ -3,7 +3,7 @@ import type { Client } from './client';
 import type * as protocol from './protocol';
 import type { panel } from './protocol';
 
-/** What is known of every program: the last that the server has said of each. */
+/** The latest notification of the server on every program. */
 export class Programs implements vscode.Disposable {
   private readonly known = new Map<string, protocol.Verdicts>();
   private readonly changes = new vscode.EventEmitter<protocol.Verdicts>();
@@ -28,7 +28,7 @@ export class Programs implements vscode.Disposable {
     return this.known.get(program);
   }
 
-  /** The programs that a file belongs to; those last that are not verified. */
+  /** The programs of a file; those that are not verified come last. */
   of(uri: vscode.Uri): protocol.Verdicts[] {
     const text = uri.toString();
     const found = this.all().filter((program) =>
@@ -36,7 +36,7 @@ export class Programs implements vscode.Disposable {
     return found.sort((left, right) => Number(left.state === 'off') - Number(right.state === 'off'));
   }
 
-  /** Resolves as soon as nothing is being verified of what a text belongs to, at the latest when the time is over. */
+  /** Resolves when no verification of the text's programs is running, or after the time limit. */
   settled(uri: vscode.Uri, token: vscode.CancellationToken, milliseconds: number): Promise<void> {
     const isSettled = (): boolean => {
       const known = this.of(uri);
@@ -67,13 +67,13 @@ export class Programs implements vscode.Disposable {
     this.changes.fire(program);
   }
 
-  /** What a server that is gone has said counts no more. */
+  /** Notifications of a server that has ended are dropped. */
   private forget(): void {
     this.known.clear();
   }
 }
 
-/** The same array where nothing has changed, so that who looks at it sees that at once. */
+/** The same array if nothing has changed, so that users can compare references. */
 function withChanges(known: panel.Verdict[], changes: panel.Verdict[]): panel.Verdict[] {
   if (!changes.length) return known;
   const changed = new Map(changes.map((verdict) => [verdict.name, verdict]));

@@ -1,4 +1,4 @@
-/** The server's requests of its own (docs/lsp.md). What the panel shows has the panel's types. */
+/** The server's own requests (docs/lsp.md). What the panel shows has the panel's types. */
 import { NotificationType, RequestType } from 'vscode-languageclient/node';
 import type { Location, Position, TextDocumentIdentifier } from 'vscode-languageclient/node';
 import type * as panel from '../../panel/src/api';
@@ -12,7 +12,7 @@ export interface TextVersion {
 
 export interface Verdicts extends Omit<panel.Program, 'pictures' | 'files' | 'progress'> {
   progress: Progress | null;
-  /** Of `verdicts` there are those alone that differ from the last ones. */
+  /** `verdicts` contains only those that have changed. */
   changes: boolean;
   counts: { total: number; good: number; errors: number; warnings: number; inconclusive: number; pending: number };
   texts: TextVersion[];

@@ -3,7 +3,7 @@ import * as vscode from 'vscode';
 import type * as protocol from './protocol';
 import type { panel } from './protocol';
 
-/** The verdicts of a program that the Testing view showed last, and the texts that they are for. */
+/** The verdicts of a program that the Testing view showed last, and the texts they are for. */
 export interface SavedResults {
   seconds: number;
   verdicts: Pick<panel.Verdict, 'name' | 'verdict' | 'good' | 'severity'>[];
@@ -12,10 +12,10 @@ export interface SavedResults {
 }
 
 const kKey = 'results';
-/** Of more programs the oldest are forgotten. */
+/** With more programs, the oldest are forgotten. */
 const kMost = 50;
 
-/** Results that outlive the window: a reload asks nobody to verify again what has not changed. */
+/** Results that survive a reload of the window, so that unchanged programs are not verified again. */
 export class Results {
   constructor(private readonly memory: vscode.Memento) {}
 
@@ -23,7 +23,7 @@ export class Results {
     return Object.keys(this.all());
   }
 
-  /** Where the texts are still those that were verified. */
+  /** If the texts are still those that were verified. */
   async of(program: string): Promise<SavedResults | undefined> {
     const saved = this.all()[program];
     if (!saved) return undefined;
@@ -47,7 +47,7 @@ export class Results {
   }
 }
 
-/** Of the text as the editor or the disk has it; null where there is none. */
+/** The text in the editor or on the disk; null if there is none. */
 async function hashOf(uri: vscode.Uri): Promise<string | null> {
   const open = vscode.workspace.textDocuments.find((document) => document.uri.toString() === uri.toString());
   try {

@@ -3,7 +3,7 @@ import type { panel } from './protocol';
 
 type Params = panel.Requests['save'][0];
 
-/** Asks where to, and writes a picture or a trace there. */
+/** Asks for a file, and writes a picture or a trace to it. */
 export async function save({ name, text, base64 }: Params): Promise<{ saved: boolean }> {
   const folder = vscode.workspace.workspaceFolders?.[0]?.uri;
   const extension = name.split('.').pop() ?? '';

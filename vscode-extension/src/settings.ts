@@ -1,6 +1,6 @@
 import * as vscode from 'vscode';
 
-/** What the server is told at its start. */
+/** Options that the server receives at its start. */
 export function initializationOptions(): object {
   const { live, delay, seconds, megabytes, requestSeconds, requestMegabytes } =
     vscode.workspace.getConfiguration('proskill').get<Record<string, unknown>>('verify', {});

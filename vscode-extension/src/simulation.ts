@@ -7,10 +7,10 @@ import type { Programs } from './programs';
 import type { panel } from './protocol';
 import type { Typing } from './typing';
 
-/** Milliseconds behind an edit before the run is replayed. */
+/** Milliseconds between an edit and the replay of the run. */
 const kTyping = 300;
 
-/** "Simulate": a run whose steps the user chooses; one panel for each window. */
+/** "Simulate": a run whose steps the user chooses; one panel per window. */
 export class Simulations implements vscode.Disposable {
   private host: PanelHost | undefined;
   private editing: NodeJS.Timeout | undefined;
@@ -31,7 +31,7 @@ export class Simulations implements vscode.Disposable {
     this.subscription.dispose();
   }
 
-  /** A new run of the program; where the panel is open already, the run that it has. */
+  /** A new run of the program; if the panel is open, its current run. */
   async open(uri?: vscode.Uri, run?: panel.ChosenRun): Promise<void> {
     const text = uri ?? currentText().uri;
     if (this.host?.uri.toString() === text.toString()) {
@@ -42,7 +42,7 @@ export class Simulations implements vscode.Disposable {
     this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'simulation', text, run && { run }));
   }
 
-  /** The run that a file has to be replayed; false: it has none. */
+  /** Replays the run of a file; returns false if the file has none. */
   async openFile(file: vscode.Uri): Promise<boolean> {
     const run = runOf(Buffer.from(await vscode.workspace.fs.readFile(file)).toString('utf8'));
     if (!run) return false;

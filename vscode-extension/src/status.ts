@@ -17,7 +17,7 @@ const kOfLife: Record<Exclude<Life, 'running'>, Look> = {
   stopped: { text: '$(circle-slash) ProSkill', tooltip: 'The server is not running' },
 };
 
-/** How many verdicts are bad, in the words of the command line, or how many there are. */
+/** The number of bad verdicts, in the words of the command line, or the number of all. */
 function outcome({ counts, stale }: Verdicts): Look {
   const old = stale ? ' (outdated)' : '';
   const tooltip = `${[inWords(counts), `${counts.good} good`].filter((part) => part).join(', ')}${old}`;
@@ -29,13 +29,13 @@ function outcome({ counts, stale }: Verdicts): Look {
   return { text, tooltip, ...(counts.errors && !stale && { background: 'error' as const }) };
 }
 
-/** What was found before all is decided. */
+/** Findings before everything is decided. */
 function soFar({ counts, stale }: Verdicts): string {
   const found = stale ? '' : inWords({ ...counts, inconclusive: 0 });
   return found && `, ${found}`;
 }
 
-/** What the status bar says of a program. */
+/** The text of the status bar for a program. */
 export function lookOf(program: Verdicts): Look {
   const { progress } = program;
   switch (program.state) {
@@ -55,11 +55,11 @@ export function lookOf(program: Verdicts): Look {
   }
 }
 
-/** The one place that says how things stand; everything else looks at the same `Programs`. */
+/** The only place that computes the state; everything else uses the same `Programs`. */
 export class Status implements vscode.Disposable {
   private readonly item = vscode.window.createStatusBarItem('proskill.status', vscode.StatusBarAlignment.Left, 10);
   private readonly subscriptions: vscode.Disposable[];
-  /** the text that the keyboard was in last */
+  /** the text that had the focus last */
   private last: string | undefined;
 
   constructor(private readonly client: Client, private readonly programs: Programs) {
@@ -97,7 +97,7 @@ export class Status implements vscode.Disposable {
     return program ? lookOf(program) : { text: '$(check) ProSkill', tooltip: 'Ready' };
   }
 
-  /** The program of the text in view, also where the keyboard is in a panel; else the only one there is. */
+  /** The program of the visible text, even if a panel has the focus; otherwise the only program. */
   private current(): Verdicts | undefined {
     const active = vscode.window.activeTextEditor?.document;
     const text = active ?? vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === this.last)?.document;

@@ -13,12 +13,12 @@ type Node =
 
 const kRefresh = 400;
 
-/** What the Testing view was told of a program last. */
+/** The last state of a program that the Testing view received. */
 interface Told {
-  /** that the verdicts are for, with their versions */
+  /** texts and versions that the verdicts are for */
   texts: string;
   list: panel.Verdict[];
-  /** by the property's name */
+  /** by name of the property */
   verdicts: Map<string, string>;
   isSaved: boolean;
 }
@@ -33,7 +33,7 @@ export class Testing implements vscode.Disposable {
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
   private readonly results: Results;
-  /** whose results of the last time the window was open are told */
+  /** whose results of the previous session are shown */
   private readonly restored = new Set<string>();
 
   constructor(private readonly client: Client, private readonly programs: Programs, memory: vscode.Memento) {
@@ -52,7 +52,7 @@ export class Testing implements vscode.Disposable {
       }),
       programs.onChange((program) => this.news(program)),
       vscode.workspace.onDidOpenTextDocument((document) => {
-        // The server hears of it at the same time: what it says a moment later is of the open text.
+        // the server receives the text at the same time, and soon reports verdicts for it
         if (document.languageId === 'proskill') this.soon();
       }),
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
@@ -75,8 +75,8 @@ export class Testing implements vscode.Disposable {
   }
 
   /**
-   * What is known is outdated now. VS Code shows so in the tree; its marks in the gutter it draws anew only where a verdict
-   * is another, and a mark cannot be taken away and put back: that a place is gone is lost on the way to the editor.
+   * Marks the results as outdated. VS Code shows this in the tree; it redraws marks in the gutter only if a verdict changes, and does not reliably
+   * remove a mark that is added again at once.
    */
   private edited(uri: vscode.Uri): void {
     this.soon();
@@ -99,7 +99,7 @@ export class Testing implements vscode.Disposable {
     }
   }
 
-  /** Without descriptions: screen readers would be given these instead of the labels. Items are kept where they are there already, with their results. */
+  /** Without descriptions, which screen readers would read instead of labels. Existing items are kept, with their results. */
   private item(within: vscode.TestItemCollection, id: string, label: string, location: panel.Location | null, uri?: vscode.Uri): vscode.TestItem {
     const place = location && locationOf(location);
     const known = within.get(id);
@@ -119,7 +119,7 @@ export class Testing implements vscode.Disposable {
     return item;
   }
 
-  /** What there is to verify of a program that has no open file: it is asked for when somebody looks. */
+  /** The properties of a program without an open file, requested when the item is expanded. */
   private async list(item: vscode.TestItem): Promise<void> {
     const node = this.nodes.get(item);
     if (node?.kind !== 'program' || item.children.size) return;
@@ -133,7 +133,7 @@ export class Testing implements vscode.Disposable {
     }
   }
 
-  /** Results from before the window was loaded again, where the texts are the same still. */
+  /** Restores results of the previous session, if the texts are unchanged. */
   private async restore(): Promise<void> {
     for (const program of this.results.programs()) {
       const item = this.controller.items.get(program);
@@ -150,7 +150,7 @@ export class Testing implements vscode.Disposable {
     const item = this.item(parent.children, `${program}#${subject.id}`, subject.label, subject.location, parent.uri);
     item.sortText = String(index).padStart(5, '0');
     this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
-    // At the definition, whatever statements they are about: a mark beside each line would be no help.
+    // at the definition, even for statements: a mark beside each line would not help
     item.children.replace(subject.properties.map((property, place) => {
       const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), subject.location ?? property.location, parent.uri);
       child.sortText = String(place).padStart(5, '0');
@@ -162,7 +162,7 @@ export class Testing implements vscode.Disposable {
 
   // ---- running ----------------------------------------------------------------------------------
 
-  /** What a request selects, each program with its properties. */
+  /** The programs of a request, each with its properties. */
   private selected(request: vscode.TestRunRequest): Map<string, vscode.TestItem[]> {
     const excluded = new Set(request.exclude ?? []);
     const result = new Map<string, vscode.TestItem[]>();
@@ -233,8 +233,8 @@ export class Testing implements vscode.Disposable {
   }
 
   /**
-   * One exploration decides all: each has its share of the time, and what stands above them has all of it. What is only to
-   * look at is no failure: it is skipped, and said in the output, so that a program without mistakes is all green.
+   * One exploration decides all: each item gets a share of the time, and its parent all of it. Warnings are not failures: they are skipped and
+   * described in the output, so that a program without errors is green.
    */
   private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number, messages = true): void {
     const byName = new Map(verdicts.map((verdict) => [verdict.name, verdict]));
@@ -251,7 +251,7 @@ export class Testing implements vscode.Disposable {
 
   // ---- what is verified without a run: live, or by the command -------------------------------------
 
-  /** Everything here is told already, in the text and by the status bar: no messages, and nothing opens. */
+  /** Shows no messages and opens nothing, since the text and the status bar already report everything. */
   private news(program: protocol.Verdicts): void {
     const item = this.controller.items.get(program.program);
     if (!item) this.soon();
@@ -284,16 +284,16 @@ export class Testing implements vscode.Disposable {
   }
 }
 
-/** Its name; where several have it, with the folders that tell them apart. */
+/** Its name; if several have it, with the folders that distinguish them. */
 function labelOf(program: protocol.TestedProgram, all: protocol.TestedProgram[]): string {
   const isAlone = all.filter(({ label }) => label === program.label).length === 1;
   return isAlone ? program.label : vscode.workspace.asRelativePath(vscode.Uri.parse(program.uri));
 }
 
-/** Without the marks of code, which would be shown as they are. */
+/** Without backquotes, which would be shown literally. */
 const plain = (words: string): string => words.replaceAll('`', '');
 
-/** Without the name of what it is about, which stands above it. */
+/** Without the name of its subject, which is shown above. */
 function shortLabel(subject: string, label: string): string {
   const start = `\`${subject}\` `;
   return plain(label.startsWith(start) ? label.slice(start.length) : label);

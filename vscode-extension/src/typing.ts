@@ -1,9 +1,9 @@
 import * as vscode from 'vscode';
 
-/** Milliseconds after a key for which a person counts as typing. */
+/** Milliseconds after a key during which the user counts as typing. */
 const kQuiet = 2000;
 
-/** Whether somebody types: nothing moves in the editor then. */
+/** Whether the user is typing: the editor does not scroll then. */
 export class Typing implements vscode.Disposable {
   private last = -Infinity;
   private readonly subscription = vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {

@@ -5,7 +5,7 @@ import { currentText } from './places';
 import { count, inWords } from './findings';
 import * as protocol from './protocol';
 
-/** `proskill.verify`: a program, or some of its properties, with progress that can be cancelled. */
+/** `proskill.verify`: verifies a program, or some of its properties, with progress that can be cancelled. */
 export async function verify(client: Client, { uri, names }: Subject): Promise<void> {
   const program = uri ?? currentText().uri;
   if (!vscode.workspace.isTrusted)
@@ -19,7 +19,7 @@ export async function verify(client: Client, { uri, names }: Subject): Promise<v
 
 interface WorkDone {
   kind: string;
-  /** how many properties are decided, states, rate, memory and time */
+  /** number of decided properties, states, rate, memory and time */
   message?: string;
 }
 

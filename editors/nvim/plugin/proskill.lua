@@ -30,7 +30,7 @@ command('ProskillExplain', function(given)
   require('proskill.explain').show(given.args)
 end, { nargs = '?', desc = 'Explain a code, or the diagnostic at the cursor' })
 
--- The code action of this name.
+-- The code action with this name.
 vim.lsp.commands['proskill.explain'] = function(chosen)
   require('proskill.explain').show(chosen.arguments[1])
 end

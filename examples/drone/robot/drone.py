@@ -10,7 +10,7 @@ import sys
 import threading
 from typing import Literal
 
-# Where the package is not installed, it is found in the tree.
+# if the package is not installed, it is found in the tree
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../python"))
 from proskill import Platform, Stop  # noqa: E402
 
@@ -73,7 +73,7 @@ def goto_waypoint(x: float, y: float, z: float, yaw: float, duration: float,
                   stop: Stop) -> Literal["arrived"]:
     drone.fly_to((x, y, z), stop)
     robot.log(f"at ({x}, {y}, {z}), battery {drone.charge:.0%}")
-    stop.sleep(22)  # the camera wants time
+    stop.sleep(22)  # the camera needs time
     return "arrived"
 
 
@@ -81,7 +81,7 @@ def goto_waypoint(x: float, y: float, z: float, yaw: float, duration: float,
 def landing(stop: Stop) -> Literal["landed"]:
     x, y, _ = drone.position
     drone.fly_to((x, y, 0.0), stop)
-    stop.sleep(3)  # until the motors stand still
+    stop.sleep(3)  # until the motors have stopped
     robot.report("flight_status_to_on_ground")
     return "landed"
 
@@ -94,7 +94,7 @@ def shutdown_drone(stop: Stop) -> Literal["stopped"]:
 
 @robot.action
 async def camera_survey() -> Literal["target_found", "nothing_seen"]:
-    await asyncio.sleep(90 / robot.speed)  # cancelled when it is to stop
+    await asyncio.sleep(90 / robot.speed)  # cancelled when asked to stop
     return "nothing_seen"
 
 

@@ -12,8 +12,8 @@ interface RawNews {
 }
 
 /**
- * `proskill view`: `POST api/METHOD` under the address of the page, whose path has the token. News
- * is asked for again and again; the server answers when there is some.
+ * `proskill view`: `POST api/METHOD` below the address of the page, whose path has the token. The page requests events in a loop; the server answers
+ * when there are some.
  */
 export class HttpHost implements Host {
   private readonly listeners: ((...news: NewsOf) => void)[] = [];
@@ -61,7 +61,7 @@ export class HttpHost implements Host {
   }
 }
 
-/** The server's programs are reports in the form of docs/verify.schema.json with more members. */
+/** The server's programs are reports in the form of docs/verify.schema.json, with more members. */
 export function programOf(value: unknown): Program {
   const { program } = open(JSON.stringify(value));
   return { ...program!, ...(value as object), verdicts: program!.verdicts } as Program;

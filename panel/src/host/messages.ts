@@ -1,6 +1,6 @@
 import type { Host, Message, Method, News, NewsOf, Requests, Told } from '../api.ts';
 
-/** Requests with numbers, for a host that is reached by messages. */
+/** Numbered requests, for a host that communicates by messages. */
 export class MessageHost implements Host {
   private last = 0;
   private readonly open = new Map<number, { done: (result: never) => void; failed: (error: Error) => void }>();
@@ -24,7 +24,7 @@ export class MessageHost implements Host {
     this.listeners.push(listener);
   }
 
-  /** What the host has sent. Anything else is left to others. */
+  /** Handles a message of the host; ignores others. */
   receive(message: Message): void {
     if (message?.type === 'news')
       for (const listener of this.listeners) listener(...([message.method, message.params as News[keyof News]] as NewsOf));

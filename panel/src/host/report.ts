@@ -3,14 +3,14 @@ import { open } from '../model/parse.ts';
 import { programOf } from './http.ts';
 import { pictureOf } from './pictures.ts';
 
-/** What `proskill verify --report` writes into its page. */
+/** Data that `proskill verify --report` writes into its page. */
 interface Report {
   report: { [key: string]: unknown };
   sources: { [uri: string]: string };
   pictures: { params: Omit<PictureParams, 'format'>; svg: Picture; dot?: string }[];
 }
 
-/** A page by itself: all that can be asked for is in it. */
+/** A single page, which contains all answers. */
 export class ReportHost implements Host {
   private readonly traces: Map<string, Trace>;
   private readonly report: Report;
@@ -54,7 +54,7 @@ export class ReportHost implements Host {
     return { uri, text: this.report.sources[uri] ?? fail(`the report does not have the text of ${uri}`) };
   }
 
-  /** All branches are folded, or none. */
+  /** Either all branches are folded, or none. */
   private picture(params: PictureParams): Picture {
     const fold = (params.fold?.length ?? 0) > 0;
     const all = this.report.pictures.filter(

@@ -3,7 +3,7 @@ import { MessageHost } from './messages.ts';
 
 declare function acquireVsCodeApi(): { postMessage(message: unknown): void };
 
-/** The webview of VS Code; null anywhere else. */
+/** The webview of VS Code; null in other environments. */
 export function vsCodeHost(): Host | null {
   if (typeof acquireVsCodeApi !== 'function') return null;
   const code = acquireVsCodeApi();

@@ -4,8 +4,8 @@ const branch = /^(.*) branch [\d.]+$/;
 const watchdog = /^watchdog of (.*)$/;
 
 /**
- * Where the trace does not say what its actors are, their names and what has a value do. Of a model by hand an instance of a
- * process is both: it acts, and its value is the state that it is in.
+ * Actors of a trace that does not name them: derived from steps and variables. In a Fiacre model an instance of a process is both: it acts, and its
+ * value is its state.
  */
 function infer(name: string, words: Set<string>, ofProcess: boolean, initial: Trace['initial']): Actor {
   const of = (kind: ActorKind, skill: string | null): Actor => ({ name, kind, skill });
@@ -19,7 +19,7 @@ function infer(name: string, words: Set<string>, ofProcess: boolean, initial: Tr
   return of(name.split(', ').every((each) => each in initial) ? 'process' : 'event', null);
 }
 
-/** The actors of a trace, in the order in which they first act. */
+/** The actors of a trace, in the order of their first steps. */
 export function actorsOf(trace: Trace): Actor[] {
   const words = new Map<string, Set<string>>();
   for (const step of trace.steps) {
@@ -36,10 +36,10 @@ export function actorsOf(trace: Trace): Actor[] {
   });
 }
 
-/** How many colours there are: those of base.css, which the colour-blind can tell apart. */
+/** Number of colours in base.css, which colour-blind users can distinguish. */
 export const hues = 10;
 
-/** A colour for each actor of a trace: others for all, as long as there are enough; mostly the same in another trace. */
+/** A colour for each actor of a trace: all are different while there are enough, and mostly the same in other traces. */
 export function actorHues(trace: Trace): Map<string, number> {
   const out = new Map<string, number>();
   const names = new Set([...(trace.actors?.map(({ name }) => name) ?? []), ...trace.steps.map(({ actor }) => actor)]);
@@ -54,7 +54,7 @@ export function actorHues(trace: Trace): Map<string, number> {
   return out;
 }
 
-/** A number from 0 to `count` - 1 that stays the same for a name, for its colour. */
+/** A number from 0 to `count` - 1 that is constant for a name. */
 export function hue(name: string, count: number): number {
   let hash = 2166136261;
   for (let i = 0; i < name.length; ++i) hash = Math.imul(hash ^ name.charCodeAt(i), 16777619);

@@ -5,7 +5,7 @@ type Json = { [key: string]: unknown };
 export const chosenStep = ({ actor, description, transitions, late }: ChosenStep): ChosenStep =>
   ({ actor, description, transitions, ...(late && { late }) });
 
-/** A file that is to be replayed, not only looked at: its steps are to be possible, and to end as it expects. Null: no such file. */
+/** A file to replay: its steps must be possible, and its end as expected. Null: no such file. */
 export function runOf(text: string): ChosenRun | null {
   let value: unknown;
   try {

@@ -1,6 +1,6 @@
 import type { Step, Trace } from '../api.ts';
 
-/** Two traces beside each other: a step of one, of the other, or of both. */
+/** Two traces side by side: a step of one, of the other, or of both. */
 export interface Pair {
   left: number | null;
   right: number | null;
@@ -8,12 +8,12 @@ export interface Pair {
 
 const key = (step: Step): string => `${step.actor}\u0000${step.description}`;
 
-/** Beyond so many differences the rest is taken as different: it would not be read anyway. */
+/** Beyond this many differences, the rest counts as different: nobody would read it. */
 const mostDifferences = 2000;
 
 /**
- * The two lists of steps aligned with as few differences as possible (Myers, "An O(ND) difference
- * algorithm and its variations", 1986). Steps are the same where actor and words are.
+ * Aligns two lists of steps with as few differences as possible (Myers, "An O(ND) difference algorithm and its variations", 1986). Steps are equal
+ * if their actors and descriptions are.
  */
 export function compare(left: Trace, right: Trace): Pair[] {
   const a = left.steps.map(key);
@@ -53,7 +53,7 @@ function middle(a: string[], b: string[], begin: number, endA: number, endB: num
   return rest;
 }
 
-/** `history[d]` has how far each diagonal came with d differences. */
+/** `history[d]`: how far each diagonal reaches with d differences. */
 function walkBack(history: Int32Array[], differences: number, n: number, m: number, begin: number): Pair[] {
   const out: Pair[] = [];
   let x = n;

@@ -1,4 +1,4 @@
-/** How a value became another, for showing exactly what is new in it. */
+/** The difference between two values, to show exactly what is new. */
 export interface Difference {
   kind: 'same' | 'added' | 'removed' | 'number' | 'replaced' | 'within';
   /** `number`: the difference with its sign, as `+1` */
@@ -15,7 +15,7 @@ const tokens = (value: string): string[] => value.match(/[A-Za-z0-9_.]+|\s+|[^A-
 const isNumber = (value: string): boolean => /^-?\d+(\.\d+)?$/.test(value);
 const whole = (text: string, changed: boolean): Part[] => (text === '' ? [] : [{ text, changed }]);
 
-/** Neighbours that are alike become one part. */
+/** Joins equal neighbours. */
 function join(list: Part[]): Part[] {
   const out: Part[] = [];
   for (const part of list) {
@@ -46,7 +46,7 @@ function common(a: string[], b: string[]): [boolean[], boolean[]] {
   return [inA, inB];
 }
 
-/** Beyond this many tokens a value is shown as replaced; nobody would read its differences. */
+/** With more tokens, a value is shown as replaced: nobody would read its differences. */
 const longest = 400;
 
 export function difference(before: string, after: string): Difference {

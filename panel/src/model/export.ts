@@ -2,12 +2,12 @@ import type { Trace } from '../api.ts';
 import { matters, tellsWhatMatters } from './filter.ts';
 import { windowOf } from './time.ts';
 
-/** What `open` reads again. */
+/** The form that `open` reads. */
 export function traceJson(trace: Trace): string {
   return JSON.stringify({ version: 1, ...trace }, null, 2) + '\n';
 }
 
-/** For mails and terminals: a line a step, its changes below; with a star, where only some matter. */
+/** Text for mails and terminals: a line per step, with its changes below; a star marks relevant steps. */
 export function traceText(trace: Trace): string {
   const width = Math.max(0, ...trace.steps.map((step) => windowOf(step).length));
   const lines = [`${trace.description}: ${trace.verdict}`, ...(trace.summary ? [trace.summary] : []), ''];
@@ -25,6 +25,6 @@ export function traceText(trace: Trace): string {
   return lines.join('\n') + '\n';
 }
 
-/** A name that all file systems take. */
+/** A name that all file systems accept. */
 export const fileName = (name: string, extension: string): string =>
   `${name.replace(/[^A-Za-z0-9_.-]+/g, '_') || 'trace'}.${extension}`;

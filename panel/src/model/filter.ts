@@ -1,13 +1,13 @@
 import type { Step, Trace } from '../api.ts';
 
-/** Which steps of a trace are shown. Empty sets and texts leave everything. */
+/** Filters steps of a trace. Empty sets and texts keep everything. */
 export interface Filter {
   actors: ReadonlySet<string>;
-  /** Only steps that change one of these. */
+  /** Only steps that change one of these variables. */
   variables: ReadonlySet<string>;
-  /** Only steps that change something. */
+  /** Only steps that change a variable. */
   changing: boolean;
-  /** Only steps that matter to what the trace shows. */
+  /** Only relevant steps. */
   relevant: boolean;
 }
 export const everything: Filter = { actors: new Set(), variables: new Set(), changing: false, relevant: false };
@@ -16,7 +16,7 @@ export const isFiltering = (filter: Filter): boolean =>
   filter.actors.size > 0 || filter.variables.size > 0 || filter.changing || filter.relevant;
 
 export const matters = (step: Step): boolean => step.relevant !== false;
-/** Whether some steps of a trace matter and others do not. */
+/** Whether some steps of a trace are relevant and others are not. */
 export const tellsWhatMatters = (trace: Trace): boolean => trace.steps.some((step) => !matters(step));
 
 export function passes(step: Step, filter: Filter): boolean {
@@ -35,7 +35,7 @@ export function select(trace: Trace, filter: Filter): number[] {
 
 const plain = (text: string): string => text.replaceAll('`', '').toLowerCase();
 
-/** Whether a step says what is searched for: words of it, its actor, or a value that changes. */
+/** Whether a step matches the search: its description, its actor, or a value that changes. */
 export function matches(step: Step, needle: string): boolean {
   const text = [
     step.actor,
@@ -53,7 +53,7 @@ export function search(trace: Trace, needle: string): number[] {
   return out;
 }
 
-/** Steps one after the other by the same actor. */
+/** Consecutive steps of the same actor. */
 export interface Group {
   actor: string;
   steps: number[];

@@ -21,7 +21,7 @@ function kindOf(text: string, afterParen: boolean): TokenKind {
   return isForm ? 'form' : 'plain';
 }
 
-/** The lines of a text as tokens; enough for reading, the editor's colours come from its grammar. */
+/** The tokens of a line. Simpler than the grammar that editors use. */
 export function highlight(text: string): Token[][] {
   return text.split(/\r?\n/).map((line) => {
     const out: Token[] = [];

@@ -1,10 +1,10 @@
 import type { ActorKind, Trace } from '../api.ts';
 import { actorsOf } from './actors.ts';
 
-/** How a lane's bar is coloured: a value of a variable, or what became of a skill. */
+/** Colour of a bar: a value of a variable, or the outcome of a skill. */
 export type Tone = 'running' | 'success' | 'failure' | 'interrupted' | 'value';
 
-/** Between two steps, or from the start where `from` is -1; `to` is the last step where it is still open. */
+/** Between two steps, or from the start if `from` is -1; `to` is the last step if it is still open. */
 export interface Bar {
   from: number;
   to: number;
@@ -16,14 +16,14 @@ export interface Lane {
   name: string;
   kind: ActorKind;
   bars: Bar[];
-  /** Steps by this actor, or that change this variable. */
+  /** Steps of this actor, or that change this variable. */
   marks: number[];
 }
 
 const starts = /^starts$|^starts its action|^sees it start$/;
 const failing = /^fails|^undershoot|^overshoot/;
 
-/** What became of whom these words are said, by them and by what its status is now. */
+/** The outcome of an actor, from the description of a step and its status after it. */
 function endOf(words: string, status: string | undefined, hasStatus: boolean): Tone | null {
   if (status === 'success') return 'success';
   if (status === 'failure' || status === 'failed_inv') return 'failure';
@@ -35,7 +35,7 @@ function endOf(words: string, status: string | undefined, hasStatus: boolean): T
   return /^is interrupted|^is stopped/.test(words) ? 'interrupted' : null;
 }
 
-/** From its start to its end, as often as it runs; what it does without a start is a mark. */
+/** A bar for each run of a skill; a step before its start is a mark. */
 function skillLane(trace: Trace, name: string, kind: ActorKind): Lane {
   const lane: Lane = { name, kind, bars: [], marks: [] };
   const variable = `${name}.status`;
@@ -58,7 +58,7 @@ function skillLane(trace: Trace, name: string, kind: ActorKind): Lane {
   return lane;
 }
 
-/** A bar for each value that it has. */
+/** A bar for each value of a variable. */
 function variableLane(trace: Trace, name: string): Lane {
   const lane: Lane = { name, kind: 'variable', bars: [], marks: [] };
   const value = (label: string, from: number): Bar => ({
@@ -75,7 +75,7 @@ function variableLane(trace: Trace, name: string): Lane {
   return lane;
 }
 
-/** What a skill's status and result are is seen in its own lane. */
+/** The status and the result of a skill are shown in its own lane. */
 const isOfSkill = (variable: string): boolean => /\.(status|res)$/.test(variable);
 
 const order: { [K in Lane['kind']]: number } = {
@@ -103,12 +103,12 @@ export function lanesOf(trace: Trace): Lane[] {
     .map(({ lane }) => lane);
 }
 
-/** Where each step stands on the axis: its date, or its number from 1; 0 is the start in both. */
+/** The position of each step on the axis: its date, or its number from 1; 0 is the start in both. */
 export function axisOf(trace: Trace, by: 'date' | 'step'): Float64Array {
   return Float64Array.from(trace.steps, (step, index) => (by === 'date' ? step.date.seconds : index + 1));
 }
 
-/** Up to where the axis goes, so that what the last step did is seen beside it. */
+/** The end of the axis, with space after it to show what the last step did. */
 export function endOfAxis(axis: Float64Array, by: 'date' | 'step'): number {
   const last = axis.at(-1) ?? 0;
   return Math.max(by === 'date' ? last * 1.05 : last + 1, 1e-9);
@@ -117,13 +117,13 @@ export function endOfAxis(axis: Float64Array, by: 'date' | 'step'): number {
 export interface Drawn {
   x: number;
   width: number;
-  bar: Bar | null; // null: several that are too narrow to be told apart
+  bar: Bar | null; // null: several bars that are too narrow to show separately
   count: number;
 }
 
 /**
- * The bars of a lane that are in view, in pixels, for a stretch of the axis drawn this wide. Bars
- * too narrow to be told apart are drawn together, so that there are never more than pixels.
+ * The visible bars of a lane in pixels, for a section of the axis with this width. Narrow bars are joined, so that there are never more bars than
+ * pixels.
  */
 export function drawBars(lane: Lane, axis: Float64Array, from: number, to: number, width: number): Drawn[] {
   const scale = width / (to - from || 1);
@@ -144,7 +144,7 @@ export function drawBars(lane: Lane, axis: Float64Array, from: number, to: numbe
   return out;
 }
 
-/** Marks in view, one a pixel at most: its place and the first step there. */
+/** The visible marks, at most one per pixel: position and first step. */
 export function drawMarks(lane: Lane, axis: Float64Array, from: number, to: number, width: number): { x: number; step: number; count: number }[] {
   const scale = width / (to - from || 1);
   const out: { x: number; step: number; count: number }[] = [];
@@ -158,7 +158,7 @@ export function drawMarks(lane: Lane, axis: Float64Array, from: number, to: numb
   return out;
 }
 
-/** The step of a lane's actor, or of all, that stands nearest to a place on the axis. */
+/** The step of a lane's actor, or of any, nearest to a position on the axis. */
 export function nearest(steps: readonly number[], axis: Float64Array, at: number): number | null {
   let best: number | null = null;
   for (const step of steps)

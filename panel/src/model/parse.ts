@@ -1,6 +1,6 @@
 import type { Location, Program, Step, Trace, Verdict } from '../api.ts';
 
-/** What a file or a report holds. */
+/** Contents of a file or a report. */
 export interface Opened {
   traces: Trace[];
   /** of a whole report */
@@ -10,7 +10,7 @@ export interface Opened {
 type Json = { [key: string]: unknown };
 const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** `docs/verify.schema.json` counts from 1 and names files; the contract counts from 0. */
+/** `docs/verify.schema.json` counts from 1 and uses paths; the interface counts from 0. */
 export function locationOf(value: unknown): Location | null {
   if (!isObject(value)) return null;
   if (isObject(value['range']) && typeof value['uri'] === 'string') return value as unknown as Location;
@@ -79,7 +79,7 @@ function reportOf(report: Json): Opened {
   return { traces, program };
 }
 
-/** A report, a trace that was saved by `--save-traces`, or one that the panel exported. */
+/** Reads a report, a trace saved by `--save-traces`, or one that the panel exported. */
 export function open(text: string): Opened {
   let value: unknown;
   try {

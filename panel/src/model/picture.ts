@@ -26,8 +26,8 @@ const holds = (outer: Location, inner: Location): boolean =>
 const rank = { node: 0, edge: 1, cluster: 2 };
 
 /**
- * The innermost part at a place: of nodes, then of edges, then of clusters. Else the largest node within it, else
- * the nearest one that begins on its line, as for a caret on the `if` of a test.
+ * The innermost part at a place: among nodes, then edges, then clusters. Otherwise the largest node within the place, or the nearest one that begins
+ * on its line, as for a caret on the `if` of a test.
  */
 export function partAt(picture: Picture, place: Location): Part | null {
   let best: Part | null = null;
@@ -54,7 +54,7 @@ function onLine(picture: Picture, place: Location): Part | null {
   return best;
 }
 
-/** The ids of nodes and clusters whose words have what is searched for. */
+/** The ids of nodes and clusters whose text matches the search. */
 export function find(picture: Picture, needle: string): string[] {
   const words = needle.trim().toLowerCase();
   if (words === '') return [];
@@ -68,7 +68,7 @@ export interface Box {
   height: number;
 }
 
-/** The box that lies nearest in a direction, for walking with the arrow keys; preferring what lies straight ahead. */
+/** The nearest box in a direction, for the arrow keys; prefers what is straight ahead. */
 export function neighbour(boxes: ReadonlyMap<string, Box>, from: string, key: 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight'): string | null {
   const here = boxes.get(from);
   if (!here) return null;

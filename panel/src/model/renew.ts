@@ -1,15 +1,15 @@
 import type { Step, Trace } from '../api.ts';
 
-/** Where to go on in a trace that takes the place of another one. */
+/** Where to continue in a trace that replaces another one. */
 export interface Continuation {
   index: number;
-  /** The step does what the former one did; else it is the nearest by its number. */
+  /** The step equals the former one; otherwise it is the nearest by number. */
   same: boolean;
 }
 
 const deed = (step: Step): string => JSON.stringify([step.actor, step.description, step.changes]);
 
-/** The step of `fresh` that does what the step of `former` does, as often as it was done before; else the nearest. */
+/** The step of `fresh` that equals that of `former`, with the same count among equal steps; otherwise the nearest. */
 export function continuation(former: Trace, index: number, fresh: Trace): Continuation {
   const step = former.steps[index];
   const nearest = { index: Math.min(Math.max(index, 0), fresh.steps.length - 1), same: false };
@@ -21,7 +21,7 @@ export function continuation(former: Trace, index: number, fresh: Trace): Contin
   return found === undefined ? nearest : { index: found, same: true };
 }
 
-/** Whether two traces tell the same story, wherever their places have moved to. */
+/** Whether two traces have the same steps, apart from their places. */
 export function tellsTheSame(left: Trace, right: Trace): boolean {
   const story = ({ description, verdict, initial, steps, loop }: Trace): string =>
     JSON.stringify([description, verdict, initial, loop ?? null, steps.map((step) => [deed(step), step.earliest, step.latest])]);

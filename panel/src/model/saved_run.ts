@@ -1,12 +1,12 @@
 import type { Simulation, Trace } from '../api.ts';
 import { Values } from './values.ts';
 
-/** What a variable is behind the last step. */
+/** The value of a variable after the last step. */
 export function lastValues(trace: Trace): { [variable: string]: string } {
   return Object.fromEntries(new Values(trace).at(trace.steps.length - 1));
 }
 
-/** The run as a test: a trace that every program reads, with the values that it is to end with. */
+/** The run as a test: a trace that every program can read, with the values expected at its end. */
 export function testOf(simulation: Simulation, program: string): string {
   const { trace, main } = simulation;
   const moved = new Set(trace.steps.flatMap((step) => step.changes.map(({ variable }) => variable)));

@@ -5,7 +5,7 @@ export function decimal({ exact, seconds }: Seconds): string {
   return exact.includes('/') ? String(Number(seconds.toFixed(3))) : exact;
 }
 
-/** `1`, `[1, 2]`, `]1, 2[`, `[1, …[`: when a step happens, over all runs through the same steps. */
+/** `1`, `[1, 2]`, `]1, 2[`, `[1, …[`: the dates at which a step can happen, over all runs with the same steps. */
 export function windowOf(step: Step): string {
   const { earliest, latest } = step;
   if (latest && !earliest.strict && !latest.strict && earliest.exact === latest.exact) return decimal(earliest);
@@ -15,7 +15,7 @@ export function windowOf(step: Step): string {
     : `${left}${decimal(earliest)}, …[`;
 }
 
-/** In words and exactly, for a tooltip and for those who listen. */
+/** Exact dates as text, for tooltips and screen readers. */
 export function windowWords(step: Step): string {
   const { earliest, latest } = step;
   const at = `at ${step.date.exact} s in this run`;

@@ -1,6 +1,6 @@
 import type { Trace } from '../api.ts';
 
-/** Every so many steps all values are kept, so that those at any step are near. */
+/** All values are stored at intervals of this many steps, so that others can be computed quickly. */
 const stride = 64;
 
 /** The values of all variables after any step of a trace. */
@@ -18,7 +18,7 @@ export class Values {
     this.names = [...now.keys()];
   }
 
-  /** After the step with this index; before the first for -1. */
+  /** After the step with this index; -1: at the start. */
   at(index: number): Map<string, string> {
     const from = Math.floor(Math.max(index, 0) / stride);
     const values = new Map(this.kept[Math.min(from, this.kept.length - 1)]);

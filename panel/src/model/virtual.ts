@@ -1,4 +1,4 @@
-/** Rows of known heights, of which only those in view are drawn. Pixels. */
+/** Rows with known heights in pixels, of which only the visible ones are drawn. */
 export class Rows {
   private readonly tops: Float64Array;
 
@@ -20,7 +20,7 @@ export class Rows {
     return this.tops[row + 1]!;
   }
 
-  /** The row at this height; the first above all, the last below. -1 where there is none. */
+  /** The row at this height; clamped to the first and the last. -1 if there are no rows. */
   at(y: number): number {
     let low = 0;
     let high = this.count - 1;
@@ -32,13 +32,13 @@ export class Rows {
     return Math.min(low, this.count - 1);
   }
 
-  /** The rows to draw, from the first up to but without the last, with a margin on both sides. */
+  /** The range of rows to draw, with a margin on both sides. */
   visible(scroll: number, height: number, margin = 0): [number, number] {
     if (this.count === 0) return [0, 0];
     return [this.at(scroll - margin), this.at(scroll + height + margin) + 1];
   }
 
-  /** Where to scroll to so that a row is in view; the same place where it is already. */
+  /** Scroll position at which a row is visible; unchanged if it already is. */
   reveal(row: number, scroll: number, height: number, margin = 0): number {
     if (this.top(row) - margin < scroll) return Math.max(0, this.top(row) - margin);
     if (this.bottom(row) + margin > scroll + height)

@@ -3,14 +3,14 @@ import type { Change, Trace } from '../api.ts';
 type Tree = string | Tree[];
 type ValuesNow = ReadonlyMap<string, string>;
 
-/** A condition or an operand of ProSkill (docs/language.md), asked of the values after each step. */
+/** A condition or expression of ProSkill (docs/language.md), evaluated after each step. */
 export interface Watch {
   text: string;
-  /** what it is where the variables have these values: `true`, `false`, or a value */
+  /** its value for these variables: `true`, `false`, or a value */
   at(values: ValuesNow): string;
 }
 
-/** What is wrong with a watch, in words for its user. */
+/** An error in a watch, as a message for users. */
 export class WatchError extends Error {}
 
 function read(text: string): Tree {
@@ -38,7 +38,7 @@ function numberOf(tree: Tree, values: ValuesNow): number {
   return Number(value);
 }
 
-/** A variable's value, a sum or a difference; any other word stands for itself. */
+/** The value of a variable, a sum or a difference; any other word is a constant. */
 function operand(tree: Tree, values: ValuesNow): string {
   if (typeof tree === 'string') return values.get(tree) ?? tree;
   const [operator, ...operands] = tree;
@@ -56,7 +56,7 @@ const order = new Map<string, (a: number, b: number) => boolean>([
   ['<', (a, b) => a < b], ['<=', (a, b) => a <= b], ['>', (a, b) => a > b], ['>=', (a, b) => a >= b],
 ]);
 
-/** All of it is looked at, also where a part decides: a misspelt name is told in any case. */
+/** Checks all parts, even if one decides the result, so that misspelt names are always reported. */
 function condition(tree: Tree, values: ValuesNow): boolean {
   if (typeof tree === 'string') {
     if (tree !== 'true' && tree !== 'false') throw new WatchError(`\`${tree}\` is not a condition`);
@@ -86,23 +86,23 @@ function spelledOut(tree: Tree, values: ValuesNow): Tree {
   return tree.map((it) => spelledOut(it, values));
 }
 
-/** \throws WatchError where it cannot be asked of this trace */
+/** \throws WatchError if the trace lacks a variable */
 export function watchOf(text: string, trace: Trace): Watch {
   const initial = new Map(Object.entries(trace.initial));
   const tree = spelledOut(read(text), initial);
   if (typeof tree === 'string' && !initial.has(tree)) throw new WatchError(`there is no variable \`${tree}\` in this trace`);
-  operand(tree, initial); // tells what is wrong
+  operand(tree, initial); // throws the error
   const at = (values: ValuesNow): string => {
     try {
       return operand(tree, values);
     } catch {
-      return '?'; // what was a number at first is none now
+      return '?'; // the value was a number at first and no longer is
     }
   };
   return { text: text.trim(), at };
 }
 
-/** The trace with watches as variables of their own: they have a lane, are filtered by and looked for like any other. */
+/** The trace with watches as additional variables: they have a lane, and can be filtered and searched. */
 export function watched(trace: Trace, watches: readonly Watch[]): Trace {
   if (watches.length === 0) return trace;
   const now = new Map(Object.entries(trace.initial));

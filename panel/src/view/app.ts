@@ -14,7 +14,7 @@ import { markOf, VerdictsView } from './verdicts_view.ts';
 
 type Tab = 'trace' | 'automaton' | 'simulation';
 
-/** Asks the host what there is, and shows it. */
+/** Requests programs from the host, and shows them. */
 export async function start(root: HTMLElement, host: Host): Promise<void> {
   try {
     new App(root, host, await host.request('hello', {}));
@@ -40,9 +40,9 @@ class App {
   private readonly opened = new Map<string, Trace>();
   private program: Program | null = null;
   private toastTimer = 0;
-  /** what was seen last and could not be shown yet: its program is verified again first */
+  /** what was shown last and has to be verified again first */
   private wanted: { trace: string; step?: number } | null = null;
-  /** counts the traces that were asked for, so that a late answer does not replace a newer one */
+  /** counts requested traces, so that a late answer does not replace a newer one */
   private asked = 0;
 
   constructor(root: HTMLElement, host: Host, private readonly hello: Hello) {
@@ -67,7 +67,7 @@ class App {
     void this.begin();
   }
 
-  /** The host, with the source view looking at what is told, where there is one. */
+  /** The host, with calls to show places passed on to the source view, if there is one. */
   private watched(host: Host): Host {
     return {
       request: (method, params) => host.request(method, params),
@@ -85,7 +85,7 @@ class App {
     const { layout } = this.hello;
     document.body.classList.add(`layout-${layout}`);
     if (layout === 'trace') {
-      // A person who comes by the keyboard goes through steps.
+      // the keyboard moves through steps
       window.addEventListener('focus', () => document.activeElement === document.body && this.trace.focus());
       return this.root.replaceChildren(this.trace.element, this.toast);
     }
@@ -136,9 +136,9 @@ class App {
     void this.simulation.begin(this.remembered.run);
   }
 
-  /** What the host asks for, else what was seen last, else the first finding. */
+  /** Shows what the host requests, else what was shown last, else the first finding. */
   private async begin(): Promise<void> {
-    const { picture, trace, step, run } = this.remembered; // what follows has something to remember, too
+    const { picture, trace, step, run } = this.remembered; // later actions also need to be remembered
     if (this.hello.program) this.take(this.hello.program);
     if (this.hello.show) await this.show(this.hello.show);
     else {
@@ -150,7 +150,7 @@ class App {
     await this.showFirst();
   }
 
-  /** Where nothing was chosen yet, what a reader looks for: the only trace, or the first violated property, the program's own before those of every program. */
+  /** The first choice of a trace: the only one, or the first violated property; those of the program come first. */
   private async showFirst(): Promise<void> {
     const verdicts = this.program?.verdicts ?? [];
     const violated = verdicts.filter((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
@@ -176,12 +176,12 @@ class App {
     else if (show.step !== undefined && this.trace.trace) this.trace.goTo(show.step);
   }
 
-  /** What was seen last is there again, and nothing moves for it. */
+  /** Restores what was shown last, without moving other views. */
   private reopen(trace: string, step?: number): Promise<boolean> {
     return this.fetchTrace(trace, step, false);
   }
 
-  /** Whether it is shown now: something else may have been asked for since. */
+  /** Whether it is still to be shown: something else may have been requested meanwhile. */
   private async fetchTrace(name: string, step?: number, byUser = true): Promise<boolean> {
     const request = ++this.asked;
     try {
@@ -203,7 +203,7 @@ class App {
     this.verdicts.select(trace.name);
   }
 
-  /** A trace of a file is what it is, whatever becomes of the program. */
+  /** A trace from a file does not depend on the program. */
   private isStale(program: Program): boolean {
     return program.stale && !this.opened.has(this.trace.name ?? '');
   }
@@ -212,7 +212,7 @@ class App {
     if (verdict.steps !== null) {
       const keyboard = document.activeElement;
       const isShown = await this.fetchTrace(verdict.name);
-      // Whoever went elsewhere with the keyboard in the meantime keeps it.
+      // a user who has moved the focus elsewhere keeps it
       if (isShown && focus && (document.activeElement === keyboard || document.activeElement === document.body)) this.trace.focus();
     } else {
       this.say(verdict.reason || `${verdict.verdict}: there is no trace for this verdict`);
@@ -254,7 +254,7 @@ class App {
     if (former && this.trace.name === null) void this.showFirst();
   }
 
-  /** After another verification the trace may be another one, or there is none any more. The step stays, nothing else moves. */
+  /** After another verification there may be another trace, or none. The step remains current, and nothing else moves. */
   private async renewTrace(former: Program): Promise<void> {
     const { name } = this.trace;
     if (name === null || this.opened.has(name)) return;

@@ -10,7 +10,7 @@ import { isDark } from './theme.ts';
 
 const kinds: { [K in PictureKind]: string } = { calls: 'Program', body: 'Bodies', skill: 'Skills', sv: 'State variables' };
 
-/** A picture of a skill, a body, a state variable or the calls, tied to the source both ways. */
+/** A picture of a skill, a body, a state variable or the calls, linked to the source in both directions. */
 export class AutomatonView {
   readonly element: HTMLElement;
   private readonly stage: Stage;
@@ -32,7 +32,7 @@ export class AutomatonView {
   private pictures: PictureName[] = [];
   /** counts requests, so that a late answer does not replace a newer one */
   private asked = 0;
-  /** places that can be taken by a click, by the parts that show them */
+  /** places of possible steps, by the parts that show them */
   private offers: { places: readonly (Location | null)[]; taken: (indices: number[]) => void } | null = null;
   private offered = new Map<string, number[]>();
 
@@ -56,7 +56,7 @@ export class AutomatonView {
       this.notice, this.stage.element, this.words);
   }
 
-  /** What there is to choose from; where nothing was asked for, the body of the mission is shown. */
+  /** The list of pictures. By default the body of the mission is shown. */
   setProgram(program: Program): void {
     this.pictures = program.pictures;
     const groups = (['calls', 'body', 'skill', 'sv'] as const).map((kind) => ({ kind, list: program.pictures.filter((it) => it.kind === kind) }));
@@ -76,7 +76,7 @@ export class AutomatonView {
     await this.load(false);
   }
 
-  /** Asks for the picture again: the text or the theme is another. */
+  /** Requests the picture again after a change of the text or the theme. */
   async load(keep: boolean): Promise<void> {
     if (!this.wanted) return;
     const request = ++this.asked;
@@ -96,7 +96,7 @@ export class AutomatonView {
     return this.picture?.kind === this.wanted?.kind && this.picture?.name === this.wanted?.name;
   }
 
-  /** A picture of a text with errors never takes the place of a valid one. */
+  /** A picture of a text with errors never replaces a valid one. */
   private take(picture: Picture, keep: boolean): void {
     if (picture.errors && this.isShown() && !this.picture!.errors)
       return this.say('The text has errors: this is the last valid picture.', true);
@@ -119,7 +119,7 @@ export class AutomatonView {
     else this.say(picture.foldedBecause ?? '', false);
   }
 
-  /** For those who do not see the picture, and for the pointer. */
+  /** Descriptions for screen readers and tooltips. */
   private label(): void {
     for (const part of this.parts.values()) {
       const group = this.stage.group(part.id);
@@ -164,13 +164,13 @@ export class AutomatonView {
     if (focus && part?.type !== 'edge') group?.focus({ preventScroll: true });
   }
 
-  /** The caret is here, or the current step. */
+  /** The place of the caret or of the current step. */
   follows(location: Location): void {
     this.caret = location;
     this.markCaret(true);
   }
 
-  /** Marks the node at a place, whether it follows or not, and brings it into view. */
+  /** Marks the node at a place and scrolls to it, even if the view does not follow. */
   goTo(location: Location): void {
     const part = this.picture && partAt(this.picture, location);
     if (!part) return;
@@ -178,7 +178,7 @@ export class AutomatonView {
     this.stage.reveal(part.id);
   }
 
-  /** What may be done at these places is done by a click on the part that shows it. Whether any is shown. */
+  /** Makes parts clickable that show these places. Returns whether there are any. */
   offer(places: readonly (Location | null)[], taken: (indices: number[]) => void): boolean {
     this.offers = { places, taken };
     this.markOffers();
@@ -202,7 +202,7 @@ export class AutomatonView {
     this.stage.ring('selected', at ? [at] : []);
   }
 
-  /** The picture of a skill, where there is one that is not shown. */
+  /** The picture of a skill, unless it is already shown. */
   showOf(name: string): void {
     const found = ['body', 'skill'].map((kind) => this.pictures.find((it) => it.kind === kind && it.name === name)).find(Boolean);
     if (this.follow.on && found && (found.kind !== this.wanted?.kind || found.name !== this.wanted?.name)) void this.show(found.kind, found.name);
@@ -243,13 +243,13 @@ export class AutomatonView {
     event.preventDefault();
   }
 
-  /** Of a cluster, or of the node in its place; false where it is neither. */
+  /** Folds or unfolds a cluster; returns false if the part is not one. */
   private toggleFold(id: string): boolean {
     const all = this.picture?.foldable ?? [];
     const found = all.find((it) => it.part === id);
     if (!found) return false;
     const folded = all.filter((it) => it.folded !== (it === found)).map((it) => it.key);
-    // What is within one that is folded stays as it was.
+    // parts inside a folded one keep their state
     this.setFold([...folded, ...(this.fold ?? []).filter((key) => all.some((it) => it.key === key && it.part === null))]);
     return true;
   }
@@ -306,7 +306,7 @@ export class AutomatonView {
     event.preventDefault();
   }
 
-  /** To the node that lies next in a direction; first to the picture's first node. */
+  /** Moves to the next node in a direction; first to the picture's first node. */
   private walk(key: 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight'): void {
     const to = this.selected && this.boxes.has(this.selected) ? neighbour(this.boxes, this.selected, key) : (this.picture?.nodes[0]?.id ?? null);
     if (!to) return;

@@ -5,11 +5,11 @@ import { h, prose } from './dom.ts';
 
 export interface ChoicesEvents {
   take(index: number, late: boolean): void;
-  /** the keyboard or the pointer is at it */
+  /** the focus or the pointer is on it */
   look(index: number | null): void;
 }
 
-/** What may come next in a run, to choose from. */
+/** The possible next steps of a simulation. */
 export class ChoicesView {
   readonly element: HTMLElement;
   private readonly list: HTMLElement;
@@ -39,7 +39,7 @@ export class ChoicesView {
     this.mark();
   }
 
-  /** Where a part of a picture stands for several steps, the user chooses here. */
+  /** A menu for a part of a picture that represents several steps. */
   offer(indices: readonly number[]): void {
     this.rows.forEach((row, index) => row.classList.toggle('offered', indices.includes(index)));
     if (indices[0] !== undefined) this.move(indices[0]);

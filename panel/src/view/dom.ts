@@ -1,4 +1,4 @@
-/** Elements without markup in strings: what users write is never read as HTML. */
+/** Builds elements without parsing strings: user text is never interpreted as HTML. */
 
 type Child = Node | string | null | undefined | false;
 type Attributes = { [name: string]: string | number | boolean | null | undefined | ((event: never) => void) };
@@ -14,7 +14,7 @@ function fill(element: Element, attributes: Attributes, children: Child[]): void
   element.append(...children.filter((child): child is Node | string => !!child));
 }
 
-/** `h('button', { class: 'x', onclick: f }, 'text')`; attributes that are false are left out. */
+/** `h('button', { class: 'x', onclick: f }, 'text')`; attributes that are false are omitted. */
 export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   fill(element, attributes, children);
@@ -27,7 +27,7 @@ export function s<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attr
   return element;
 }
 
-/** Words with names between backquotes, which become code. */
+/** Text in which names in backquotes become code. */
 export function prose(text: string): DocumentFragment {
   const out = document.createDocumentFragment();
   text.split('`').forEach((part, index) => {
@@ -36,7 +36,7 @@ export function prose(text: string): DocumentFragment {
   return out;
 }
 
-/** Calls at most once a frame, with the last arguments. */
+/** Calls at most once per frame, with the last arguments. */
 export function onceAFrame(work: () => void): () => void {
   let due = false;
   return () => {
@@ -49,7 +49,7 @@ export function onceAFrame(work: () => void): () => void {
   };
 }
 
-/** Whether a key is being typed into a field. */
+/** Whether a key is typed into a field. */
 export function isTyping(event: Event): boolean {
   const target = event.target as HTMLElement | null;
   return !!target?.closest('input, select, textarea');

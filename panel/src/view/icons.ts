@@ -55,7 +55,7 @@ export interface Toggle {
   on: boolean;
   set(on: boolean): void;
 }
-/** A button that stays pressed. */
+/** A toggle button. */
 export function toggle(options: Omit<ButtonOptions, 'onclick' | 'pressed'> & { on: boolean; changed: (on: boolean) => void }): Toggle {
   const it: Toggle = {
     on: options.on,
@@ -68,7 +68,7 @@ export function toggle(options: Omit<ButtonOptions, 'onclick' | 'pressed'> & { o
   return it;
 }
 
-/** A button whose reason for not working is its tooltip. */
+/** A button that explains in its tooltip why it is disabled. */
 export function enable(element: HTMLButtonElement, why: string | null, title: string): void {
   element.disabled = why !== null;
   element.title = why ?? title;

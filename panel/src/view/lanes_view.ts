@@ -10,7 +10,7 @@ const axisHeight = 26;
 const widestLabel = 168;
 const letter = 6.2; // of a label, on average
 const loopLabelWidth = 60;
-const room = 14; // at the right end, so that the last bar and mark are seen whole
+const room = 14; // space at the right end, so that the last bar and mark are fully visible
 
 export interface LanesEvents {
   select(index: number): void;
@@ -33,7 +33,7 @@ export class LanesView {
   private readonly cursorTop = s('g');
   private readonly cursorRows = s('g');
   private readonly draw = onceAFrame(() => this.drawNow());
-  /** The line alone: lanes are many elements, and steps are gone through quickly. */
+  /** Moves only the line, since lanes have many elements and steps change quickly. */
   private readonly drawLine = onceAFrame(() => this.drawCursor(this.cursorTop, this.cursorRows, this.plotWidth));
 
   constructor(private readonly events: LanesEvents) {
@@ -57,7 +57,7 @@ export class LanesView {
     this.fit();
   }
 
-  /** Another trace; what is in view stays, but where all was. */
+  /** Shows another trace; the visible section stays, unless all of the former was visible. */
   renew(trace: Trace): void {
     const wasFitted = this.view[0] === 0 && this.view[1] === this.end;
     this.take(trace);
@@ -74,7 +74,7 @@ export class LanesView {
     this.axis = this.makeAxis();
   }
 
-  /** `reveal`: brings it into view, too. */
+  /** `reveal`: scrolls to it, too. */
   select(index: number, reveal = true): void {
     this.current = index;
     const at = this.axis[index];
@@ -83,7 +83,7 @@ export class LanesView {
     else this.drawLine();
   }
 
-  /** Only lanes of these actors and variables; those of neither kind stay. */
+  /** Shows only lanes of these actors and variables; empty sets keep all. */
   filter(actors: ReadonlySet<string>, variables: ReadonlySet<string>): void {
     this.hidden = (lane) => {
       const chosen = lane.kind === 'variable' ? variables : actors;
@@ -92,7 +92,7 @@ export class LanesView {
     this.draw();
   }
 
-  /** All of the lanes with their axis, for a file. */
+  /** All lanes with their axis, for a file. */
   picture(): { svg: SVGSVGElement; width: number; height: number } {
     const width = Math.max(this.element.clientWidth, 600);
     const rows = this.shownLanes().length * laneHeight;
@@ -118,7 +118,7 @@ export class LanesView {
     this.draw();
   }
 
-  /** Around the current step, or a place on the axis. */
+  /** Zooms around the current step, or a position on the axis. */
   private zoom(factor: number, around = this.axis[this.current] ?? (this.view[0] + this.view[1]) / 2): void {
     const [from, to] = this.view;
     const least = this.end / Math.max(50, this.axis.length * 2);
@@ -135,7 +135,7 @@ export class LanesView {
     this.draw();
   }
 
-  /** Where the panel is narrow, most of it is for the lanes. */
+  /** In a narrow panel the lanes get most of the width. */
   private get labelWidth(): number {
     return Math.min(widestLabel, Math.round(this.element.clientWidth * 0.34));
   }
@@ -176,7 +176,7 @@ export class LanesView {
   private drawAxis(top: Element, rows: Element, plot: number, height: number): void {
     const loop = this.trace?.loop;
     const loopX = typeof loop === 'number' ? Math.max(this.x(this.axis[loop] ?? 0, plot), this.labelWidth) : null;
-    // The loop's label stands to the right of its beginning; where the axis ends, to the left of that.
+    // the loop's label is on the right of its beginning, or on the left at the end of the axis
     const loopLabelX = loopX === null ? null : Math.min(loopX + 3, this.labelWidth + plot - loopLabelWidth);
     for (const tick of ticks(this.view[0], this.view[1], plot / 90)) {
       if (this.byStep.on && !Number.isInteger(tick)) continue;
@@ -203,7 +203,7 @@ export class LanesView {
     return group;
   }
 
-  /** Diamonds for events, with what they are; for who runs a line a step, all as one element. */
+  /** Diamonds for events, with labels; lines for the steps of other actors, as a single element. */
   private markElements(lane: Lane, plot: number): SVGElement[] {
     if (lane.kind === 'variable') return [];
     const marks = drawMarks(lane, this.axis, this.view[0], this.view[1], plot);
@@ -241,7 +241,7 @@ export class LanesView {
     return `${what}\nfrom ${date(from)} ${to === null ? 'to the end of the trace' : `to ${date(to)}`}`;
   }
 
-  /** A line at the current step, and a band over the dates that it may have. */
+  /** A line at the current step, and a band over its possible dates. */
   private drawCursor(top: Element, rows: Element, plot: number): void {
     const height = this.shownLanes().length * laneHeight;
     const at = this.axis[this.current];

@@ -4,9 +4,9 @@ import { icon, type Icon } from './icons.ts';
 export interface Item {
   label: string;
   hint?: string;
-  /** undefined: it does something; else it is a choice that is on or off */
+  /** undefined: an action; otherwise a choice that is on or off */
   checked?: boolean;
-  /** class of its mark */
+  /** class of its icon */
   mark?: string;
   choose: () => void;
 }
@@ -15,7 +15,7 @@ export interface Section {
   items: Item[];
 }
 
-/** A button that opens a list. What can be checked leaves the list open. */
+/** A button that opens a list. Toggling a choice keeps the list open. */
 export function menu(options: { icon: Icon; text?: string; title: string; content: () => Section[] }): HTMLElement {
   const list = h('div', { class: 'menu-list', role: 'menu', 'aria-label': options.title, hidden: true });
   const opener = h('button', {

@@ -1,7 +1,7 @@
 import type { Host } from '../api.ts';
 import { h, s } from './dom.ts';
 
-/** Files and the clipboard, by the host where it can, else by the browser. */
+/** Files and the clipboard, by the host if it can, otherwise by the browser. */
 export class Saver {
   constructor(private readonly host: Host, private readonly byHost: boolean, private readonly say: (words: string) => void) {}
 
@@ -38,7 +38,7 @@ export class Saver {
 
 const kept = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'font-family', 'font-size', 'font-weight', 'text-anchor'];
 
-/** A copy that looks the same without the page's style sheets. \pre it is in the document. */
+/** A copy that looks the same without the page's style sheets. \pre it is in the document */
 export function standalone(svg: SVGSVGElement, width: number, height: number, background: string): string {
   const copy = svg.cloneNode(true) as SVGSVGElement;
   const from = svg.querySelectorAll('*');
@@ -54,9 +54,9 @@ export function standalone(svg: SVGSVGElement, width: number, height: number, ba
   return new XMLSerializer().serializeToString(copy) + '\n';
 }
 
-/** An SVG text as a PNG, sharp on screens of today. */
+/** An SVG text as a PNG with a high resolution. */
 export async function toPng(svg: string, width: number, height: number): Promise<Blob> {
-  const most = 8000; // of pixels; browsers draw nothing beyond
+  const most = 8000; // in pixels; browsers draw nothing larger
   const scale = Math.min(2, most / width, most / height);
   const url = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
   try {

@@ -16,7 +16,7 @@ export interface SimulationEvents {
   stepped(byUser: boolean): void;
 }
 
-/** A run whose steps the user chooses, in a list or in an automaton. After an edit its steps are taken again. */
+/** A simulation, whose steps the user chooses in a list or in an automaton. After an edit its steps are replayed. */
 export class SimulationView {
   readonly element: HTMLElement;
   private readonly choices: ChoicesView;
@@ -27,7 +27,7 @@ export class SimulationView {
   private readonly again: HTMLButtonElement;
   private readonly returning: HTMLButtonElement;
   private readonly saving: HTMLButtonElement;
-  /** all steps that were asked for, those that are not possible at the moment too */
+  /** all requested steps, including those that are not possible now */
   private run: ChosenRun = { steps: [] };
   private now: Simulation | null = null;
   private program: Program | null = null;
@@ -58,13 +58,13 @@ export class SimulationView {
     if (this.begun && program.pictures.length > 0) this.automaton.setProgram(program);
   }
 
-  /** Nothing is asked for before somebody looks. */
+  /** Nothing is requested before the view is visible. */
   private start(): void {
     this.begun = true;
     if (this.program) this.setProgram(this.program);
   }
 
-  /** When it is first looked at. */
+  /** The view becomes visible for the first time. */
   async begin(run?: ChosenRun): Promise<void> {
     if (this.begun) return;
     this.start();
@@ -78,7 +78,7 @@ export class SimulationView {
     this.choices.focus();
   }
 
-  /** The text is another one: the same steps are taken again. */
+  /** The text changed: replays the steps. */
   async replay(): Promise<void> {
     if (!this.begun) return;
     await this.automaton.load(true);
@@ -89,7 +89,7 @@ export class SimulationView {
     this.choices.focus();
   }
 
-  /** The theme is another one. */
+  /** The theme changed. */
   redraw(): void {
     void this.automaton.load(true);
   }
@@ -130,7 +130,7 @@ export class SimulationView {
     this.events.remember(this.run);
   }
 
-  /** What the run as a test says. */
+  /** The result of the run as a test. */
   private tell(now: Simulation): void {
     const { steps, expect } = this.run;
     const wanted = now.missing && steps[now.missing.index];
@@ -149,7 +149,7 @@ export class SimulationView {
     this.notice.className = `notice ${kind}`;
   }
 
-  /** The choices that the picture shows can be taken there. */
+  /** Offers the possible steps that the picture shows there. */
   private offer(): void {
     if (!this.now) return;
     const places = this.now.choices.map(({ location }) => location);
@@ -172,7 +172,7 @@ export class SimulationView {
     if (this.now && count >= 0 && count <= this.now.trace.steps.length) await this.go(this.now.trace.steps.slice(0, count).map(chosenStep));
   }
 
-  /** What the user does makes it another run than the one that was opened. */
+  /** With a step of the user it is no longer the run that was opened. */
   private async go(steps: ChosenStep[]): Promise<void> {
     const { main } = this.run;
     await this.ask({ steps, ...(main && { main }) }, true);
@@ -199,5 +199,5 @@ export class SimulationView {
   }
 }
 
-/** Whose picture shows what an actor does: a branch is in the body of its skill. */
+/** The skill whose picture shows an actor: a branch is part of its skill's body. */
 const skillOf = (actor: string): string => actor.replace(/ branch [\d.]+$/, '').replace(/^watchdog of /, '');

@@ -5,7 +5,7 @@ import { h, onceAFrame } from './dom.ts';
 
 const lineHeight = 20;
 
-/** The text of the program beside the views, with the range in hand marked. */
+/** The program's text beside the views, with the current range marked. */
 export class SourceView {
   readonly element: HTMLElement;
   private readonly files = h('select', { class: 'files', 'aria-label': 'File', onchange: () => void this.open(this.files.value) });
@@ -16,7 +16,7 @@ export class SourceView {
   private rows = new Rows([]);
   private uri: string | null = null;
   private marked: Location | null = null;
-  /** the file that is to be shown: an answer that comes late shows no other */
+  /** the file to show; late answers for another are ignored */
   private wanted: string | null = null;
   private readonly draw = onceAFrame(() => this.drawNow());
 
@@ -26,7 +26,7 @@ export class SourceView {
     new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
-  /** The files to choose from; texts are read anew. What is in view stays where it is. */
+  /** The list of files; texts are read again. The scroll position stays. */
   async setProgram(program: Program): Promise<void> {
     this.texts.clear();
     const before = this.wanted;
@@ -35,7 +35,7 @@ export class SourceView {
     if (first) await this.load(first);
   }
 
-  /** The mark alone, where the view goes with no step. */
+  /** Marks a range without scrolling, if the view does not follow. */
   mark(location: Location | null): void {
     this.marked = location;
     this.drawNow();
@@ -44,7 +44,7 @@ export class SourceView {
   async reveal(location: Location, focus: boolean): Promise<void> {
     this.marked = location;
     await this.open(location.uri);
-    if (this.marked !== location || this.uri !== location.uri) return; // something else was asked for since
+    if (this.marked !== location || this.uri !== location.uri) return; // something else was requested meanwhile
     const rows = this.rows;
     const { start, end } = location.range;
     const last = Math.min(end.line, rows.count - 1);
@@ -103,7 +103,7 @@ export class SourceView {
     return !!range && line >= range.start.line && line <= range.end.line;
   }
 
-  /** Tokens with their colours, cut where the marked range begins and ends. */
+  /** Coloured tokens, split at the ends of the marked range. */
   private lineText(at: number): HTMLElement {
     const tokens = this.lines[at] ?? [];
     const range = this.isMarked(at) ? this.marked!.range : null;
@@ -113,7 +113,7 @@ export class SourceView {
     const code = h('span', { class: 'code' });
     let column = 0;
     for (const token of tokens) {
-      // Columns are characters, of which some are two units of a JavaScript string.
+      // columns count characters, some of which are two units of a JavaScript string
       const characters = [...token.text];
       const cut = (begin: number, end: number): string => characters.slice(Math.max(begin - column, 0), Math.max(end - column, 0)).join('');
       const add = (text: string, marked: boolean): void => {
@@ -132,7 +132,7 @@ export class SourceView {
     return code;
   }
 
-  /** Where a click sets the caret, the automaton follows. */
+  /** A click sets the caret, and the automaton follows. */
   private click(event: MouseEvent): void {
     const line = Number((event.target as Element).closest('[data-line]')?.getAttribute('data-line') ?? NaN);
     if (Number.isNaN(line) || !this.uri || !getSelection()?.isCollapsed) return;

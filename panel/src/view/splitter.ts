@@ -2,7 +2,7 @@ import { h } from './dom.ts';
 
 const least = 90; // pixels
 
-/** A line that is dragged, or moved with the arrow keys, to give what is behind it more room or less. */
+/** A line that is dragged, or moved with the arrow keys, to resize the part after it. */
 export function splitter(direction: 'vertical' | 'horizontal', behind: HTMLElement, name: string): HTMLElement {
   const vertical = direction === 'vertical';
   const property = vertical ? 'width' : 'height';

@@ -1,11 +1,11 @@
 import type { Box } from '../model/picture.ts';
 import { h, onceAFrame, s } from './dom.ts';
 
-const margin = 16; // around the picture, in its units
-const largest = 6; // pixels a unit
+const margin = 16; // margin around the picture, in its units
+const largest = 6; // pixels per unit
 const smallest = 0.02;
 
-/** Shows an SVG picture: moved with the mouse, zoomed with the wheel, both with keys. */
+/** Shows an SVG picture: it is moved with the mouse, zoomed with the wheel, both also with keys. */
 export class Stage {
   readonly element: HTMLElement;
   svg: SVGSVGElement | null = null;
@@ -24,7 +24,7 @@ export class Stage {
     this.listen();
   }
 
-  /** Takes the place of the former picture. `keep`: what is in view stays where it is. */
+  /** Replaces the picture. `keep`: keeps zoom and position. */
   show(svg: SVGSVGElement, keep: boolean): void {
     const box = svg.viewBox.baseVal;
     this.size = { width: box.width || 1, height: box.height || 1 };
@@ -49,7 +49,7 @@ export class Stage {
     this.applyNow();
   }
 
-  /** Around a point of the element, its middle where there is none. */
+  /** Zooms around a point of the element; by default its centre. */
   zoom(factor: number, x = this.element.clientWidth / 2, y = this.element.clientHeight / 2): void {
     const scale = Math.min(Math.max(this.scale * factor, smallest), largest);
     this.left += x / this.scale - x / scale;
@@ -59,7 +59,7 @@ export class Stage {
     this.apply();
   }
 
-  /** Pixels. */
+  /** In pixels. */
   pan(x: number, y: number): void {
     this.left += x / this.scale;
     this.top += y / this.scale;
@@ -71,7 +71,7 @@ export class Stage {
     return this.groups.get(id) ?? null;
   }
 
-  /** In units of the picture's own. */
+  /** In units of the picture. */
   box(id: string): Box | null {
     return this.group(id)?.getBBox() ?? null;
   }
@@ -85,7 +85,7 @@ export class Stage {
     }
   }
 
-  /** Moves only where a part is not in view, and no more than needed. */
+  /** Moves only if a part is not visible, and no more than necessary. */
   reveal(id: string): void {
     const group = this.group(id);
     if (!group) return;
@@ -139,7 +139,7 @@ export class Stage {
 
 const idOf = (target: EventTarget | null): string | null => (target as Element | null)?.closest('g.node, g.edge, g.cluster')?.id ?? null;
 
-/** The text of a picture as elements: without links, which would lead away, and without scripts. */
+/** The text of a picture as elements, without links and scripts. */
 export function readSvg(text: string): SVGSVGElement {
   const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
   if (root.nodeName !== 'svg') throw new Error('the picture cannot be read');

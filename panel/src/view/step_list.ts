@@ -9,7 +9,7 @@ import { h, onceAFrame, prose } from './dom.ts';
 import { icon } from './icons.ts';
 
 const heights = { head: 30, step: 26, why: 20, change: 22, other: 26 };
-const margin = 300; // pixels that are drawn above and below what is in view
+const margin = 300; // pixels drawn above and below the visible part
 
 type Row =
   | { type: 'head'; actor: string; group: number; count: number }
@@ -28,13 +28,13 @@ export interface Shown {
   steps: readonly number[];
   grouped: boolean;
   found: ReadonlySet<number>;
-  /** undefined: with no other */
+  /** undefined: no comparison */
   compared?: { other: Trace; pairs: Pair[] };
 }
 
 const whoElement = (actor: string): HTMLElement => h('span', { class: 'actor', title: actor }, h('span', { class: 'dot' }), actor);
 
-/** The steps of a trace, of which only those in view are elements. */
+/** The steps of a trace; only visible ones are elements. */
 export class StepList {
   readonly element: HTMLElement;
   private readonly space = h('div', { class: 'steps-space' });
@@ -52,7 +52,7 @@ export class StepList {
   private current = -1;
   private readonly draw = onceAFrame(() => this.drawNow());
 
-  /** `prefix`: of the steps' ids, where a page has several lists. */
+  /** `prefix` of the steps' ids, for pages with several lists. */
   constructor(private readonly events: StepListEvents, private readonly prefix: string) {
     this.element = h('div', {
       class: 'steps', tabindex: 0, role: 'listbox', 'aria-label': 'Steps of the trace', onscroll: () => this.draw(),
@@ -72,7 +72,7 @@ export class StepList {
     this.arrange();
   }
 
-  /** Another trace: its step `index` becomes the current one, and stands where the former one stood. */
+  /** Shows another trace; its step `index` becomes current, at the position of the former one. */
   renew(shown: Shown, index: number): void {
     const before = this.rowOf.get(this.current);
     const offset = before === undefined ? 0 : this.layout.top(before) - this.element.scrollTop;
@@ -91,12 +91,12 @@ export class StepList {
     this.folded.clear();
   }
 
-  /** Of an actor that only the other trace has, too. */
+  /** An actor that only the other trace has. */
   private hueOf(actor: string): number {
     return this.colours.get(actor) ?? hue(actor, hues);
   }
 
-  /** Makes a step the current one and brings it into view. */
+  /** Makes a step current and scrolls to it. */
   select(index: number): void {
     this.current = index;
     const row = this.rowOf.get(index);
@@ -256,11 +256,11 @@ export class StepList {
     event.preventDefault();
   }
 
-  /** Goes on by so many of the steps that are shown. */
+  /** Moves by this many of the visible steps. */
   move(by: number): void {
     const steps = this.shown?.steps ?? [];
     if (steps.length === 0) return;
-    // Where the current step is not shown, from where it would be.
+    // if the current step is hidden, from where it would be
     const after = steps.findIndex((index) => index >= this.current);
     const at = after < 0 ? steps.length : after;
     const from = steps[at] === this.current || by < 0 ? at : at - 1;
@@ -268,7 +268,7 @@ export class StepList {
   }
 }
 
-/** What a test has found is seen, however long its condition is. */
+/** Shows the result of a test, however long its condition is. */
 function wordsOf(words: string): HTMLElement[] {
   const [, before, result] = /^(.*): (true|false)$/.exec(words) ?? [null, words, null];
   const whole = h('span', { class: 'words', title: words.replaceAll('`', '') }, prose(before));

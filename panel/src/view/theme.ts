@@ -1,4 +1,4 @@
-/** Light or dark: as VS Code's theme says, else as the user chose here, else as the system does. */
+/** Light or dark: the theme of VS Code, else the user's choice, else the setting of the system. */
 type Theme = 'light' | 'dark';
 
 const system = (): MediaQueryList => matchMedia('(prefers-color-scheme: dark)');
@@ -12,19 +12,19 @@ export function isDark(): boolean {
   return chosen ? chosen === 'dark' : system().matches;
 }
 
-/** The style sheets look at this alone. */
+/** The only attribute that the style sheets use. */
 function apply(): void {
   document.documentElement.dataset['theme'] = isDark() ? 'dark' : 'light';
 }
 
-/** From light to dark and back; where that is what the system says, it is followed again. */
+/** Toggles light and dark; if the result equals the system's setting, that is followed again. */
 export function switchTheme(): void {
   const dark = !isDark();
   chosen = dark === system().matches ? null : dark ? 'dark' : 'light';
   apply();
 }
 
-/** Begins to follow the theme, and tells of each change. */
+/** Follows the theme, and reports each change. */
 export function followTheme(changed: () => void): void {
   apply();
   system().addEventListener('change', apply);

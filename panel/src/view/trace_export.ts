@@ -5,7 +5,7 @@ import type { LanesView } from './lanes_view.ts';
 import type { Section } from './menu.ts';
 import { standalone, type Saver } from './save.ts';
 
-/** The menu that saves and copies a trace; `within`: where styles apply, for the picture of the lanes. */
+/** The menu to save and copy a trace; `within`: element whose styles apply to the picture of the lanes. */
 export function exportSections(trace: Trace, lanes: LanesView, within: HTMLElement, saver: Saver): Section[] {
   const save = (extension: string, type: string, text: () => string) => (): void => void saver.text(fileName(trace.name, extension), type, text());
   return [{ title: 'Save', items: [

@@ -2,7 +2,7 @@ import type { Trace } from '../api.ts';
 import { decimal } from '../model/time.ts';
 import { h, plural, prose } from './dom.ts';
 
-/** What stands above the steps: the property with its verdict, and in a sentence what the trace shows. */
+/** The head of a trace: the property with its verdict, and a sentence about what the trace shows. */
 export class TraceHead {
   private readonly line = h('div', { class: 'trace-head' });
   private readonly summary = h('p', { class: 'trace-summary' });
@@ -20,7 +20,7 @@ export class TraceHead {
     this.summary.hidden = !trace.summary;
   }
 
-  /** Of a trace that took the place of another one. */
+  /** A notice about a trace that replaced another one. */
   say(words: string): void {
     this.renewed.textContent = words;
   }

@@ -17,14 +17,14 @@ import { TraceHead } from './trace_head.ts';
 import { ValuesView } from './values_view.ts';
 
 export interface TraceEvents {
-  /** The current step is another one, or is in another trace; `byUser`: the user went there. */
+  /** The current step or trace changed; `byUser`: by an action of the user. */
   stepped(byUser: boolean): void;
   openFile(): void;
   pinned(names: string[]): void;
   watches(texts: string[]): void;
 }
 
-/** A trace as a list of steps, values and lanes, in step with each other and with the source. */
+/** A trace as a list of steps, values and lanes, synchronised with each other and the source. */
 export class TraceView {
   readonly element: HTMLElement;
   private readonly list: StepList;
@@ -47,16 +47,16 @@ export class TraceView {
   private compared: { other: Trace; pairs: Pair[] } | null = null;
   private valuesOf = new Values({ name: '', description: '', verdict: '', initial: {}, steps: [] });
   private others: Verdict[] = [];
-  /** as it was given, and the same with the watches that can be asked of it */
+  /** the original, and the same with all watches that it supports */
   private given: Trace | null = null;
   trace: Trace | null = null;
   private watches: Watch[] = [];
   private watchTexts: string[] = [];
-  /** what was shown of the property before it had no trace any more */
+  /** what was shown of the property before it lost its trace */
   private former: { trace: Trace; index: number } | null = null;
   private gone = false;
   private readonly nothingOpen: Node[];
-  /** the property that the view is about, with a trace or without; null: none was chosen yet */
+  /** the current property, with or without a trace; null: none was chosen yet */
   name: string | null = null;
   current = -1;
 
@@ -90,7 +90,7 @@ export class TraceView {
     this.element = h('div', { class: 'trace-view', onkeydown: (event: KeyboardEvent) => this.key(event) }, this.empty, this.body);
   }
 
-  /** With what a trace can be compared. */
+  /** Traces to compare with. */
   setOthers(verdicts: Verdict[]): void {
     this.others = verdicts.filter((verdict) => verdict.steps !== null);
   }
@@ -99,12 +99,12 @@ export class TraceView {
     this.values.pin(names);
   }
 
-  /** The watches of other days, before a trace is shown. */
+  /** Watches of earlier sessions, before a trace is shown. */
   remember(watches: readonly string[]): void {
     this.watchTexts = [...watches];
   }
 
-  /** What is wrong with the watch, or nothing, and it is there. */
+  /** Adds a watch, or returns its error. */
   private watch(text: string): string | null {
     try {
       watchOf(text, this.given!);
@@ -126,7 +126,7 @@ export class TraceView {
     this.moveTo(this.current, false);
   }
 
-  /** What this trace cannot be asked waits for another one. */
+  /** A watch that this trace does not support is kept for others. */
   private ask(): void {
     this.watches = this.watchTexts.flatMap((text) => {
       try {
@@ -139,7 +139,7 @@ export class TraceView {
     this.valuesOf = new Values(this.trace);
   }
 
-  /** Opens a trace at a step; without one at its last, which shows what the property is about. */
+  /** Opens a trace at a step; by default at the last, which shows what the property is about. */
   show(trace: Trace, step = trace.steps.length - 1, byUser = true): void {
     this.name = trace.name;
     this.given = trace;
@@ -163,8 +163,8 @@ export class TraceView {
   }
 
   /**
-   * Another trace of the same property, after another verification. The step stays: the one that does the same, else the nearest.
-   * So does what is in view; the source goes nowhere.
+   * Shows another trace of the same property, after another verification. The current step becomes the equal one, else the nearest. The visible part
+   * stays; the source does not move.
    */
   renew(trace: Trace, tells = true): void {
     const former = this.given ? { trace: this.given, index: this.current } : this.former;
@@ -190,7 +190,7 @@ export class TraceView {
       ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`);
   }
 
-  /** The property has a verdict without a trace now: what was shown is of the past. */
+  /** The property now has a verdict without a trace: shows the former trace as outdated. */
   showVerdict(verdict: Verdict): void {
     if (this.given) this.former = { trace: this.given, index: this.current };
     this.given = null;
@@ -202,7 +202,7 @@ export class TraceView {
     this.host.tell('step', null);
   }
 
-  /** The program has no such property any more. */
+  /** The program no longer has such a property. */
   markGone(): void {
     this.gone = true;
     this.markStale(true);
@@ -282,7 +282,7 @@ export class TraceView {
     this.refresh();
   }
 
-  /** To the next step that only this trace has, or where the other has steps of its own. */
+  /** Moves to the next step that only this trace has, or where the other has additional steps. */
   private toDifference(direction: 1 | -1): void {
     const { pairs } = this.compared!;
     const marked = new Set<number>();
@@ -296,7 +296,7 @@ export class TraceView {
     if (to !== undefined) this.goTo(to);
   }
 
-  /** `renewedAt`: in another trace, of which this step is to be where the current one was. */
+  /** `renewedAt`: in another trace, in which this step takes the position of the current one. */
   private refresh(renewedAt?: number): void {
     const trace = this.trace!;
     this.shown = select(trace, this.filter);
@@ -321,7 +321,7 @@ export class TraceView {
     });
   }
 
-  /** The user goes to a step: the source follows. */
+  /** The user selects a step: the source follows. */
   goTo(index: number): void {
     this.list.select(index);
     this.head.say('');
@@ -342,7 +342,7 @@ export class TraceView {
     this.events.stepped(byUser);
   }
 
-  /** Without the watches, which are nothing of the program's. */
+  /** Without watches, which are not part of the program. */
   private variablesAt(index: number): { [variable: string]: string } {
     const values = this.valuesOf.at(index);
     for (const { text } of this.watches) values.delete(text);

@@ -7,9 +7,9 @@ import { parts } from './step_list.ts';
 
 export interface ValuesEvents {
   pinned(names: string[]): void;
-  /** only steps that change it, or no longer */
+  /** toggle: only steps that change it */
   filter(name: string): void;
-  /** one more, or one less; what is wrong with it */
+  /** add or remove a watch; returns its error */
   watch(text: string): string | null;
   unwatch(text: string): void;
 }
@@ -22,7 +22,7 @@ export interface ValuesShown {
   watches: ReadonlySet<string>;
 }
 
-/** What every variable and every watch is after the current step; watches and the pinned ones first. */
+/** The values of all variables and watches after the current step; watches and pinned variables come first. */
 export class ValuesView {
   readonly element: HTMLElement;
   private readonly body = h('tbody');

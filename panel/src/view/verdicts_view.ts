@@ -8,7 +8,7 @@ export const markOf = (verdict: Verdict): Mark =>
 const icons: { [M in Mark]: Icon } = { good: 'good', error: 'bad', warning: 'warning', open: 'open_question' };
 const rank: { [M in Mark]: number } = { error: 0, warning: 1, open: 2, good: 3 };
 
-/** All properties by what they are about; those with findings first. */
+/** All properties by subject; those with findings come first. */
 export class VerdictsView {
   readonly element: HTMLElement;
   private readonly list = h('div', { class: 'scroll', role: 'listbox', 'aria-label': 'Properties', tabindex: -1 });
@@ -26,7 +26,7 @@ export class VerdictsView {
     this.list.addEventListener('keydown', (event) => this.key(event));
   }
 
-  /** What has the keyboard keeps it. */
+  /** The focused element keeps the focus. */
   show(program: Program): void {
     const isSame = program.verdicts === this.program?.verdicts;
     if (isSame) {
@@ -111,7 +111,7 @@ export class VerdictsView {
   }
 }
 
-/** Without the subject's name at the beginning, which stands above. */
+/** Without the subject's name at the beginning, which is shown above. */
 function shortWords(verdict: Verdict): string {
   const start = `\`${verdict.subject}\` `;
   return verdict.description.startsWith(start) ? verdict.description.slice(start.length) : verdict.description;

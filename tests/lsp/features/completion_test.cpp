@@ -29,7 +29,7 @@ Json itemOf(const Json& answer, const std::string& label) {
 } // namespace
 
 TEST_CASE("a completion replaces what is typed, counted in the encoding of the client") {
-  // The columns behind the two robots: 8 bytes, 4 units of UTF-16, 2 characters.
+  // the columns after the two robots: 8 bytes, 4 units of UTF-16, 2 characters
   for (auto [encoding, column] :
        {std::pair{"utf-8", 41U}, std::pair{"utf-16", 37U}, std::pair{"utf-32", 35U}}) {
     Session session({.encoding = encoding});

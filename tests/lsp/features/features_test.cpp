@@ -7,8 +7,8 @@ namespace proskill::test::features_test {
 using test::rangeOf;
 using test::Session;
 
-/// Features over the wire: that places are counted as the client counts, and that each answer has
-/// the protocol's form. What they say is tested in tests/ide.
+/// Features over the wire: positions are counted as the client counts, and each answer has the
+/// protocol's form. tests/ide covers the contents.
 namespace {
 
 constexpr auto kMain = "file:///w/main.proskill";
@@ -19,7 +19,7 @@ const std::string kText = "(defsv lamp :states (On Off) :init Off)\n"
                           "(defskill go :input ($x int) :success done :action (go $x))\n"
                           "(defskill m :body ((printf \"🤖🤖\") (go x 1) (set (lamp On))))\n";
 
-/// The column of the `nth` byte of the third line, which stands behind the robots.
+/// The column of the `nth` byte of the third line, which is after the robots.
 unsigned column(std::string_view encoding, unsigned byte) {
   return byte - (encoding == "utf-8" ? 0 : encoding == "utf-16" ? 4 : 6);
 }

@@ -27,7 +27,7 @@ std::map<std::string, std::string> models() {
   return result;
 }
 
-/// Every method, at every place; what must not be is thrown.
+/// Every method, at every place; throws if an answer is invalid.
 std::size_t askAll(const Desk& desk, const std::string& file, std::size_t stride) {
   std::size_t answered = 0;
   const auto places = test::placesIn(desk.text(file), false);

@@ -18,7 +18,7 @@ namespace {
 constexpr auto kModel = "file:///w/door.fcr";
 constexpr auto kEnvironment = "file:///w/a.fcr";
 
-/// It opens, and is then open for ever.
+/// It opens, and stays open for ever.
 const std::string kDoor = "process Door is\n"
                           "states shut, open\n"
                           "from shut\n"
@@ -41,7 +41,7 @@ Session::Options with(Json settings) {
   return options;
 }
 
-/// The next news of the model in a state.
+/// The next notification on the model in a state.
 Json verdictsIn(Session& session, const std::string& state) {
   while (true) {
     auto news = session.notified("proskill/verdicts");
@@ -150,7 +150,7 @@ TEST_CASE("environments and properties alone are checked, and not verified") {
   CHECK(session.ask("proskill/verify", document(kEnvironment))["error"]["message"] ==
         "the text names no model");
   session.open(kModel, kDoor);
-  verdictsIn(session, "done"); // all news are of the model
+  verdictsIn(session, "done"); // all notifications concern the model
   session.change(kEnvironment, 2, rangeOf(4, 7, 8), "b");
   CHECK(session.notified("textDocument/publishDiagnostics")["uri"].is_string());
 }

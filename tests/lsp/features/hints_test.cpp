@@ -17,7 +17,7 @@ const std::string kMainText =
     "(include \"skills.proskill\")\n"
     "(defskill m :body (\n  (go x 3)\n  (if (= go.status success) (^ 1))))\n";
 
-/// A client that completes these members of hints.
+/// A client that resolves these members of hints.
 Session::Options completing(Json members) {
   return {.capabilities = {
               {"textDocument", {{"inlayHint", {{"resolveSupport", {{"properties", members}}}}}}}}};
@@ -33,7 +33,7 @@ Json hintsOf(Session& session) {
                                                      {"end", {{"line", 4}, {"character", 0}}}}}});
 }
 
-/// How long `m` takes, what `x` is, and what `go.status` can be.
+/// The duration of `m`, the type of `x`, and the values of `go.status`.
 const Json kInput{{"uri", kSkills}, {"range", rangeOf(0, 21, 23)}};
 const Json kSkill{{"uri", kSkills}, {"range", rangeOf(0, 10, 12)}};
 
@@ -49,7 +49,7 @@ TEST_CASE("a hint leads to what it speaks about and says what it means") {
   CHECK(hints[1]["tooltip"] == "The type of the input `$x` of `go`.");
   CHECK(hints[2]["label"] ==
         Json::array({{{"value", "= success or failure"}, {"location", kSkill}}}));
-  CHECK(session.result("inlayHint/resolve", hints[1]) == hints[1]); // it lacks nothing
+  CHECK(session.result("inlayHint/resolve", hints[1]) == hints[1]); // it is complete
 }
 
 TEST_CASE("what a client completes comes when a hint is looked at") {
@@ -76,7 +76,7 @@ TEST_CASE("a hint of an earlier text is not completed") {
   auto hint = hintsOf(session)[1];
   session.change(kMain, 2, rangeOf(0, 0, 0), ";\n");
   CHECK(session.ask("inlayHint/resolve", hint)["error"]["code"] == -32801);
-  hint["data"]["version"] = 2; // nor one that is not there
+  hint["data"]["version"] = 2; // nor one that does not exist
   CHECK(session.result("inlayHint/resolve", hint) == hint);
   hint["position"] = {{"line", -1}};
   CHECK(session.ask("inlayHint/resolve", hint)["error"]["code"] == -32602);

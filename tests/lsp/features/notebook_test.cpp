@@ -26,7 +26,7 @@ Json item(const std::string& name, const std::string& text, const char* language
   return {{"uri", cellUri(name)}, {"languageId", language}, {"version", 1}, {"text", text}};
 }
 
-/// A client with a notebook. Findings are asked for.
+/// A client with a notebook that requests diagnostics.
 class Notebook {
 public:
   using Cells = std::vector<std::pair<std::string, std::string>>; ///< names and texts
@@ -56,7 +56,7 @@ public:
                    {{"notebookDocument", {{"uri", kNotebook}, {"version", ++version}}},
                     {"change", {{"cells", cells}}}});
   }
-  /// Replaces cells; of the texts some come and some go.
+  /// Replaces cells; some texts are closed, others opened.
   void splice(unsigned start, unsigned count, const std::vector<std::string>& names,
               const Json& opened = Json::array(), const Json& closed = Json::array()) {
     Json cells = Json::array();
@@ -76,7 +76,7 @@ public:
                    {{"notebookDocument", {{"uri", kNotebook}}}, {"cellTextDocuments", texts}});
   }
 
-  /// The codes of what is wrong with a cell.
+  /// The codes of the findings in a cell.
   std::vector<std::string> codes(const std::string& name) {
     std::vector<std::string> result;
     const auto report =
@@ -100,7 +100,7 @@ public:
 };
 
 using Codes = std::vector<std::string>;
-const Codes kUnknown{"PS0202"}; ///< a name that nothing defines
+const Codes kUnknown{"PS0202"}; ///< an undefined name
 const Codes kNone;
 
 } // namespace
@@ -145,7 +145,7 @@ TEST_CASE("a notebook itself is in no answer") {
   CHECK(session.result("textDocument/diagnostic", itself)["items"].empty());
   const Json moved{{"oldUri", "file:///w"}, {"newUri", "file:///elsewhere"}};
   CHECK(session.result("workspace/willRenameFiles", {{"files", {moved}}}).is_null());
-  // Nor is it, or a cell, a file to include.
+  // Neither it nor a cell can be included.
   notebook.edit("b", rangeOf(0, 0, 0), "(include \"\")");
   CHECK(session.at("textDocument/completion", cellUri("b"), 0, 10)["items"].empty());
 }
@@ -172,10 +172,10 @@ TEST_CASE("cells come, go and move, and are edited") {
   Notebook notebook({{"a", kLamp}, {"b", kSwitch}});
   notebook.splice(0, 1, {}, Json::array(), Json::array({identifier("a")}));
   CHECK(notebook.codes("b") == kUnknown);
-  notebook.splice(1, 0, {"c"}, Json::array({item("c", kLamp)})); // what a program needs may follow
+  notebook.splice(1, 0, {"c"}, Json::array({item("c", kLamp)})); // dependencies may come later
   CHECK(notebook.codes("b") == kNone);
   CHECK(notebook.held() == std::vector{cellUri("b"), cellUri("c")});
-  // Of two definitions the later one is one too many.
+  // of two definitions the later one is the duplicate
   notebook.splice(2, 0, {"d"}, Json::array({item("d", kLamp)}));
   CHECK(notebook.codes("c") == kNone);
   CHECK(notebook.codes("d").size() == 1);
@@ -184,7 +184,7 @@ TEST_CASE("cells come, go and move, and are edited") {
   CHECK(notebook.codes("d") == kNone);
   notebook.edit("d", rangeOf(0, 7, 11), "door");
   CHECK(notebook.codes("c") == kNone);
-  // What is closed and opened by one message is open.
+  // A cell that one message closes and opens is open.
   notebook.splice(1, 1, {"d"}, Json::array({item("d", kLamp)}), Json::array({identifier("d")}));
   CHECK(notebook.codes("c").size() == 1);
 }
@@ -246,7 +246,7 @@ TEST_CASE("cells in other languages are none of the server's") {
   CHECK(notebook.held() == std::vector{cellUri("a"), cellUri("b")});
   notebook.splice(1, 1, {}, Json::array(), Json::array({identifier("text")}));
   CHECK(notebook.codes("b") == kNone);
-  CHECK_FALSE(notebook.session.hasMore()); // nothing was wrong
+  CHECK_FALSE(notebook.session.hasMore()); // there were no findings
 }
 
 TEST_CASE("a notebook that is closed leaves nothing, whatever is said of its cells") {
@@ -303,7 +303,7 @@ TEST_CASE("what is wrong with a message about a notebook is told, and nothing is
   session.notify("notebookDocument/didSave", other(kNotebook));
   stillThere();
 
-  // An edit that does not fit drops its cell, as it does a text.
+  // An edit that does not fit closes its cell, as with a text.
   notebook.edit("a", rangeOf(99, 0, 0), "x");
   CHECK(notebook.problem().contains("does not fit its text"));
   CHECK(notebook.held() == std::vector{cellUri("b")});

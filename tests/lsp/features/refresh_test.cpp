@@ -40,14 +40,14 @@ lsp::ClientFeatures pullingClient() {
   return lsp::readClientFeatures(capabilities);
 }
 
-/// Texts in an editor, and what its client is asked to refresh.
+/// Texts in an editor, and the refreshes that its client receives.
 class Editor {
 public:
   using Files = std::map<std::string, std::string>;
 
   explicit Editor(lsp::ClientFeatures client = pullingClient()) : client(std::move(client)) {}
 
-  /// The texts are these now. \param changed one of them, or a file on disk
+  /// Replaces the texts. \param changed one of them, or a file on disk
   void set(const Files& texts, const std::string& changed) {
     ide::OpenTexts open;
     for (const auto& [name, text] : texts)
@@ -89,7 +89,7 @@ TEST_CASE("what is shown of a text is asked for again when another of its progra
     editor.set(texts, file);
     return editor.refreshed();
   };
-  CHECK(changed("main.proskill") == kNone);    // nothing else is open
+  CHECK(changed("main.proskill") == kNone);    // no other text is open
   CHECK(changed("lamp.proskill") == kOfTexts); // on disk
   CHECK(changed("alone.proskill") == kNone);
   texts["lamp.proskill"] = kLampText;
@@ -131,7 +131,7 @@ TEST_CASE("a client that leaves is asked nothing") {
   editor.refresher.allChanged({});
   editor.refresher.stop();
   CHECK_FALSE(editor.refresher.due());
-  editor.refresher.allChanged({}); // by what was under way
+  editor.refresher.allChanged({}); // by work in progress
   CHECK_FALSE(editor.refresher.due());
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("settings weigh findings, and folders may join any texts") {
   editor.refresher.findingsChanged({});
   CHECK(editor.refreshed() == kOfFindings);
   editor.refresher.allChanged({});
-  CHECK(editor.refreshed() == kNone); // nothing is open
+  CHECK(editor.refreshed() == kNone); // no text is open
   editor.set({{"main.proskill", kMainText}}, "main.proskill");
   editor.refresher.allChanged({});
   CHECK(editor.refreshed() == kOfTexts);
@@ -152,7 +152,7 @@ TEST_CASE("a client is asked only what it takes") {
   Editor poor(lsp::readClientFeatures(Json::object()));
   poor.refresher.allChanged({});
   CHECK_FALSE(poor.refresher.due());
-  const auto pushed = lsp::readClientFeatures(ableToRefresh()); // its findings are told anyway
+  const auto pushed = lsp::readClientFeatures(ableToRefresh()); // its findings are published anyway
   CHECK(pushed.refreshes == telling.refreshes);
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("hints of a large program are asked for again when its flow is known")
       {"textDocument", {{"uri", kMain}}},
       {"range",
        {{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", 2}, {"character", 0}}}}}};
-  // It may be known at once: who gets all is not asked again.
+  // It may already be known: a client that gets everything is not asked again.
   if (session.result("textDocument/inlayHint", all).empty())
     (void)session.notified("workspace/inlayHint/refresh");
   CHECK(session.result("textDocument/inlayHint", all).size() == 2);

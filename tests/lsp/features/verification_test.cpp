@@ -35,7 +35,7 @@ Json verifying(const std::string& uri, Json names = Json::array()) {
   return params;
 }
 
-/// The next news of a program in a state.
+/// The next notification on a program in a state.
 Json verdictsIn(Session& session, const std::string& state, const std::string& program = kMain) {
   while (true) {
     auto news = session.notified("proskill/verdicts");
@@ -43,7 +43,7 @@ Json verdictsIn(Session& session, const std::string& state, const std::string& p
   }
 }
 
-/// The next diagnostics of a text that have, or have not, some of verdicts.
+/// The next diagnostics of a text with, or without, verdicts.
 Json diagnosticsWith(Session& session, const std::string& uri, bool verdicts) {
   while (true) {
     auto news = session.notified("textDocument/publishDiagnostics");
@@ -67,7 +67,7 @@ Session::Options withWorker(std::vector<std::string> command) {
   return options;
 }
 
-/// What a shell says that stands in for the process that verifies.
+/// The output of a shell that replaces the verifying process.
 Session::Options withShell(const std::string& script) {
   return withWorker({"/bin/sh", "-c", script});
 }
@@ -78,7 +78,7 @@ void openLamp(Session& session, const std::string& main) {
   session.open(kMain, main);
 }
 
-/// Waits until a process has gone; fails where it does not.
+/// Waits until a process has ended; fails if it does not.
 bool hasGone(int process) {
   for (int i = 0; i < 6000; ++i) {
     if (kill(process, 0) != 0 && errno == ESRCH) return true;
@@ -248,7 +248,7 @@ TEST_CASE("a client that puts verdicts together is told those alone that have ch
   const auto until = [&](const std::string& state, bool stale) {
     while (true) {
       auto news = session.notified("proskill/verdicts");
-      if (news["program"] != kMain) continue; // the lamp was one of its own for a moment
+      if (news["program"] != kMain) continue; // the lamp was briefly a program of its own
       if (news["changes"] == false) known.clear();
       for (const auto& verdict : news["verdicts"]) known[verdict["name"]] = verdict;
       if (news["state"] == state && news["stale"] == stale) return news;
@@ -290,7 +290,7 @@ TEST_CASE("an edit makes verdicts stale at once; what is taken back makes them c
   openLamp(session, kBad);
   verdictsIn(session, "done");
   diagnosticsWith(session, kLamp, true);
-  // A text with errors: nothing is verified, and what is known is for the older text.
+  // A text with errors is not verified; the known verdicts are for the older text.
   session.change(kMain, 2, rangeOf(0, 0, 0), "(");
   auto news = verdictsIn(session, "errors");
   CHECK(news["stale"] == true);

@@ -29,11 +29,11 @@ syntax::EditorPosition positionOf(const Json& json) {
   throw std::runtime_error(what + ": " + json.dump());
 }
 
-/// The text that the positions in an object belong to.
+/// The text that the positions in an object refer to.
 std::string uriWithin(const Json& object, const std::string& uri) {
   for (const auto* name : {"uri", "targetUri"})
     if (object.contains(name) && object[name].is_string()) return object[name];
-  // The ranges of an incoming call are in the caller's text.
+  // the ranges of an incoming call are in the caller's text
   for (const auto* name : {"textDocument", "from"}) {
     const auto& nested = rpc::memberAt(object, {name, "uri"});
     if (nested.is_string()) return nested;
@@ -59,7 +59,7 @@ Json BytePlaces::convertObject(const Json& object, const std::string& uri) const
   Json result = Json::object();
   for (const auto& [name, value] : object.items())
     result[name] = convert(value, name.starts_with("file:") ? name : within);
-  // A link's origin is in the text that was asked about, its target elsewhere.
+  // a link's origin is in the requested text, its target elsewhere
   if (object.contains("originSelectionRange"))
     result["originSelectionRange"] = convert(object["originSelectionRange"], uri);
   if (isFold(object))

@@ -9,17 +9,17 @@
 
 namespace proskill::test {
 
-/// Takes the protocol's positions out of answers: each becomes a byte of its text. Throws
-/// `std::runtime_error` where one is none: outside of the text, or within a character.
+/// Converts the protocol's positions in answers to bytes. Throws `std::runtime_error` for an
+/// invalid one: outside of the text, or within a character.
 class BytePlaces {
 public:
   /// \param documents by their URIs; outlives this
   BytePlaces(const std::map<std::string, syntax::Document>& documents, syntax::Encoding encoding)
       : documents(documents), encoding(encoding) {}
 
-  /// \param uri of the text that positions belong to where nothing else is said
+  /// \param uri default text that positions refer to
   [[nodiscard]] Json convert(const Json& answer, const std::string& uri) const;
-  /// Of `semanticTokens`: each as begin, end, type and modifiers.
+  /// For `semanticTokens`: each as begin, end, type and modifiers.
   [[nodiscard]] Json convertTokens(const Json& data, const std::string& uri) const;
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 std::string uriOf(const std::string& file) { return "file:///w/" + file; }
 
-/// Asked once for a text, not for each place in it.
+/// Requested once per text, not for each place in it.
 const std::set<std::string_view> kOfDocuments{
     "textDocument/codeLens",
     "textDocument/diagnostic",
@@ -30,7 +30,7 @@ const std::set<std::string_view> kOfDocuments{
     "textDocument/semanticTokens/range",
 };
 
-/// Which methods take the items of an answer: as they are, or as the member `item`.
+/// Methods that take the items of an answer: as they are, or as the member `item`.
 struct FollowUp {
   std::string_view method;
   std::string_view next;
@@ -59,7 +59,7 @@ lsp::ClientFeatures featuresOf(syntax::Encoding encoding) {
   return result;
 }
 
-/// Those that begin so, but for what is asked of a document once.
+/// Methods with this prefix, except those requested once per document.
 std::vector<std::string> select(const lsp::Registry& registry, std::string_view begin,
                                 bool ofDocuments) {
   std::vector<std::string> result;
@@ -150,7 +150,7 @@ Json Desk::inBytes(const std::string& method, const Json& answer, const std::str
   const BytePlaces places(documents, client.encoding);
   if (!method.starts_with("textDocument/semanticTokens/")) {
     auto converted = places.convert(answer, uri);
-    if (converted.is_object()) converted.erase("resultId"); // stands for the unconverted answer
+    if (converted.is_object()) converted.erase("resultId"); // represents the unconverted answer
     return converted;
   }
   const auto& data = rpc::memberAt(answer, {"data"});
@@ -199,7 +199,8 @@ Desk::followUps(const std::string& method, const std::string& file, syntax::Offs
     const auto& items = itemsOf(answer);
     if (!items.is_array()) continue;
     for (const auto& item : items) {
-      const auto& own = rpc::memberAt(item, {"uri"}); // what an item leads to is told from there
+      const auto& own = rpc::memberAt(item, {"uri"}); // positions refer to the item's target from
+                                                      // here
       const auto uri = own.is_string() ? own.get<std::string>() : uriOf(file);
       const auto found = raw(next, it.asItem ? Json{{"item", item}} : item);
       result.emplace_back(next, inBytes(next, found, uri));

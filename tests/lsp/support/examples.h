@@ -14,14 +14,14 @@ using Files = std::map<std::string, std::string>;
 
 [[nodiscard]] std::string contents(const std::filesystem::path& path);
 
-/// The names of the directories in examples/ that have programs in ProSkill.
+/// The directories in examples/ with ProSkill programs.
 [[nodiscard]] std::vector<std::string> examples();
 
 /// The programs of one of them.
 [[nodiscard]] Files example(const std::string& name);
 
-/// Where words begin and end, and behind parentheses: between two of these answers hardly differ.
-/// With `all`, wherever a character begins.
+/// Positions at the beginning and end of words, and after parentheses; answers hardly differ in
+/// between. With `all`, at each character.
 [[nodiscard]] std::vector<syntax::Offset> placesIn(const std::string& text, bool all);
 
 } // namespace proskill::test

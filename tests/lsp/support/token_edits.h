@@ -4,8 +4,8 @@
 
 namespace proskill::test {
 
-/// An array of tokens after the protocol's edits, all of which are of the array as it was; they
-/// must be in its order and not overlap. Throws `std::runtime_error` where they are not.
+/// Applies the protocol's edits to an array of tokens. All edits refer to the original array, and
+/// must be ordered without overlaps; otherwise throws `std::runtime_error`.
 [[nodiscard]] inline Json afterEdits(const Json& tokens, const Json& edits) {
   auto result = Json::array();
   std::size_t done = 0;

@@ -16,7 +16,7 @@ bool isRunning(const Situation& now, std::size_t skill) {
   return now.skills[skill].phase == Phase::Running;
 }
 
-/// Whether the thread of a skill is in a wait for a time that has no upper bound.
+/// Whether the thread of a skill is in a wait without an upper bound of time.
 bool waitsForTime(const Script& script, const Situation& now, std::size_t thread) {
   const auto& place = script.threads[thread].places[now.threads[thread].place];
   return script.threads[thread].skill != kNobody && place.statement &&
@@ -24,7 +24,7 @@ bool waitsForTime(const Script& script, const Situation& now, std::size_t thread
          meaning::waitsForTime(*place.statement) && !place.statement->duration.upper;
 }
 
-/// Whether it is so at all nodes.
+/// Whether all nodes satisfy it.
 template <class Holds> bool always(const Runs& runs, const Circle& circle, Holds holds) {
   return std::ranges::all_of(circle.nodes,
                              [&](std::size_t node) { return holds(runs.nodes()[node].situation); });

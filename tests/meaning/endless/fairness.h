@@ -6,35 +6,34 @@
 
 namespace proskill::meaning {
 
-/// Nodes and the ways between them, among which a run may go round for ever.
+/// Nodes and edges between them, on which a run may cycle for ever.
 struct Circle {
   std::set<std::size_t> nodes;
   bool timeGoesOn = false; ///< from one of the nodes to the next
-  bool hasStep = false;    ///< that takes no time
+  bool hasStep = false;    ///< without delay
 };
 
-/// Which runs without end count.
+/// Which infinite runs count.
 enum class Counted : std::uint8_t { All, Fair };
 
 [[nodiscard]] inline Counted countedBy(const syntax::Property& property) {
   return property.fair.value_or(true) ? Counted::Fair : Counted::All;
 }
 
-/// Of all runs, any way round counts that has a step. Of fair ones, whether a run may go round so
-/// as runs of robots do: time goes on for ever, and nothing that may take any time takes for ever,
-/// be it an action or a wait of a skill for a time. Such a run comes by each node and takes each
-/// way. For time to go on, each age has to start anew again and again, or be beyond all bounds:
-/// Alur and Dill (1994), lemma 4.13.
+/// Whether a counted run can cycle here. Of all runs, any cycle with a step counts. A fair run goes
+/// on like the run of a robot: time passes for ever, and actions and waits without a time limit end
+/// eventually. Such a run visits each node and takes each edge. For time to pass, each age must be
+/// reset infinitely often, or be beyond all bounds: Alur and Dill (1994), lemma 4.13.
 [[nodiscard]] bool counts(Counted counted, const Script& script, const Runs& runs,
                           const Circle& circle);
 
-/// Whether the run may stay in the node for ever: of fair ones, time goes on there without end, and
-/// with nothing that has to end; of all runs, no step comes any more.
+/// Whether a counted run may stay in the node for ever. Of fair runs: time passes without end, and
+/// nothing is due to end; of all runs: no further step is possible.
 [[nodiscard]] bool mayRest(Counted counted, const Script& script, const Runs& runs,
                            std::size_t node);
 
-/// From which nodes a run that counts may go on for ever by these ways; those of a node are asked
-/// for one by one. \param edge of a node, by place
+/// The nodes from which a counted run may go on for ever along these edges, which are tested one by
+/// one. \param edge index of an edge of a node
 using Allowed = std::function<bool(std::size_t node, std::size_t edge)>;
 [[nodiscard]] std::vector<bool> goOn(Counted counted, const Script& script, const Runs& runs,
                                      const std::vector<bool>& nodes, const Allowed& edge);

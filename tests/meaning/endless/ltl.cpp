@@ -23,7 +23,7 @@ struct Wish {
 };
 using Wishes = std::set<Wish>;
 
-/// What is left to wish for after a step, and what was put off by it.
+/// The obligations after a step, and what it postponed.
 struct Rest {
   Wishes next;
   Wishes late;
@@ -40,7 +40,7 @@ bool hasNext(const Expr& formula) {
   return formula.kind == ExprKind::Next || std::ranges::any_of(formula.operands, hasNext);
 }
 
-/// All ways to make some wishes true at one point.
+/// All ways to fulfil some obligations at one point.
 class Point {
 public:
   explicit Point(std::function<bool(const Expr&)> holds) : holds(std::move(holds)) {}
@@ -128,13 +128,13 @@ private:
   std::set<Rest> found;
 };
 
-/// Looks for a run that makes the formula false: a circle in which nothing is put off for ever.
+/// Searches for a run that violates the formula: a cycle on which nothing is postponed for ever.
 class Search {
 public:
   Search(Counted which, const Script& from, const Runs& of, const Seen& in)
       : counted(which), script(from), runs(of), seen(in) {}
 
-  /// Nothing where there are too many places.
+  /// nullopt if there are too many places
   std::optional<bool> findsRun(const Wish& wish) {
     for (const auto node : runs.starts()) visit(node, {wish}, false);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -147,13 +147,13 @@ public:
 private:
   struct Arc {
     std::size_t target = 0;
-    bool step = true; ///< time alone makes no circle
+    bool step = true; ///< time alone is not a cycle
     Wishes late;
   };
   struct Place {
     std::size_t node = 0;
     Wishes wishes;
-    bool rests = false; ///< no step comes any more
+    bool rests = false; ///< no further step is possible
     std::vector<Arc> arcs;
   };
 
@@ -192,7 +192,7 @@ private:
       return i < places[at].arcs.size() ? static_cast<std::uint32_t>(places[at].arcs[i].target)
                                         : graph::kNoNode;
     });
-    std::map<std::size_t, Wishes> late; ///< by component: what each of its steps puts off
+    std::map<std::size_t, Wishes> late; ///< by component: what each of its steps postpones
     std::map<std::size_t, Circle> circles;
     for (std::size_t i = 0; i < places.size(); ++i)
       for (const auto& arc : places[i].arcs) {

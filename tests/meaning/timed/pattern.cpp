@@ -10,9 +10,9 @@ using syntax::PropertyKind;
 
 namespace {
 
-constexpr std::size_t kLimit = 12'000; ///< situations, each with what the watch shows
+constexpr std::size_t kLimit = 12'000; ///< situations, each with the value of the watch
 
-/// A situation, or a step that leaves it: an index into its edges.
+/// A situation, or a step that leaves it: index of an edge.
 struct Point {
   std::size_t node = 0;
   std::optional<std::size_t> edge;
@@ -32,7 +32,7 @@ Predicate both(Predicate x, Predicate y) {
 
 bool always(const Point& /*unused*/) { return true; }
 
-/// What the watch may show, in units.
+/// Possible values of the watch, in units.
 struct Times {
   std::int64_t lower = 0;
   std::optional<std::int64_t> upper;
@@ -48,8 +48,8 @@ Times timesOf(const Script& script, const std::optional<syntax::Interval>& inter
   return times;
 }
 
-/// Where a pattern begins to count, and what it says from there on. Each `violates…` tells whether
-/// some run does what the pattern forbids.
+/// The points at which a pattern starts to count, and its condition from there on. Each `violates…`
+/// says whether some run violates the pattern.
 class Judge {
 public:
   Judge(const syntax::Property& asked, const Script& of, const Runs& explored, const Seen& sees)
@@ -100,9 +100,9 @@ private:
     return made;
   }
 
-  // --- Ways
+  // --- Paths
 
-  /// The points with `goal` to which some way leads on which all before them are `allowed`.
+  /// The points with `goal` reached by a path on which all earlier points are `allowed`.
   [[nodiscard]] Points reached(const Points& from, const Predicate& allowed,
                                const Predicate& goal) const {
     Points known = from;
@@ -127,7 +127,7 @@ private:
     return found;
   }
 
-  /// Whether a run that counts goes on from one of these for ever where all is `allowed`.
+  /// Whether a counted run goes on from one of these for ever with all points `allowed`.
   [[nodiscard]] bool canGoOn(const Points& from, const Predicate& allowed) const {
     std::vector<bool> nodes(runs.nodes().size());
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = allowed({i, {}});
@@ -146,7 +146,7 @@ private:
     for (const auto node : runs.starts()) all.insert({node, {}});
     return all;
   }
-  /// Everywhere at the start, or where `after` is seen for the first time.
+  /// At the start, or where `after` is true for the first time.
   [[nodiscard]] Points begin() const {
     const Points start = starts();
     if (!property.after) return start;
@@ -154,7 +154,7 @@ private:
     return restarted(reached(start, no(after), after));
   }
 
-  /// Whether a run, from where the watch is at 0, does not see `good` in time.
+  /// Whether a run, with the watch at 0, does not reach `good` in time.
   [[nodiscard]] bool canMiss(const Points& from, const Predicate& good) const {
     const auto without = no(both(good, inTime()));
     if (!times.upper) return canGoOn(from, without);
@@ -170,14 +170,14 @@ private:
     }
   }
 
-  /// Whether it is not seen at all, or not for long enough from the first time on.
+  /// Whether it is never true, or not for long enough from the first time on.
   [[nodiscard]] bool stopsTooSoon(const Points& from) const {
     const auto soon = tooEarly({.lower = script.units(*property.lasting)});
     const auto first = restarted(reached(from, no(wish), wish));
     return canGoOn(from, no(wish)) || !reached(first, soon, both(soon, no(wish))).empty();
   }
 
-  /// The part before the first time that `before` is seen, of runs that see it at all.
+  /// The part before the first point with `before`, for runs that have one.
   [[nodiscard]] bool violatesBefore() const {
     const Points start = starts();
     const auto end = seeing(*property.before);

@@ -6,11 +6,10 @@ namespace proskill::meaning {
 
 [[nodiscard]] bool hasScopeOrTime(const syntax::Property& property);
 
-/// Whether a pattern with a scope or a time is true of all runs, as the table of patterns in
-/// docs/fiacre.md says: by looking at situations and steps one by one, with a watch that shows how
-/// long it is since the pattern began to count. Where a run without end may be what violates it,
-/// only fair runs count. Nothing where the pattern has no meaning, and where there is too much to
-/// look at.
+/// Whether a pattern with a scope or a time is true of all runs, according to the table of patterns
+/// in docs/fiacre.md. Examines situations and steps one by one, with a watch that shows the time
+/// since the pattern started to count. If an infinite run violates it, only fair runs count.
+/// nullopt if the pattern has no meaning, or there are too many situations.
 [[nodiscard]] std::optional<bool> isTrueInTime(const syntax::Property& property,
                                                const Script& script, const Seen& seen);
 

@@ -4,8 +4,8 @@
 
 namespace proskill::test {
 
-/// A model without what its text does not tell: comments, origins, properties and operands that are
-/// printed as comments, sequences within sequences, the grouping of `and` and of `or`.
+/// Removes what the text of a model does not determine: comments, origins, properties and operands
+/// printed as comments, nested sequences, the grouping of `and` and of `or`.
 [[nodiscard]] fiacre::Program canonical(fiacre::Program program);
 
 } // namespace proskill::test

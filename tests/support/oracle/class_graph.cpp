@@ -37,7 +37,7 @@ void window(Domain& domain, std::size_t i, const Interval& interval) {
   if (interval.upper) domain.at(i, 0) = {*interval.upper, interval.upperOpen, false};
 }
 
-/// Tightest bounds, by all shortest paths. False where no dates are left.
+/// Tightest bounds, by all shortest paths. \return false if there are no dates left
 bool close(Domain& domain) {
   const std::size_t n = domain.size();
   for (std::size_t k = 0; k < n; ++k)
@@ -65,7 +65,7 @@ std::vector<ClockId> keysOf(const Windows& windows) {
   return keys;
 }
 
-/// The domain in which `fired` is the first of all; nothing where it cannot be.
+/// The domain in which `fired` fires first; nullopt if it cannot.
 std::optional<Domain> firedFirst(Domain domain, std::size_t fired) {
   for (std::size_t i = 1; i < domain.size(); ++i)
     if (tighter(kZero, domain.at(fired, i))) domain.at(fired, i) = kZero;
@@ -122,7 +122,7 @@ private:
         window(next, i, windows.at(clock));
         continue;
       }
-      // Dates count from the step on: x_i - x_fired.
+      // dates relative to the step: x_i - x_fired
       std::size_t old = indexOf(domain, clock);
       next.at(i, 0) = first->at(old, fired);
       next.at(0, i) = first->at(fired, old);

@@ -14,8 +14,8 @@ struct Bound {
   friend auto operator<=>(const Bound&, const Bound&) = default;
 };
 
-/// When the enabled transitions may fire, each relative to now: bounds of `x_i - x_j`, tightest,
-/// row by row; index 0 is now, index i the i-th of the clocks.
+/// Possible firing dates of the enabled transitions, relative to now: bounds of `x_i - x_j`,
+/// tightest, row by row. Index 0 is now, index i the i-th clock.
 struct Domain {
   std::vector<ClockId> clocks;
   std::vector<Bound> bounds;
@@ -28,7 +28,7 @@ struct Domain {
   }
 };
 
-/// What sift counts.
+/// The counts that sift prints.
 struct ClassCounts {
   std::size_t classes = 0;
   std::size_t markings = 0;
@@ -37,9 +37,9 @@ struct ClassCounts {
   bool complete = false;
 };
 
-/// The graph of state classes, as in the book: a class is a discrete state with a domain over all
-/// its enabled transitions, and two classes are one where both are equal. Berthomieu and Diaz,
-/// "Modeling and verification of time dependent systems using time Petri nets", TSE 1991.
+/// The textbook graph of state classes: a class is a discrete state with a domain over all its
+/// enabled transitions, and classes are merged if both are equal. Berthomieu and Diaz, "Modeling
+/// and verification of time dependent systems using time Petri nets", TSE 1991.
 [[nodiscard]] ClassCounts countClasses(const Interpreter& model, std::size_t limit);
 
 } // namespace proskill::oracle

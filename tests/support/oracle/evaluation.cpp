@@ -36,7 +36,7 @@ bool isScalar(const Type& type) {
   }
 }
 
-/// Where a record's field begins, and its place in the record.
+/// Offset and index of a field in a record.
 std::pair<std::size_t, const Type*> fieldOf(const Interpreter& model, const Type& record,
                                             std::string_view name) {
   std::size_t offset = 0;

@@ -6,24 +6,23 @@
 
 namespace proskill::oracle {
 
-/// How many slots a value of the type takes.
+/// Number of slots of a value of the type.
 [[nodiscard]] std::size_t slotCount(const Interpreter& model, const fiacre::Type& type);
 
-/// Reads expressions of the tree in a store. Types are looked up anew each time: slow, and plain to
-/// see.
+/// Evaluates expressions of the tree in a store. Types are looked up each time: slow but simple.
 class Evaluation {
 public:
   Evaluation(const Interpreter& of, Store& in, const Scope& names)
       : model(of), store(in), scope(names) {}
 
-  /// \param expected the type that the context wants, for constructors that several unions share
+  /// \param expected the type that the context requires, for constructors shared by unions
   [[nodiscard]] std::int64_t number(const fiacre::Expr& expr,
                                     const fiacre::Type* expected = nullptr);
   [[nodiscard]] Store value(const fiacre::Expr& expr, const fiacre::Type* expected = nullptr);
   [[nodiscard]] bool truth(const fiacre::Expr& expr) { return number(expr) != 0; }
-  /// Where an lvalue stands; nothing for other expressions.
+  /// The slot of an lvalue; nullopt for other expressions.
   [[nodiscard]] std::optional<Place> place(const fiacre::Expr& expr);
-  /// Nothing for a bare constructor.
+  /// nullopt for a bare constructor.
   [[nodiscard]] const fiacre::Type* typeOf(const fiacre::Expr& expr);
   void assign(Place target, const Store& value);
   /// Whether a value matches the pattern of a `case`; binds the variable of
@@ -31,7 +30,7 @@ public:
   [[nodiscard]] bool matches(const fiacre::Expr& pattern, const Store& value,
                              const fiacre::Type& type);
 
-  /// The value of a scalar in words.
+  /// The value of a scalar as text.
   [[nodiscard]] std::string show(const fiacre::Expr& lvalue);
 
 private:
@@ -46,7 +45,7 @@ private:
   [[nodiscard]] Store construct(const fiacre::Expr& expr, const fiacre::Type* expected);
   [[nodiscard]] Store queue(const fiacre::Expr& expr, const fiacre::Type* expected);
   [[nodiscard]] Store call(const fiacre::Function& function, const fiacre::Expr& expr);
-  /// Runs a function's statement; true when it has returned into `result`.
+  /// Executes a statement of a function. \return true if it has returned into `result`
   bool execute(const fiacre::Statement& statement, const fiacre::Type& type, Store& result);
   bool repeat(const fiacre::Statement& statement, const fiacre::Type& type, Store& result);
 
@@ -55,18 +54,16 @@ private:
   const Scope& scope;
 };
 
-/// The least and the greatest number of a scalar type with few values, for `any`, `foreach` and
-/// `?`.
+/// The minimum and the maximum of a scalar type with few values, for `any`, `foreach` and `?`.
 struct Bounds {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 [[nodiscard]] Bounds boundsOf(const Interpreter& model, const fiacre::Type& type);
-/// Every value of a scalar type, or of a union whose values have such.
+/// Every value of a scalar type, or of a union with values of such types.
 [[nodiscard]] std::vector<Store> valuesOf(const Interpreter& model, const fiacre::Type& type);
 [[nodiscard]] const fiacre::Type& resolveType(const Interpreter& model, const fiacre::Type& type);
-/// A variable's value where nothing initialises it: false, the lowest number, the first
-/// constructor.
+/// The value of an uninitialised variable: false, the lowest number, the first constructor.
 [[nodiscard]] Store defaultValue(const Interpreter& model, const fiacre::Type& type);
 
 } // namespace proskill::oracle

@@ -22,7 +22,7 @@ Store Evaluation::call(const fiacre::Function& function, const Expr& expr) {
   };
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     const auto& parameter = function.parameters[i];
-    // Functions do not write, so a variable may as well be handed over itself.
+    // functions do not write, so a variable may be passed itself
     auto shared = place(expr.operands[i]);
     names[parameter.name] =
         shared ? *shared : push(value(expr.operands[i], &parameter.type), parameter.type);

@@ -19,7 +19,7 @@ template <class Item> const Item* findNamed(const std::vector<Item>& items, std:
   return found == items.end() ? nullptr : &*found;
 }
 
-/// `skill[takeoff].status`: a name, then indices and fields.
+/// `skill[takeoff].status`: a name, then indices and fields
 fiacre::Expr parseLvalue(std::string_view text) {
   std::size_t end = text.find_first_of("[].");
   fiacre::Expr expr{.kind = fiacre::ExprKind::Name, .name = std::string(text.substr(0, end))};
@@ -68,7 +68,7 @@ Interpreter::Interpreter(const fiacre::Program& of, Reading how) : program(of), 
   firstObserver = elaborated.size();
   for (std::uint32_t k = 1; k <= program.observers.size(); ++k)
     elaborate(componentNamed(program.observers[k - 1].observer), {0, k}, {}, {});
-  for (bool more = true; more;) { // what goes before what goes before goes before
+  for (bool more = true; more;) { // priority is transitive
     const auto said = priorities;
     for (const auto& [high, middle] : said)
       for (const auto& [other, low] : said)
@@ -91,7 +91,7 @@ const fiacre::Component& Interpreter::componentNamed(const std::string& name) co
   return *found;
 }
 
-// The states of all instances come before the variables, so their number has to be known first.
+// The states of all instances precede the variables, so their number has to be known first.
 void Interpreter::countInstances(const std::vector<fiacre::Instance>& parts) {
   for (const auto& part : parts) {
     if (!part.parts.empty())
@@ -251,7 +251,7 @@ bool Interpreter::observes(const Firing& firing) const {
   return firing.participants.front() >= firstObserver;
 }
 
-// A step that is watched for is taken with those who can take part, and not without them.
+// An observed step is taken with the observers that can take part, and not without them.
 void Interpreter::watch(std::size_t port, const std::vector<std::vector<Path>>& all,
                         const Store& store, std::vector<Firing>& result) const {
   std::vector<Firing> made;
@@ -285,11 +285,11 @@ void Interpreter::watch(std::size_t port, const std::vector<std::vector<Path>>& 
 void Interpreter::synchronise(std::size_t port, const std::vector<std::vector<Path>>& all,
                               const Store& store, std::vector<Firing>& result) const {
   const auto takes = [](const Path* part) { return part->takes; };
-  for (const auto& parts : choices(port, all)) // what nobody sends nobody gets
+  for (const auto& parts : choices(port, all)) // a value that nobody sends cannot be received
     if (!std::ranges::all_of(parts, takes)) result.push_back(combine(parts, store));
 }
 
-// Every instance that is given the port takes part: the product of their paths with it.
+// Every instance with the port takes part: the product of their paths with it.
 std::vector<std::vector<const Path*>>
 Interpreter::choices(std::size_t port, const std::vector<std::vector<Path>>& all) const {
   std::vector<std::vector<const Path*>> together{{}};
@@ -307,7 +307,7 @@ Interpreter::choices(std::size_t port, const std::vector<std::vector<Path>>& all
       }
     together = std::move(longer);
   }
-  // Nobody at all passes nothing.
+  // A port without any instance passes nothing.
   std::erase_if(together, [](const auto& parts) { return parts.empty(); });
   return together;
 }
@@ -315,7 +315,7 @@ Interpreter::choices(std::size_t port, const std::vector<std::vector<Path>>& all
 bool Interpreter::goesBefore(const Firing& high, const Firing& low) const {
   if (observes(high) && !observes(low)) return true;
   if (high.port && low.port) return priorities.contains({*high.port, *low.port});
-  // Observers that watch stand behind.
+  // observers come last
   return high.rank && low.rank && high.participants.front() == low.participants.front() &&
          high.rank->first == low.rank->first && high.rank->second > low.rank->second;
 }

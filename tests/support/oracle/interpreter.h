@@ -11,20 +11,20 @@
 #include <string>
 #include <vector>
 
-/// A second, obvious reading of Fiacre, to judge the engine by. It walks the tree at every step,
-/// reduces nothing, and shares no code with verify/ but the tree itself.
+/// A second, straightforward interpreter of Fiacre, to check the engine. It walks the tree at every
+/// step, reduces nothing, and shares only the tree with verify/.
 namespace proskill::oracle {
 
-/// What the model does wrong, or what this interpreter does not know. Both fail a test.
+/// An error of the model, or a construct that this interpreter does not support. Both fail a test.
 struct ModelError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A discrete state: the states of the instances first, by index, then the variables, one slot for
-/// each scalar. A constructor is its place in its union.
+/// A discrete state: the states of the instances by index, then the variables, one slot per scalar.
+/// A constructor is represented by its index in its union.
 using Store = std::vector<std::int64_t>;
 
-/// Where a variable, or a part of it, stands in a store.
+/// Position of a variable, or a part of it, in a store.
 struct Place {
   std::size_t offset = 0;
   const fiacre::Type* type = nullptr;
@@ -32,7 +32,7 @@ struct Place {
 
 using Scope = std::map<std::string, Place, std::less<>>;
 
-/// The name of a port within a process or a component, to its index in Interpreter::ports.
+/// Maps the name of a port in a process or a component to its index in Interpreter::ports.
 using PortMap = std::map<std::string, std::size_t, std::less<>>;
 
 struct PortSlot {
@@ -44,18 +44,18 @@ struct PortSlot {
 /// A process in the composition.
 struct Instance {
   const fiacre::Process* process = nullptr;
-  /// 1-based places in `par`, from the main component down; 0 and k before those of observer k.
+  /// Positions in `par`, from 1, from the main component down; 0 and k precede those of observer k.
   std::vector<std::uint32_t> path;
   Scope scope;
   PortMap ports;
 };
 
-/// What makes a timed transition the same one in two states: who takes part, the branches of
-/// `select` and the values of `any` on its path, its port or its wait, and where it ends. Tests
-/// inside a path do not: an `if` whose branches meet again is one transition.
+/// Identifies a timed transition across states: its participants, the branches of `select` and the
+/// values of `any` on its path, its port or its wait, and its target. Tests inside a path do not
+/// count: an `if` whose branches meet again is one transition.
 using ClockId = std::size_t;
 
-/// One atomic step.
+/// An atomic step.
 struct Firing {
   ClockId clock = 0;
   fiacre::Interval interval;
@@ -65,26 +65,26 @@ struct Firing {
   std::vector<std::size_t> watchers;                     ///< ports that observers pass with it
   std::vector<std::pair<std::size_t, std::string>> tags; ///< by instance
   std::vector<fiacre::OriginId> origins;                 ///< of the statements passed
-  /// Of a `select` with `unless`, in which part of it.
+  /// For a `select` with `unless`: which of its parts.
   std::optional<std::pair<const fiacre::Statement*, std::size_t>> rank;
   Store after;
 };
 
 /// Engine: the branches of an `if` that meet again are one transition. Frac: each path is a
-/// transition, with a clock of its own, that is enabled while all its tests say so.
+/// transition with a clock of its own, enabled while all its tests are true.
 enum class Reading : std::uint8_t { Engine, Frac };
 
 struct Path;
 
 class Interpreter {
 public:
-  /// \pre `program` outlives this.
+  /// \pre `program` outlives this
   explicit Interpreter(const fiacre::Program& program, Reading reading = Reading::Engine);
 
   [[nodiscard]] const Store& initial() const { return first; }
-  /// Every step that the discrete state allows when time is left aside. \throw ModelError
+  /// Every step that the discrete state allows, ignoring time. \throw ModelError
   [[nodiscard]] std::vector<Firing> firings(const Store& store) const;
-  /// Whether the one goes before the other where both can be taken.
+  /// Whether one step has priority over the other.
   [[nodiscard]] bool goesBefore(const Firing& high, const Firing& low) const;
   [[nodiscard]] const std::vector<Instance>& instances() const { return elaborated; }
   [[nodiscard]] const std::vector<PortSlot>& ports() const { return slots; }
@@ -92,11 +92,10 @@ public:
   /// The instances that take part in a transition of this clock.
   [[nodiscard]] const std::vector<std::size_t>& participants(ClockId clock) const;
 
-  /// The truth of `expression` as seen by the instance at `path`, or by the component there.
+  /// The value of `expression` as seen by the instance at `path`, or by the component there.
   [[nodiscard]] bool holds(const std::vector<std::uint32_t>& path, const fiacre::Expr& expression,
                            const Store& store) const;
-  /// The value of an lvalue as printed, such as `skill[takeoff].status`, in the main component: a
-  /// number, a truth, a constructor's name.
+  /// The value of an lvalue in the main component as text, such as `skill[takeoff].status`.
   [[nodiscard]] std::string show(const std::string& lvalue, const Store& store) const;
   /// The name of an instance's current state.
   [[nodiscard]] const std::string& stateName(std::size_t instance, const Store& store) const;
@@ -142,11 +141,11 @@ private:
   std::vector<Instance> elaborated;
   std::map<std::vector<std::uint32_t>, Scope> componentScopes;
   std::vector<PortSlot> slots;
-  std::size_t firstObserver = 0; ///< instances from it on are of observers
-  std::set<std::pair<std::size_t, std::size_t>> priorities; ///< ports: the first goes first
+  std::size_t firstObserver = 0; ///< instances from here on belong to observers
+  std::set<std::pair<std::size_t, std::size_t>> priorities; ///< ports: the first has priority
   Store first;
 
-  // Clocks are numbered as they are met.
+  // Clocks are numbered when they first occur.
   mutable std::map<std::vector<std::uint64_t>, ClockId> clockNumbers;
   mutable std::vector<std::vector<std::size_t>> clockParticipants;
 };

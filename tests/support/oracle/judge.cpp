@@ -22,7 +22,7 @@ bool bearsTag(const Interpreter& model, const Observable& tag, const Firing& fir
   return std::ranges::any_of(firing.tags, [&](const auto& borne) {
     const auto& at = model.instances()[borne.first].path;
     bool below = std::ranges::mismatch(path, at).in1 == path.end();
-    if (path.empty() && at[0] == 0) below = false; // an observer is no part of the model
+    if (path.empty() && at[0] == 0) below = false; // an observer is not part of the model
     return borne.second == tag.name && below;
   });
 }
@@ -55,7 +55,7 @@ bool canStop(const Interpreter& model, const RegionGraph& graph,
   });
 }
 
-/// Every node from which steps without time lead to one where time passes.
+/// The nodes from which steps without delay lead to one where time passes.
 bool timeCanAlwaysPass(const RegionGraph& graph) {
   const auto& nodes = graph.nodes();
   std::vector<std::vector<std::size_t>> before(nodes.size());

@@ -12,7 +12,7 @@ using fiacre::LtlKind;
 
 namespace {
 
-/// A state with the step that leaves it; a last state without.
+/// A state with the step that leaves it; a last state has none.
 struct Position {
   std::size_t discrete = 0;
   std::size_t node = 0;
@@ -20,7 +20,7 @@ struct Position {
   std::vector<std::size_t> next;
 };
 
-/// Positions of a graph of regions: what time does in between is not seen.
+/// Positions in a region graph: delays between steps are not visible.
 class Positions {
 public:
   explicit Positions(const RegionGraph& in) : graph(in) {
@@ -69,7 +69,7 @@ public:
     collect(formula);
   }
 
-  /// Whether some run makes the formula false.
+  /// Whether some run violates the formula.
   [[nodiscard]] bool isViolated() {
     const std::size_t guesses = std::size_t{1} << elementary.size();
     const std::size_t count = positions.all.size() * guesses;
@@ -85,7 +85,8 @@ public:
           next[i].push_back(target);
           before[target].push_back(i);
         }
-    // What can go on for ever and keep every promise again and again: a greatest fixed point.
+    // The positions that can go on for ever and fulfil every promise infinitely often: a greatest
+    // fixed point.
     std::vector<bool> fair(count, true);
     for (bool changed = true; changed;) {
       changed = false;
@@ -130,15 +131,14 @@ public:
 private:
   using Values = std::map<const Ltl*, bool>;
 
-  /// What is guessed of a position: the truth of `next f`, and of each promise at the next
-  /// position.
+  /// A guess at a position: the truth of `next f`, and of each promise at the next position.
   void collect(const Ltl& of) {
     for (const auto& operand : of.operands) collect(operand);
     const bool temporal = of.kind == LtlKind::Next || of.kind == LtlKind::Until ||
                           of.kind == LtlKind::Finally || of.kind == LtlKind::Globally;
     if (temporal) elementary.push_back(&of);
     if (of.kind == LtlKind::Until || of.kind == LtlKind::Finally) promises.push_back(&of);
-    // A `globally` that is false promises the opposite of its operand.
+    // a `globally` that is false promises the negation of its operand
     if (of.kind == LtlKind::Globally) threats.push_back(&of);
   }
 
@@ -169,7 +169,7 @@ private:
     return result;
   }
 
-  /// Whether what was guessed is so at the next position.
+  /// Whether the guess is true at the next position.
   [[nodiscard]] bool fits(std::size_t guess, const Values& next) const {
     for (std::size_t i = 0; i < elementary.size(); ++i) {
       const auto* of = elementary[i];

@@ -120,7 +120,7 @@ void PathWalk::branch(const Statement& statement, const Path& path, const Tasks&
     const fiacre::Type& type = *evaluation.typeOf(statement.values[0]);
     for (std::size_t i = 0; i < statement.children.size() && !child; ++i)
       if (evaluation.matches(statement.values[i + 1], tested, type)) child = &statement.children[i];
-    if (!child) return; // no pattern: a closed path
+    if (!child) return; // no pattern matches: the path ends
   }
   if (model.reading == Reading::Frac) taken.branches.push_back(child ? child : &statement);
   Tasks rest = tasks;
@@ -143,7 +143,7 @@ void PathWalk::select(const Statement& statement, const Path& path, const Tasks&
   }
 }
 
-// `x := any where c` and `port ? x where c`: every value of the type is tried.
+// `x := any where c` and `port ? x where c`: tries every value of the type
 void PathWalk::any(const Statement& statement, const Path& path, const Tasks& tasks,
                    std::size_t target) {
   Path taken = path;

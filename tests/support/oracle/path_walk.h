@@ -4,39 +4,39 @@
 
 namespace proskill::oracle {
 
-/// A path through the statement of a `from`, taken in a store: one process' part in a step.
+/// A path through the statement of a `from` with its store: one process' part in a step.
 struct Path {
   Store store;
   std::size_t instance = 0;
-  std::vector<const fiacre::Statement*> branches; ///< of each `select` that was passed
-  /// Of the `select` with `unless`: which, and of which part of it.
+  std::vector<const fiacre::Statement*> branches; ///< for each `select` that was passed
+  /// For a `select` with `unless`: which one, and which of its parts.
   std::optional<std::pair<const fiacre::Statement*, std::size_t>> rank;
-  std::vector<std::int64_t> choices; ///< of each `any`: a value is a transition, as in a net
+  std::vector<std::int64_t> choices; ///< for each `any`: a value is a transition, as in a net
   std::optional<fiacre::Interval> wait;
   std::optional<std::size_t> port;
-  Store message;      ///< what was sent or received, in order
+  Store message;      ///< sent or received values, in order
   bool takes = false; ///< it was received
   std::vector<std::string> tags;
   std::vector<fiacre::OriginId> origins;
-  std::optional<std::size_t> target; ///< the state where it ends
+  std::optional<std::size_t> target; ///< the target state
   bool loops = false;
 };
 
-/// Enumerates the paths of a statement by depth first search, each with a store of its own.
+/// Enumerates the paths of a statement by depth-first search, each with a store of its own.
 class PathWalk {
 public:
   PathWalk(const Interpreter& of, std::size_t which) : model(of), instance(which) {}
 
-  /// All paths from `store`, those that a guard closes left out.
+  /// All paths from `store` whose guards are true.
   [[nodiscard]] std::vector<Path> from(const fiacre::Statement& statement, const Store& store);
 
 private:
-  /// What is still to be done on a path; `value` is the next of a `foreach`.
+  /// The rest of a path; `value` is the next of a `foreach`.
   struct Task {
     const fiacre::Statement* statement;
     std::optional<std::int64_t> value;
   };
-  using Tasks = std::vector<Task>; // the last comes first
+  using Tasks = std::vector<Task>; // the next one is last
 
   void walk(Path path, Tasks tasks);
   void step(const fiacre::Statement& statement, Path path, Tasks tasks);

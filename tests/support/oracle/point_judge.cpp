@@ -98,7 +98,7 @@ private:
     return all;
   }
 
-  /// The points with `goal` that come behind none but points with `allowed`.
+  /// The points with `goal` reached through points with `allowed` only.
   [[nodiscard]] Points until(const Points& start, const Predicate& allowed,
                              const Predicate& goal) const {
     Points seen = start;
@@ -115,8 +115,8 @@ private:
     return found;
   }
 
-  /// Whether a run stays among points with `allowed` up to its end, or for ever: where none can,
-  /// all are struck off in the end.
+  /// Whether a run stays among points with `allowed` to its end, or for ever. Removes points that
+  /// cannot.
   [[nodiscard]] bool canStay(const Points& start, const Predicate& allowed) const {
     Points alive;
     for (std::size_t node = 0; node < graph.nodes().size(); ++node) {
@@ -124,17 +124,17 @@ private:
       for (std::size_t i = 0; i < graph.nodes()[node].edges.size(); ++i)
         if (allowed({node, i})) alive.insert({node, i});
     }
-    // Steps have to come: time alone is no run.
+    // there must be steps: time alone is not a run
     for (bool changed = true; changed;) {
       changed = false;
-      Points fed; // from which a step that is alive can be waited for, or the end
+      Points fed; // from which a remaining step or the end can be reached by waiting
       std::vector<Point> todo;
       std::map<std::size_t, std::vector<std::size_t>> earlier;
       for (const auto& point : alive) {
         if (point.edge) continue;
         const Node& node = graph.nodes()[point.node];
         if (node.later) earlier[*node.later].push_back(point.node);
-        // In a last state time goes on for ever, where it can.
+        // in a last state time passes for ever, if it can
         bool feeds = graph.discrete(node.discrete).firings.empty() &&
                      (!node.later || alive.contains({*node.later, {}}));
         for (std::size_t i = 0; i < node.edges.size(); ++i)
@@ -158,8 +158,7 @@ private:
     return std::ranges::any_of(start, [&](const Point& point) { return alive.contains(point); });
   }
 
-  /// Whether a step comes, at once or when time has passed, that leads to one of the points: time
-  /// alone is no run.
+  /// Whether a step leads to one of the points, at once or after a delay: time alone is not a run.
   [[nodiscard]] bool stepsInto(const Point& from, const Points& points) const {
     const auto leads = [&](std::size_t node, std::size_t edge) {
       return points.contains({graph.nodes()[node].edges[edge].target, {}});
@@ -173,8 +172,8 @@ private:
     return false;
   }
 
-  /// Whether a run sees `wanted` again and again: there where it ends, or on a cycle with a step.
-  /// Strikes off, until nothing changes, what can not come to `wanted` with more to come.
+  /// Whether a run reaches `wanted` infinitely often: at its end, or on a cycle with a step.
+  /// Removes points that cannot reach `wanted` again until nothing changes.
   [[nodiscard]] bool canRepeat(const Predicate& wanted) const {
     Points alive = until({{0, {}}}, anything(), anything());
     const auto rests = [&](const Point& point) {
@@ -210,14 +209,14 @@ private:
     return pattern.within ? *pattern.within : pattern.forInterval.value_or(Interval{});
   }
 
-  /// Where the pattern begins to count, with the watch at 0.
+  /// The points at which the pattern starts to count, with the watch at 0.
   [[nodiscard]] Points begin() const {
     if (!pattern.after) return {{0, {}}};
     const auto after = seeing(*pattern.after);
     return restarted(until({{0, {}}}, negation(after), after));
   }
 
-  /// Whether a run from these points, at which the watch is at 0, never sees `good` in time.
+  /// Whether a run from these points, at which the watch is at 0, does not reach `good` in time.
   [[nodiscard]] bool missed(const Points& start, const Predicate& good,
                             const Interval& when) const {
     const auto allowed = negation(both(good, during(when)));
@@ -289,12 +288,12 @@ private:
     }
   }
 
-  /// Whether points within a part count: where its end has to come, only if it does.
+  /// Whether points within a part count: if its end is required, only if it comes.
   [[nodiscard]] bool counts(const Points& points, const Predicate& end) const {
     return !(pattern.between ? until(points, negation(end), end) : points).empty();
   }
 
-  /// Whether a part may go by without what is wanted, from these points on.
+  /// Whether a part may pass without `wanted`, from these points on.
   [[nodiscard]] bool lacks(const Points& start, const Predicate& good, const Interval& when,
                            const Predicate& end) const {
     const auto allowed = both(negation(end), negation(both(good, during(when))));
@@ -304,7 +303,7 @@ private:
     return canStay(start, allowed);
   }
 
-  /// From each point where what `after` names is seen to the next where what `until` names is.
+  /// From each point with `after` to the next one with `until`.
   [[nodiscard]] std::optional<bool> parts() const {
     const auto when = times();
     if (!when || pattern.before) return std::nullopt;

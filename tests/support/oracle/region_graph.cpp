@@ -35,7 +35,7 @@ bool isDue(const Region& region, const Firing& firing) {
          !firing.interval.upperOpen;
 }
 
-/// Ranks without gaps, in the same order.
+/// Ranks in the same order without gaps.
 void spread(Region& region) {
   std::set<std::uint32_t> used{0};
   for (const auto& age : region) used.insert(age.rank);
@@ -43,8 +43,8 @@ void spread(Region& region) {
     age.rank = static_cast<std::uint32_t>(std::distance(used.begin(), used.find(age.rank)));
 }
 
-/// The region that comes next when time passes: just after, where a clock is at a whole number;
-/// else the moment at which the greatest fraction becomes whole.
+/// The next region when time passes: just after an integer, otherwise the moment at which the
+/// greatest fraction becomes an integer.
 Region nextRegion(Region region, const std::map<ClockId, Interval>& clocks) {
   std::uint32_t greatest = 0;
   bool atWhole = false;
@@ -138,8 +138,8 @@ void RegionGraph::expand(std::size_t index) {
   all[index].restarted = restarted;
 }
 
-// A clock goes on where its transition was possible before, is possible after, and nothing that
-// took part in the step takes part in it, but for those that said `loop`.
+// A clock keeps running if its transition was possible before and is possible after the step, and
+// its participants did not take part in the step, except with `loop`.
 Region RegionGraph::after(const Node& node, const Firing& firing,
                           const DiscreteState& target) const {
   Region region;

@@ -8,57 +8,55 @@
 
 namespace proskill::oracle {
 
-/// How old a transition is, up to the equivalence of Alur and Dill, "A theory of timed automata"
-/// (TCS 1994): the whole part exactly, the fraction only by its order among the fractions of all
-/// clocks. Rank 0 is no fraction.
-///
-/// A grid of fixed step cannot be exact for strict bounds: a run may halve the gap between two
-/// fractions again and again. Ranks are spread anew after each step, so that there is always room
-/// between two of them; this is exact, and with constants of at most three units as small as a
-/// grid.
+/// Age of a transition, up to the equivalence of Alur and Dill, "A theory of timed automata" (TCS
+/// 1994): the exact integer part, and the rank of the fraction among all clocks. Rank 0 means no
+/// fraction.
+///  A grid of fixed step cannot be exact for strict bounds, since a run may halve the gap between
+///  two fractions again and again. Ranks are renumbered after each step, so that there is always
+///  space between two of them. This is exact, and for constants up to three units as small as a
+///  grid.
 struct Age {
   ClockId clock = 0;
   std::int64_t whole = 0;
   std::uint32_t rank = 0;
-  bool beyond = false; ///< past the last bound: how far does not matter, whole and rank are 0
+  bool beyond = false; ///< beyond the last bound: integer part and rank are 0
   friend auto operator<=>(const Age&, const Age&) = default;
 };
 
-/// A clock of the judge's own, see RegionGraph.
+/// An additional clock, see RegionGraph.
 inline constexpr ClockId kWatch = SIZE_MAX;
 
-using Region = std::vector<Age>; ///< by clock, those with bounds that matter alone
+using Region = std::vector<Age>; ///< by clock; only those with relevant bounds
 
-/// A discrete state with all that follows from it.
+/// A discrete state with derived data.
 struct DiscreteState {
   Store store;
   std::vector<Firing> firings;
   std::map<ClockId, fiacre::Interval> clocks; ///< of the timed transitions
-  bool urgent = false;                        ///< time cannot pass: something has to happen now
+  bool urgent = false;                        ///< time cannot pass: a step is urgent
 };
 
 struct Edge {
   std::size_t firing = 0; ///< of the discrete state
   std::size_t target = 0; ///< node
-  bool due = false;       ///< time waits for it, or for one that it goes before
+  bool due = false;       ///< time waits for it, or for one over which it has priority
 };
 
 struct Node {
   std::size_t discrete = 0;
   Region region;
   std::vector<Edge> edges;
-  std::optional<std::size_t> later; ///< the next region, where time may reach it
-  bool timePasses = false;          ///< by however little
-  std::size_t restarted = 0;        ///< the same with the watch at 0, where there is one
+  std::optional<std::size_t> later; ///< the next region, if time may reach it
+  bool timePasses = false;          ///< by arbitrarily little time
+  std::size_t restarted = 0;        ///< the same with the watch at 0, if there is one
 };
 
-/// The graph of regions of a model: every discrete state, and every way in which its clocks can
-/// stand to each other.
+/// The region graph of a model: all discrete states with all regions of their clocks.
 class RegionGraph {
 public:
-  /// Explores until the end or until there are `limit` nodes. \throw ModelError
-  /// \param watch has the graph a clock that no step touches and that may start anew at any moment,
-  /// told apart up to this many units
+  /// Explores to the end or to `limit` nodes. \throw ModelError
+  /// \param watch adds a clock that steps do not reset and that may be reset at any moment,
+  /// distinguished up to this many units
   RegionGraph(const Interpreter& model, std::size_t limit, std::optional<std::int64_t> watch = {});
 
   [[nodiscard]] bool complete() const { return finished; }

@@ -42,7 +42,7 @@ std::size_t sizeOf(const Form& form) {
   return sum;
 }
 
-/// Items `first` to `first + count` of the list at `path` give way to `instead`.
+/// Replaces items `first` to `first + count` of the list at `path` by `instead`.
 struct Cut {
   std::vector<std::size_t> path;
   std::size_t first = 0;
@@ -68,7 +68,7 @@ void collectCuts(const Form& list, std::vector<std::size_t>& path, std::vector<C
     if (!item.isList()) continue;
     for (const auto& part : item.items) addCut(cuts, list, path, i, 1, {part});
     addCut(cuts, list, path, i, 1, {Form("true")});
-    if (item.items.size() > 2) // the statements of an `if` or a loop in its place
+    if (item.items.size() > 2) // by the statements of an `if` or a loop
       addCut(cuts, list, path, i, 1, {item.items.begin() + 2, item.items.end()});
     path.push_back(i);
     collectCuts(item, path, cuts);

@@ -6,7 +6,7 @@
 
 namespace proskill::test {
 
-/// A word, or a pair of parentheses with what stands in it: programs as trees that tests can cut.
+/// A word, or a parenthesised list: programs as trees that tests can reduce.
 struct Form {
   std::string word; ///< empty: a list
   std::vector<Form> items;
@@ -24,12 +24,12 @@ struct Form {
   friend bool operator==(const Form&, const Form&) = default;
 };
 
-/// The text of a program, laid out for a reader.
+/// The text of a program, formatted for readers.
 [[nodiscard]] std::string textOf(const std::vector<Form>& program);
 
-/// Cuts forms, fields, statements and branches, and puts parts in the place of wholes, as long as
-/// `shows` stays true of what is left. \pre shows(program) Zeller and Hildebrandt, "Simplifying and
-/// isolating failure-inducing input" (TSE 2002), greedy, on the tree.
+/// Removes forms, fields, statements and branches, and replaces them by their parts, while `shows`
+/// stays true. \pre shows(program) Zeller and Hildebrandt, "Simplifying and isolating
+/// failure-inducing input" (TSE 2002), greedy, on the tree.
 [[nodiscard]] std::vector<Form>
 minimise(std::vector<Form> program, const std::function<bool(const std::vector<Form>&)>& shows);
 

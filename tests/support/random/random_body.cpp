@@ -37,7 +37,7 @@ std::vector<Form> Bodies::block(Place place) {
   return statements;
 }
 
-/// It tests something, or stops somebody.
+/// It tests something, or stops a skill.
 bool Bodies::looks(const Form& statement) {
   if (!statement.isList()) return false;
   const std::string& head = statement.items.front().word;
@@ -50,7 +50,7 @@ std::string Bodies::newLabel() {
   return vocabulary.labels.back();
 }
 
-// A body, or a branch: it has labels of its own, and a jump leads forward or back to one of them.
+// A body or a branch has labels of its own; a jump leads forwards or backwards to one of them.
 void Bodies::topLevel(Place place, Form& body) {
   std::vector<std::string> labels;
   place.labels = &labels;
@@ -219,7 +219,7 @@ Form Bodies::choice(Place place) {
   return result;
 }
 
-// Most loops let time pass, so that not every second program turns on the spot for ever.
+// Most loops let time pass; otherwise every second program would loop without delay.
 Form Bodies::loop(Place place) {
   place.inLoop = true;
   auto statements = block(place);

@@ -4,23 +4,23 @@
 
 namespace proskill::test {
 
-/// Draws bodies of composite skills and of environments.
+/// Generates bodies of composite skills and of environments.
 class Bodies {
 public:
   Bodies(RandomSource& source, Words& words, Phrases& phrases, const ProgramSize& bounds)
       : random(source), vocabulary(words), phrase(phrases), size(bounds) {}
 
-  /// The body of the composite `skill`, an index into the words. With `mustCall`, skills that it
-  /// calls at the end.
+  /// The body of the composite `skill`, an index into the words. \param mustCall skills that it
+  /// calls at the end
   [[nodiscard]] Form ofSkill(std::size_t skill);
   [[nodiscard]] Form ofEnvironment();
-  /// Composites that no body calls yet, among those that are no monitors and not the first.
+  /// Composites that no body calls yet, except monitors and the first one.
   [[nodiscard]] std::vector<std::size_t> uncalled() const;
   /// A call by the skill `caller`, whose own inputs may be passed on.
   [[nodiscard]] Form call(std::size_t skill, std::size_t caller);
 
 private:
-  /// Where a statement stands.
+  /// The context of a statement.
   struct Place {
     std::size_t skill = 0;
     std::size_t depth = 0;

@@ -7,7 +7,7 @@ namespace proskill::test {
 
 [[nodiscard]] fiacre::Expr negation(fiacre::Expr operand);
 
-/// Adds variables of compound types, which are handled with care: nothing fails.
+/// Adds variables of compound types, whose uses never fail.
 void addRandomData(fiacre::Program& program, fiacre::Component& component);
 /// A test of that data.
 [[nodiscard]] fiacre::Expr randomDataTest(RandomSource& random);

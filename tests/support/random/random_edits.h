@@ -10,12 +10,12 @@
 
 namespace proskill::test {
 
-/// Edits as a person makes them, at random places of a text.
+/// Random edits as people make them.
 class RandomEdits {
 public:
   explicit RandomEdits(std::uint64_t seed) : random(seed) {}
 
-  /// Small slips, and pieces of the text itself moved about.
+  /// Typing errors, and pieces of the text moved elsewhere.
   syntax::TextEdit slip(const std::string& text) {
     static constexpr std::array<std::string_view, 22> kSlips = {
         "(",    ")", "\"", ";", "\n",   "\n(defskill x",           "\n(defsv", "$", ":", ".",
@@ -32,7 +32,7 @@ public:
     return edit(begin, end, put);
   }
 
-  /// White space and comments at the end of a line; seldom a word that changes the program.
+  /// White space and comments at the end of a line; rarely a word that changes the program.
   syntax::TextEdit touch(const std::string& text) {
     static constexpr std::array<std::string_view, 8> kTouches = {
         " ", "\n", " ; note", "\n; note", "\n\n", " ; (not code", "\n  ; \"nor this", " x"};
@@ -45,7 +45,7 @@ public:
     return edit(at, at, kTouches[pick(kTouches.size())]);
   }
 
-  /// A letter of a word typed twice or taken out, as in a name that is being typed.
+  /// A letter of a word duplicated or removed, as in a name that is being typed.
   syntax::TextEdit misspell(const std::string& text) {
     static constexpr std::string_view kLetters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";

@@ -33,7 +33,7 @@ struct Scalar {
 
 const std::vector<std::string> kColours{"Red", "Green", "Blue"};
 
-/// Builds one program, from the shared variables inwards.
+/// Builds a program, from the shared variables inwards.
 class Builder {
 public:
   explicit Builder(std::uint64_t seed, bool withData = false)
@@ -111,7 +111,7 @@ private:
     component.ports.push_back(added);
   }
 
-  /// What a process keeps of what comes over ports.
+  /// What a process stores of received values.
   void declareMail(Process& process) {
     if (std::ranges::all_of(process.ports, [](const auto& port) { return port.values.empty(); }))
       return;
@@ -136,7 +136,7 @@ private:
                                          call("other", {name("flag")})});
   }
 
-  /// `p!x` or `p?y`, and what is done with what came.
+  /// `p!x` or `p?y`, and a use of the received value.
   void communicate(const Port& by, const Process& process, std::vector<Statement>& steps) {
     const bool sends = random.chance(50);
     Statement made{.kind = sends ? StatementKind::Send : StatementKind::Receive, .name = by.name};
@@ -335,7 +335,7 @@ private:
   Component component;
   std::vector<Scalar> scalars;                          ///< of the shared variables
   std::set<std::pair<std::uint32_t, std::string>> tags; ///< by instance
-  std::vector<Scalar> local;                            ///< of the process in hand, too
+  std::vector<Scalar> local;                            ///< including the current process
 };
 
 } // namespace

@@ -13,7 +13,7 @@ Observable stateOf(std::uint32_t instance, std::string state) {
 
 namespace {
 
-/// What is seen in states or in steps, of what the properties ask for.
+/// States or steps to observe, among those that the properties cover.
 Observable seen(RandomSource& random, const Program& program, bool ofSteps) {
   std::vector<Observable> all;
   for (const auto& property : program.properties)

@@ -5,7 +5,7 @@
 
 namespace proskill::test {
 
-/// A property's look at the state of an instance.
+/// The observable of an instance's state in a property.
 [[nodiscard]] fiacre::Observable stateOf(std::uint32_t instance, std::string state);
 
 /// Adds a component that observes the main one through probes, and properties of its states.

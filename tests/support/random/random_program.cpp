@@ -8,7 +8,7 @@ namespace proskill::test {
 
 namespace {
 
-/// Writes the definitions, one kind at a time.
+/// Generates the definitions, one kind at a time.
 class Definitions {
 public:
   Definitions(std::uint64_t seed, const ProgramSize& bounds)
@@ -50,7 +50,7 @@ private:
     return form;
   }
 
-  /// One of the values, or some.
+  /// One of the values, or several.
   Form initial(const std::vector<std::string>& values) {
     if (!random.chance(size.open)) return random.pick(values);
     Form some;
@@ -82,7 +82,7 @@ private:
     return form;
   }
 
-  // The main skill comes last, when it is known what the others have left uncalled.
+  // the main skill comes last, to call what the others do not
   void addSkills() {
     std::vector<Form> forms;
     for (std::size_t i = words.skills.size(); i-- > 0;) forms.push_back(skill(i));
@@ -153,7 +153,7 @@ private:
     return form;
   }
 
-  /// A condition that is a bare word, in parentheses: tags stand beside conditions there.
+  /// a condition in parentheses, even if it is a word: tags may follow
   static Form list(Form condition) {
     return condition.isList() ? condition : Form{"not", Form{"not", condition}};
   }
@@ -207,7 +207,7 @@ private:
     program.push_back({"defproperty", "wish" + std::to_string(number), body});
   }
 
-  /// To what may depend on which runs without end count.
+  /// Adds `:fair` to properties whose verdict may depend on it.
   void addFair(Form& body) {
     const auto& head = body.items.front().word;
     const bool isOfEnd =
@@ -217,7 +217,7 @@ private:
       body.addAll({":fair", random.chance(70) ? "nil" : "t"});
   }
 
-  /// A pattern with scopes and times, all that has a meaning.
+  /// A pattern with scopes and times, in a meaningful combination.
   Form withScope() {
     static const std::vector<std::string> heads{"present", "absent", "leadsto"};
     const auto head = random.pick(heads);

@@ -6,8 +6,8 @@
 
 namespace proskill::test {
 
-/// Random choices that are the same with every standard library: the engine is defined by the
-/// standard, its distributions are not.
+/// Random choices that are the same with every standard library: the standard defines the engine,
+/// but not the distributions.
 class RandomSource {
 public:
   explicit RandomSource(std::uint64_t seed) : engine(seed) {}

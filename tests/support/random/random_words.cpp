@@ -6,13 +6,13 @@ namespace proskill::test {
 
 namespace {
 
-/// Draws names that no definition of the same kind has yet.
+/// Generates names that are unique among definitions of a kind.
 class Namer {
 public:
   explicit Namer(RandomSource& source) : random(source) {}
 
-  /// Mostly a plain name; now and then a word that Fiacre or the generated code has a use for, but
-  /// no word of a statement, which could not be called.
+  /// Usually a plain name; sometimes a word that Fiacre or the generated code uses, but not a
+  /// keyword of statements, which could not be called.
   std::string draw(const std::string& plain) {
     static const std::vector<std::string> awkward{
         "start",   "state",     "from",     "to",   "select",  "on",       "is",      "any",

@@ -21,35 +21,35 @@ struct SkillWords {
   bool monitor = false;
   bool interruptible = false;
   bool unstoppable = false;
-  bool refusable = false;              ///< known once it is written, as are its guards
+  bool refusable = false;              ///< known once it is generated, as are its guards
   std::vector<std::string> invariants; ///< tags
   std::vector<std::string> successes;
   std::vector<std::string> failures;
   std::vector<std::pair<std::string, std::string>> inputs; ///< name and type
 };
 
-/// What a random program speaks of, drawn before any of its definitions is written.
+/// The names of a random program, generated before its definitions.
 struct Words {
   std::vector<VariableWords> variables;
   std::vector<std::string> events;
-  std::vector<std::string> emitted; ///< those that do not come by themselves
+  std::vector<std::string> emitted; ///< without `:every`
   std::vector<std::string> resources;
   std::vector<SkillWords>
-      skills; ///< composites first, the main one the first; a skill calls those behind it
-  std::vector<std::string> labels; ///< of all bodies, as they are written
+      skills; ///< composites first, the main one at the front; a skill calls later ones
+  std::vector<std::string> labels; ///< of all bodies, as they are generated
   bool library = false;
 };
 
 [[nodiscard]] Words randomWords(RandomSource& random, const ProgramSize& size);
 
-/// Conditions, effects, intervals: what definitions and statements are made of.
+/// Conditions, effects, intervals: parts of definitions and statements.
 class Phrases {
 public:
   Phrases(RandomSource& source, const Words& words, const ProgramSize& bounds)
       : random(source), vocabulary(words), size(bounds) {}
 
   [[nodiscard]] Form condition(std::size_t depth = 1);
-  /// With `running`, `occurs`, and the other words of properties.
+  /// With `running`, `occurs`, and the other atoms of properties.
   [[nodiscard]] Form proposition(std::size_t depth = 1);
   /// `(sv V)` or `((sv V) (n (+ n 1)))`.
   [[nodiscard]] Form effects();

@@ -11,7 +11,7 @@ struct Seeds {
   std::uint64_t end = 0;
 };
 
-/// `PROSKILL_SEEDS=FIRST:COUNT` asks for others than those of every day.
+/// `PROSKILL_SEEDS=FIRST:COUNT` selects other seeds than the default.
 inline Seeds seedsOr(std::uint64_t first, std::uint64_t count) {
   const char* asked = std::getenv("PROSKILL_SEEDS");
   if (!asked) return {first, first + count};

@@ -6,11 +6,11 @@ interface Entry extends vscode.QuickPickItem {
   name?: string;
 }
 
-/** Milliseconds; the shorter where the server has not said yet whether it verifies. */
+/** Milliseconds; the shorter if the server has not reported whether it verifies. */
 const kMost = 60_000;
 const kMostUnknown = 3_000;
 
-/** Those that are known; where there is none, those that the verification under way will have found. */
+/** The known traces; if there are none, those that the current verification will find. */
 async function tracesOf(programs: Programs, uri: vscode.Uri): Promise<panel.Verdict[]> {
   const known = (): panel.Verdict[] => programs.of(uri).flatMap(({ verdicts }) => verdicts).filter(({ steps }) => steps !== null);
   if (!known().length)
@@ -20,7 +20,7 @@ async function tracesOf(programs: Programs, uri: vscode.Uri): Promise<panel.Verd
   return known();
 }
 
-/** The property whose trace a person wants to see, of those that have one; what is bad comes first. */
+/** Asks the user for a property with a trace; bad ones come first. */
 export async function chooseTrace(programs: Programs, uri: vscode.Uri, question: string): Promise<string | undefined> {
   const traces = await tracesOf(programs, uri);
   if (!traces.length) throw new Error('No trace: verify the program first. A property that holds has no trace.');

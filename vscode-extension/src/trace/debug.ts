@@ -24,7 +24,7 @@ export class Debugging implements vscode.DebugConfigurationProvider, vscode.Debu
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
-  /** Without `launch.json`: a simulation of the program in view. */
+  /** Without `launch.json`: a simulation of the visible program. */
   resolveDebugConfiguration(_folder: vscode.WorkspaceFolder | undefined, configuration: Launch): Launch {
     if (!configuration.type)
       return { type: 'proskill', request: 'launch', name: 'Simulate', program: currentText().uri.fsPath, simulate: true };

@@ -3,7 +3,7 @@ import { decimal } from '../../../panel/src/model/time';
 import { rangeOf, sameUri } from '../places';
 import type { panel } from '../protocol';
 
-/** The current step of a trace in the editors: its range, and the values that it leaves. */
+/** Marks the current step of a trace in the editors: its range, and the values after it. */
 export class StepMarks implements vscode.Disposable {
   private readonly step = vscode.window.createTextEditorDecorationType({
     backgroundColor: new vscode.ThemeColor('editor.stackFrameHighlightBackground'),
@@ -38,7 +38,7 @@ export class StepMarks implements vscode.Disposable {
     }
   }
 
-  /** After the step's first line: what it changes, then the values of the variables that the line names. */
+  /** After the step's first line: its changes, then the values of the variables that the line names. */
   private valuesAt(document: vscode.TextDocument, range: vscode.Range, current: panel.CurrentStep): vscode.DecorationOptions[] {
     const line = document.lineAt(Math.min(range.start.line, document.lineCount - 1));
     const text = [words(current), ...named(line.text, current)].join('   ');

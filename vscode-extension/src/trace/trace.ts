@@ -10,7 +10,7 @@ import { StepMarks } from './step_marks';
 import { readTrace } from './trace_file';
 import type { Typing } from '../typing';
 
-/** The trace view: one for each window; the editors and the Fiacre text go with its current step. */
+/** The trace view: one per window; the editors and the Fiacre text follow its current step. */
 export class TraceView implements vscode.Disposable {
   private host: PanelHost | undefined;
   private shown: panel.Show = {};
@@ -30,14 +30,14 @@ export class TraceView implements vscode.Disposable {
     this.marks.dispose();
   }
 
-  /** The trace of a property; without a name, one to choose. */
+  /** The trace of a property; without a name, the user chooses one. */
   async open(uri?: vscode.Uri, name?: string): Promise<void> {
     const text = uri ?? currentText().uri;
     const trace = name ?? (await chooseTrace(this.programs, text, 'The trace of which property?'));
     if (trace) await this.show(text, { trace, step: 0 });
   }
 
-  /** A trace of a file, such as one that the view has saved. */
+  /** A trace from a file, such as one that the view has saved. */
   async openFile(file: vscode.Uri): Promise<void> {
     const read = await readTrace(file);
     if (read) await this.show(read.program, { given: read.trace, step: 0 });
@@ -51,12 +51,12 @@ export class TraceView implements vscode.Disposable {
       return;
     }
     this.host?.dispose();
-    // The view stands beside the program: were no text in view, the first one would come to lie over it.
+    // The view opens beside the program. If no text is visible, the first one would cover it.
     if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await vscode.window.showTextDocument(uri);
     this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', uri, show));
   }
 
-  /** After the window was loaded again: the trace and the step that were there, as soon as the program is verified. */
+  /** After a reload of the window: restores the trace and the step as soon as the program is verified. */
   async deserializeWebviewPanel(view: vscode.WebviewPanel): Promise<void> {
     const saved = savedPanel(this.context.workspaceState, 'trace');
     if (!saved) return view.dispose();
@@ -80,7 +80,7 @@ export class TraceView implements vscode.Disposable {
     this.host.showIt({ ...this.shown, step });
   }
 
-  /** Its text is brought up by the panel, which asks for that where it follows the steps. */
+  /** The panel scrolls the text, if it follows the steps. */
   private step(current: panel.CurrentStep | null): void {
     this.current = current;
     void vscode.commands.executeCommand('setContext', 'proskill.traceOpen', current !== null);

@@ -11,7 +11,7 @@ interface Read {
   program: vscode.Uri;
 }
 
-/** What the trace view saves, what `proskill verify --save-traces` does, or one of a report; undefined: none was chosen. */
+/** A trace saved by the trace view or by `proskill verify --save-traces`, or one of a report; undefined: the user chose none. */
 export async function readTrace(file: vscode.Uri): Promise<Read | undefined> {
   const name = vscode.workspace.asRelativePath(file);
   const text = Buffer.from(await vscode.workspace.fs.readFile(file)).toString('utf8');
@@ -34,7 +34,7 @@ async function choose(traces: panel.Trace[]): Promise<panel.Trace | undefined> {
   return (await vscode.window.showQuickPick(entries, { placeHolder: 'The trace of which property?', matchOnDetail: true }))?.trace;
 }
 
-/** A path is relative to where the verification ran: the workspace most likely, else where the file lies. */
+/** Paths are relative to the directory of the verification: probably the workspace, otherwise that of the file. */
 function uriOf(place: string, file: vscode.Uri): vscode.Uri {
   if (/^[a-z][a-z0-9+.-]+:/i.test(place)) return vscode.Uri.parse(place);
   const folders = [...(vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath), dirname(file.fsPath)];

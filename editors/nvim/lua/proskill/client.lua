@@ -6,7 +6,7 @@ local M = {}
 
 local name = 'proskill'
 
--- Of a buffer's program: where its settings are, else its repository, else its directory.
+-- Root of a buffer's program: the directory of its settings, else of its repository, else its own.
 function M.root(buffer)
   local file = vim.api.nvim_buf_get_name(buffer)
   local start = file ~= '' and vim.fn.fnamemodify(file, ':p:h') or vim.fn.getcwd()
@@ -31,7 +31,7 @@ local function all()
   return vim.tbl_filter(function(client) return client.name == name end, clients)
 end
 
--- The client of a buffer; nil where it has none yet.
+-- The client of a buffer; nil if it has none yet.
 function M.of(buffer)
   buffer = buffer == 0 and vim.api.nvim_get_current_buf() or buffer
   for _, client in ipairs(all()) do
@@ -49,7 +49,7 @@ local function capabilities()
   return result
 end
 
--- The keys that Neovim 0.11 has for every server, for the versions before it.
+-- The keys that Neovim 0.11 defines for every server, for older versions.
 local keys = {
   K = 'hover', gd = 'definition', grr = 'references', gri = 'implementation',
   grn = 'rename', gra = 'code_action', gO = 'document_symbol',
@@ -79,7 +79,7 @@ local function attached(client, buffer)
   end
 end
 
--- Progress, marks of what is shown: what the server says beside the protocol.
+-- Progress and highlights: notifications beyond the protocol.
 local function handlers()
   return {
     ['proskill/verdicts'] = function(_, params) require('proskill.verify').told(params) end,
@@ -97,7 +97,7 @@ local function options_for(root)
     init_options = config.get().init_options,
     flags = config.get().flags,
     on_init = function(client, result)
-      -- Neovim before 0.10 does not look at the server's choice.
+      -- Neovim before 0.10 ignores the server's choice.
       client.offset_encoding = result.capabilities.positionEncoding or result.offsetEncoding
                                or client.offset_encoding
     end,
@@ -115,7 +115,7 @@ local function start(buffer, root)
       return client.id
     end
   end
-  -- Clients that are not initialized yet are not among the active ones.
+  -- Clients that are not initialized yet are not in the list of active ones.
   M.starting = M.starting or {}
   local id = M.starting[root]
   if not (id and vim.lsp.get_client_by_id(id)) then
@@ -128,7 +128,7 @@ local function start(buffer, root)
   return id
 end
 
--- Gives a buffer the client of its project; starts it where there is none.
+-- Gives a buffer the client of its project; starts one if there is none.
 function M.attach(buffer)
   if vim.bo[buffer].buftype ~= '' then
     return
@@ -175,8 +175,8 @@ function M.restart()
   end))
 end
 
--- Asks the buffer's server. `answer` gets the error, as the protocol has it, or nil and the result.
--- Returns whether there is a server to ask, and a function that cancels the request.
+-- Sends a request to the buffer's server. `answer` receives the error of the protocol, or nil and the
+-- result. Returns whether there is a server, and a function that cancels the request.
 function M.ask(buffer, method, params, answer)
   local client = M.of(buffer)
   if not client then
@@ -195,7 +195,7 @@ function M.ask(buffer, method, params, answer)
   end
 end
 
--- The protocol's error of a server that does not know a method.
+-- The protocol's error code for an unknown method.
 M.unknown_method = -32601
 
 return M

@@ -1,17 +1,17 @@
--- What can be configured, and what it is where nobody said so. :help proskill-configuration
+-- Settings and their defaults. :help proskill-configuration
 local M = {}
 
 local defaults = {
-  cmd = { 'proskill' },       -- the program, with what goes before the subcommand
+  cmd = { 'proskill' },       -- the program, with arguments before the subcommand
   client = true,              -- start the language server
-  keymaps = true,             -- in buffers with the server, where Neovim has none of its own
+  keymaps = true,             -- in buffers with the server, if Neovim has none of its own
   highlight = true,
   folds = true,
-  parser = nil,               -- path of proskill.so, where it is not on the runtime path
+  parser = nil,               -- path of proskill.so, if it is not on the runtime path
   grammar = nil,              -- path of tree-sitter-proskill/
   viewer = nil,               -- function(path) or a program, for pictures; nil: the system's
   dark = nil,                 -- pictures for a dark page; nil: as 'background' says
-  follow = true,              -- a trace's step is shown as the cursor moves through the list
+  follow = true,              -- show a trace's step when the cursor moves through the list
   offset_encodings = { 'utf-8', 'utf-16' },
   settings = {},              -- the section `proskill` of the settings, for the server
   init_options = nil,

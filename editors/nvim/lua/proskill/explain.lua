@@ -1,10 +1,10 @@
--- What the code of a diagnostic means, in a window at the cursor.
+-- Explains the code of a diagnostic in a window at the cursor.
 local client = require('proskill.client')
 local message = require('proskill.message')
 
 local M = {}
 
--- The code of what is told at the cursor, else elsewhere in its line.
+-- The code of the diagnostic at the cursor, else of another in its line.
 local function code_here()
   local line, column = unpack(vim.api.nvim_win_get_cursor(0))
   local found

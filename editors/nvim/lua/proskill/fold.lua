@@ -1,9 +1,9 @@
--- Folds by queries/proskill/folds.scm. Neovim has such an expression since 0.9 only.
+-- Folds by queries/proskill/folds.scm. Neovim has such an expression only since 0.9.
 local treesitter = require('proskill.treesitter')
 
 local M = {}
 
--- By buffer: the change that they are of, and the level of each line.
+-- By buffer: the change they are based on, and the level of each line.
 local known = {}
 
 local function starts_and_depths(buffer)

@@ -1,6 +1,5 @@
--- Indentation by queries/proskill/indents.scm, in the formatter's style. What is half typed has
--- parentheses that nobody closed yet; so it is the innermost open one that counts, not the
--- node around the line.
+-- Indentation by queries/proskill/indents.scm, in the formatter's style. Unfinished text has
+-- unclosed parentheses, so the innermost open one counts, not the node around the line.
 local treesitter = require('proskill.treesitter')
 
 local M = {}
@@ -30,7 +29,7 @@ local function definition_before(buffer, root, line)
   return node
 end
 
--- The last parenthesis before a line that is open there, as its token.
+-- The last parenthesis before a line that is still open there, as its token.
 local function open_parenthesis(node, line, stack)
   for child in node:iter_children() do
     if child:start() >= line then
@@ -45,7 +44,7 @@ local function open_parenthesis(node, line, stack)
   end
 end
 
--- By node: the capture's name, and its step.
+-- By node: the name and the step of the capture.
 local function captures_of(buffer, node)
   local found = {}
   local query = treesitter.query('indents')
@@ -63,7 +62,7 @@ local function starts_in(node, line)
   return node:start() == line
 end
 
--- Whether a line begins with one of the words that belong to the statement around them.
+-- Whether a line begins with a keyword of the surrounding statement.
 local function is_branch(node, line, captures)
   local clause
   for child in node:iter_children() do
@@ -91,7 +90,7 @@ local function group_before(form, line, captures)
   end
 end
 
--- Whether a line, which is in a group or behind it, goes on with the group.
+-- Whether a line in or after a group continues the group.
 local function goes_on(group, line, blank)
   local _, _, last = group:range()
   if last >= line then
@@ -105,7 +104,7 @@ local function column(node)
   return at
 end
 
--- The second part of a form, where it stands on the line of the first.
+-- The second part of a form, if it is on the line of the first.
 local function second_part(form)
   local head, second = form:child(1), form:child(2)
   if head and second and second:start() == head:start() and second:type() ~= ')' then

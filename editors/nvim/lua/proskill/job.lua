@@ -1,8 +1,8 @@
--- Runs the program, without waiting for it.
+-- Runs the program asynchronously.
 local M = {}
 
--- `ended` gets the exit code, what was printed, and what was said on standard error. Returns a function
--- that stops it, or nil where it cannot be started.
+-- `ended` receives the exit code, the output, and what was written to standard error. Returns a
+-- function that stops the program, or nil if it cannot be started.
 function M.run(command, ended)
   local out, err = {}, {}
   local function collect(into)

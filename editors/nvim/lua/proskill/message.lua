@@ -1,4 +1,4 @@
--- What the plugin says to its user.
+-- Messages to the user.
 local M = {}
 
 local function say(text, level)

@@ -1,4 +1,4 @@
--- Pictures of what a program consists of.
+-- Pictures of the parts of a program.
 local client = require('proskill.client')
 local config = require('proskill.config')
 local job = require('proskill.job')
@@ -16,7 +16,7 @@ end
 
 local drawn = { skill = true, state_variable = true, environment = true }
 
--- The names of what can be drawn, and of what the cursor stands in.
+-- The names of what can be drawn, and of the definition at the cursor.
 local function definitions(buffer)
   local names, current = {}, nil
   local line = vim.api.nvim_win_get_cursor(0)[1] - 1
@@ -109,7 +109,7 @@ local function position(buffer, encoding)
   return { line = line - 1, character = counted }
 end
 
--- :ProskillAutomaton: what is named, else what the cursor stands in, else who calls whom.
+-- :ProskillAutomaton: draws what is named, else the definition at the cursor, else the calls.
 function M.show(name, dot)
   local buffer = vim.api.nvim_get_current_buf()
   if vim.bo[buffer].filetype ~= 'proskill' then

@@ -1,5 +1,5 @@
--- Places in texts, from the protocol's and from those that `proskill verify` prints:
--- { path, line, first, last_line, last }, lines from 0, columns in bytes from 0.
+-- Places in texts, from the protocol and from `proskill verify`: { path, line, first, last_line,
+-- last }, lines from 0, columns in bytes from 0.
 local M = {}
 
 local function line_of(path, line)
@@ -8,14 +8,14 @@ local function line_of(path, line)
   return vim.api.nvim_buf_get_lines(buffer, line, line + 1, false)[1] or ''
 end
 
--- How many units a character has, by its first byte.
+-- Number of units of a character, by its first byte.
 local units = {
   ['utf-8'] = function(length) return length end,
   ['utf-16'] = function(length) return length == 4 and 2 or 1 end,
   ['utf-32'] = function() return 1 end,
 }
 
--- The byte column of a column that is counted in the units of an encoding.
+-- Converts a column in units of an encoding to bytes.
 function M.bytes(text, column, encoding)
   local at, count = 0, 0
   while at < #text and count < column do
@@ -36,7 +36,7 @@ local function place(path, from_line, from, to_line, to, encoding)
   }
 end
 
--- A `Location` of the protocol, or nothing.
+-- A `Location` of the protocol, or nil.
 function M.of_protocol(location, encoding)
   if not location or location == vim.NIL then
     return nil
@@ -46,7 +46,7 @@ function M.of_protocol(location, encoding)
                encoding)
 end
 
--- One of `proskill … --format json`, or nothing.
+-- A place of `proskill … --format json`, or nil.
 function M.of_program(location)
   if not location or location == vim.NIL then
     return nil
@@ -55,7 +55,7 @@ function M.of_program(location)
   return place(location.file, from.line - 1, from.column - 1, to.line - 1, to.column - 1, 'utf-32')
 end
 
--- As an item of the quickfix list, with more fields.
+-- An item of the quickfix list, with more fields.
 function M.item(where, more)
   local item = vim.deepcopy(more)
   if where then

@@ -1,4 +1,5 @@
--- A trace as data: its steps, their dates in words, and every variable's value after each of them.
+-- A trace as data: its steps with their dates as text, and the values of all variables after each
+-- step.
 local place = require('proskill.place')
 
 local M = {}
@@ -7,7 +8,7 @@ local function present(value)
   return value ~= vim.NIL and value or nil
 end
 
--- From what `proskill/trace` answers (then with the encoding of its positions), or from a verdict of
+-- From an answer to `proskill/trace` (with the encoding of its positions), or from a verdict of
 -- `proskill verify --format json`.
 function M.trace(from, encoding)
   local trace = {
@@ -44,7 +45,7 @@ function M.changes(step)
   return table.concat(vim.tbl_map(M.change, step.changes), ', ')
 end
 
--- Every variable's value after a number of steps, by its name.
+-- The values of all variables after this many steps, by name.
 function M.values(trace, number)
   local values = vim.deepcopy(trace.initial)
   for index = 1, number do

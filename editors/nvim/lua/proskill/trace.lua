@@ -1,5 +1,5 @@
--- :ProskillTrace: a trace in the quickfix list, its step at hand marked in the program, and beside it
--- the values after the step, with marks where they have changed.
+-- :ProskillTrace: shows a trace in the quickfix list, marks its current step in the program, and shows the values after the
+-- step beside it, with the changes marked.
 local client = require('proskill.client')
 local config = require('proskill.config')
 local message = require('proskill.message')
@@ -12,8 +12,7 @@ local M = {}
 
 local space = vim.api.nvim_create_namespace('proskill.trace')
 
--- What is shown: { trace, name, words, verdict, list (its quickfix identifier), at, window }.
--- Step 0 is the start.
+-- The trace on display: { trace, name, words, verdict, list (its quickfix identifier), at, window }. Step 0 is the start.
 M.shown = nil
 
 for group, link in pairs({
@@ -51,7 +50,7 @@ local function line_of_list(info)
   return lines
 end
 
--- The changes first: a line that is too long for its window loses its end.
+-- Changes come first, since long lines are cut off at the end.
 local function note(shown, step)
   local notes = { { ('  step %d of %d '):format(shown.at, #shown.trace.steps), 'ProskillStepNote' } }
   for _, change in ipairs(step and step.changes or {}) do
@@ -72,7 +71,7 @@ local function clear()
   end
 end
 
--- The text may have been edited since.
+-- the text may have been edited since
 local function within(buffer, where)
   local last = vim.api.nvim_buf_line_count(buffer) - 1
   local function column(line, at)
@@ -100,7 +99,7 @@ local function mark(shown, step)
   })
 end
 
--- Shows a step's place in the window of the program, wherever the cursor is.
+-- Shows a step's place in the program's window, wherever the cursor is.
 local function scroll(shown, step)
   local where = step and step.place or shown.place
   if not where or not vim.api.nvim_win_is_valid(shown.window) then
@@ -118,7 +117,7 @@ local function scroll(shown, step)
   end)
 end
 
--- Dims the lines of the list whose steps do not matter to what the trace shows.
+-- Dims the lines of irrelevant steps.
 local function dim(shown, buffer)
   for number, step in ipairs(shown.trace.steps) do
     if not step.relevant then
@@ -142,7 +141,7 @@ local function render(number)
   return step
 end
 
--- Goes to a step; nothing where the trace has no such step.
+-- Goes to a step; does nothing if the trace has no such step.
 function M.go(number)
   local shown = M.shown
   if not shown or number < 0 or number > #shown.trace.steps then
@@ -152,7 +151,7 @@ function M.go(number)
   scroll(shown, render(number))
 end
 
--- Goes on by so many steps; only those that matter count, once `toggle_relevant` was called.
+-- Moves by this many steps; after `toggle_relevant`, only relevant ones count.
 local function move(by)
   local shown = M.shown
   if not shown then
@@ -177,7 +176,7 @@ function M.next(count) move(count or 1) end
 
 function M.previous(count) move(-(count or 1)) end
 
--- Whether `next` and `previous` pass by what does not matter.
+-- Whether `next` and `previous` skip irrelevant steps.
 function M.toggle_relevant()
   local shown = M.shown
   if not shown then
@@ -187,7 +186,7 @@ function M.toggle_relevant()
   message.info(shown.only_relevant and 'only the steps that matter' or 'all steps')
 end
 
--- :cnext and its like move through the list and tell nobody: so look after each move of the cursor.
+-- :cnext and similar commands fire no event, so this checks after each move of the cursor.
 local function follow()
   local shown = M.shown
   if not shown then
@@ -227,7 +226,7 @@ function M.close()
   vim.cmd('cclose')
 end
 
--- In the quickfix window, for as long as the trace is shown.
+-- In the quickfix window, while the trace is shown.
 local function map_keys(buffer)
   for key, action in pairs({ [']'] = M.next, ['['] = M.previous, m = M.toggle_relevant, q = M.close }) do
     vim.keymap.set('n', key, function() action(vim.v.count1) end, { buffer = buffer, nowait = true })
@@ -267,7 +266,7 @@ local function open(verdict, trace)
   vim.api.nvim_exec_autocmds('User', { pattern = 'ProskillTraceShown', modeline = false })
 end
 
--- Asks the server for the trace of a verdict.
+-- Requests the trace of a verdict from the server.
 local function ask(buffer, verdict)
   local server = client.of(buffer)
   client.ask(buffer, 'proskill/trace', {
@@ -309,7 +308,7 @@ local function choose(buffer, verdicts)
   end)
 end
 
--- :ProskillTrace: verifies what is named, else takes the verdicts of the last :ProskillVerify.
+-- :ProskillTrace: verifies what is named, else uses the verdicts of the last :ProskillVerify.
 function M.show(name)
   local buffer = vim.api.nvim_get_current_buf()
   if vim.bo[buffer].filetype ~= 'proskill' then

@@ -1,4 +1,4 @@
--- The parser: where it is, how it is built, and what the versions of Neovim call its functions.
+-- The parser: where it is, how to build it, and how to call it in each version of Neovim.
 local config = require('proskill.config')
 local message = require('proskill.message')
 
@@ -6,7 +6,7 @@ local M = {}
 
 local language = 'proskill'
 
--- Where :ProskillBuildParser puts it. The directory is on the runtime path.
+-- Output directory of :ProskillBuildParser, which is on the runtime path.
 local function built()
   return vim.fn.stdpath('data') .. '/site/parser/proskill.so'
 end
@@ -21,7 +21,7 @@ local function candidates()
   return vim.tbl_filter(function(path) return vim.fn.filereadable(path) == 1 end, found)
 end
 
--- Neovim 0.9 and later, 0.8, and 0.7. Each raises an error where the file is no parser.
+-- For Neovim 0.9 and later, 0.8, and 0.7. Each raises an error if the file is not a parser.
 local function load(path)
   local ts = vim.treesitter
   if ts.language and ts.language.add then
@@ -33,7 +33,7 @@ end
 
 local loaded = false
 
--- Whether there is a parser; the first call loads it.
+-- Whether there is a parser; loads it on the first call.
 function M.available()
   if loaded then
     return true
@@ -52,7 +52,7 @@ function M.query(name)
   return (ts.query.get or ts.query.get_query or ts.get_query)(language, name)
 end
 
--- The tree's root, of the buffer as it is now; nil where there is no parser.
+-- The root of the tree for the buffer's current text; nil without a parser.
 function M.root(buffer)
   if not M.available() then
     return nil
@@ -60,7 +60,7 @@ function M.root(buffer)
   return vim.treesitter.get_parser(buffer, language):parse()[1]:root()
 end
 
--- Neovim 0.7 knows the names of captures that were usual then; these are given as its groups.
+-- Neovim 0.7 uses older names of captures; these are mapped to highlight groups.
 local groups = {
   ['comment'] = 'Comment', ['string'] = 'String', ['string.escape'] = 'SpecialChar',
   ['number'] = 'Number', ['boolean'] = 'Boolean', ['error'] = 'Error', ['type'] = 'Type',
@@ -83,7 +83,7 @@ local function highlights_of_old()
   return (query:gsub('@([%w_.]+)', function(name) return '@' .. (groups[name] or 'None') end))
 end
 
--- Colours by the tree; by syntax/proskill.vim where there is no parser.
+-- Highlights with the tree, or with syntax/proskill.vim if there is no parser.
 function M.highlight(buffer)
   if not M.available() then
     return
@@ -133,7 +133,7 @@ local function refresh()
   end
 end
 
--- Compiles the parser. Returns whether it could.
+-- Compiles the parser. Returns whether it succeeded.
 function M.build()
   local source, cc = grammar(), compiler()
   if not source then
@@ -145,7 +145,7 @@ function M.build()
   end
   local target = built()
   vim.fn.mkdir(vim.fn.fnamemodify(target, ':h'), 'p')
-  -- Another file first: a parser that is in use must not change under the feet of its users.
+  -- Writes another file first: a parser in use must not change.
   local fresh = target .. '.' .. vim.fn.getpid()
   local said = vim.fn.system({ cc, '-O2', '-fPIC', '-shared', '-I' .. source .. '/src', '-o', fresh,
                                source .. '/src/parser.c', source .. '/src/scanner.c' })

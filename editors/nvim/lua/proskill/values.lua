@@ -1,4 +1,4 @@
--- The window beside a trace: every variable's value after the step at hand, with diff marks.
+-- The window beside a trace: all values after the current step, with diff marks.
 local steps = require('proskill.steps')
 
 local M = {}
@@ -16,7 +16,8 @@ local function heading(shown)
                               step and steps.date(step) .. '  ' .. step.actor or 'start')
 end
 
--- A line for each variable: `~ battery  Good → Low` where the step has changed it, `  battery  Low` else.
+-- A line for each variable: `~ battery  Good → Low` if the step has changed it, otherwise `  battery
+-- Low`.
 local function lines_of(shown)
   local lines, changed = { heading(shown), '' }, {}
   local before = steps.values(shown.trace, math.max(shown.at - 1, 0))
@@ -37,7 +38,7 @@ local function lines_of(shown)
   return lines, changed
 end
 
--- What the widest line of any step needs.
+-- The width of the widest line of any step.
 local function width_of(shown)
   local names, values = 0, 0
   for name, value in pairs(shown.trace.initial) do

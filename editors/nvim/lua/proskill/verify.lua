@@ -1,5 +1,4 @@
--- Verdicts on the program in a buffer: asked of the server, or of `proskill verify` where there is no
--- server that knows how.
+-- Verdicts on the program in a buffer: from the server, or from `proskill verify` if no server supports this.
 local client = require('proskill.client')
 local config = require('proskill.config')
 local job = require('proskill.job')
@@ -26,14 +25,14 @@ local function verdict_of(from, where)
   }
 end
 
--- What `proskill/verify` answers.
+-- Converts the answer to `proskill/verify`.
 local function of_protocol(result, encoding)
   return vim.tbl_map(function(from)
     return verdict_of(from, place.of_protocol(from.location, encoding))
   end, result.verdicts)
 end
 
--- What `proskill verify --format json` prints.
+-- Converts the output of `proskill verify --format json`.
 local function of_program(report)
   return vim.tbl_map(function(from)
     local verdict = verdict_of(from, place.of_program(from.location))
@@ -61,7 +60,7 @@ local function item_of(verdict)
   })
 end
 
--- The verdicts that are not good, in the quickfix list; with `all` the others as well.
+-- Shows the verdicts that are not good in the quickfix list, or `all`.
 local function list(verdicts, all)
   local items = {}
   for _, verdict in ipairs(verdicts) do
@@ -101,8 +100,7 @@ local function by_program(buffer, names, done)
   end
 end
 
--- Verifies the properties with these names, all where there are none. `done` gets the verdicts, or nil and
--- a sentence.
+-- Verifies the properties with these names, or all. `done` receives the verdicts, or nil and a message.
 function M.verdicts(buffer, names, done)
   local asked, stop = client.ask(buffer, 'proskill/verify', {
     textDocument = { uri = vim.uri_from_bufnr(buffer) },
@@ -155,8 +153,8 @@ function M.stop()
   end
 end
 
--- The server's news of a program that it verifies while it is edited. Neovim's status line shows it as
--- b:proskill_status, in the buffers of the texts that it is about.
+-- Handles notifications of live verification. The status line shows b:proskill_status in the buffers of the
+-- program.
 function M.told(verdicts)
   local counts = verdicts.counts
   local words = {
@@ -172,7 +170,7 @@ function M.told(verdicts)
   end
 end
 
--- Names of properties that begin so, for the command line.
+-- Names of properties with this beginning, for the command line.
 function M.names(begin, with_trace)
   local names = {}
   for _, verdict in ipairs(M.last and M.last.list or {}) do
