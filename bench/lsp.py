@@ -1,6 +1,6 @@
-"""How fast the language server answers: a client types at random places of a large file, and asks. Beside it, on a file of
-the same size, another server, clangd where it is installed. Beside the time that a user waits stands the processor time of
-the server's process, which says the same on a machine that does other things, too. Usage: lsp.py PROSKILL PRINT_PROGRAM [--lines N] [--edits N]
+"""Measures the language server: a client types at random places of a large file, and sends requests. Compares it with another
+server on a file of the same size: clangd if it is installed. Reports the time that a user waits, and the processor time of
+the server's process, which does not depend on the load of the machine. Usage: lsp.py PROSKILL PRINT_PROGRAM [--lines N] [--edits N]
 [--flat N] [--other COMMAND]"""
 
 import argparse
@@ -99,7 +99,7 @@ class Bench:
         return watch.until(self.diagnostics(self.text.version))
 
     def edits(self, count):
-        """Half of them break the program, half mend it; and some only change a comment, so that all is computed."""
+        """Half of them break the program, half fix it; some only change a comment, to measure an analysis of everything."""
         times = []
         while len(times) < count:
             at = self.place()
@@ -127,7 +127,7 @@ class Bench:
                 'context': {'includeDeclaration': True, 'diagnostics': []}}
 
     def blank(self):
-        """Types a blank at the end of some line: the program stays right, and all of it is looked at again."""
+        """Types a blank at the end of some line: the program stays valid, and all of it is checked again."""
         at = self.text.text.index('\n', self.place() // 2)
         self.text.edit(self.client, at, at, ' ')
 

@@ -167,7 +167,7 @@ std::optional<std::string> Child::endingIfOver() {
   siginfo_t over{};
   waitid(P_PID, static_cast<id_t>(pid), &over, WEXITED | WNOHANG | WNOWAIT);
   if (over.si_pid != pid) return std::nullopt;
-  signalGroup(SIGKILL); // kill the processes it left behind, while its process group cannot be
+  signalGroup(SIGKILL); // kill its remaining processes, while its process group cannot be
                         // reused
   int status = 0;
   waitpid(pid, &status, 0);

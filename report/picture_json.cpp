@@ -11,7 +11,7 @@ namespace proskill::report {
 
 namespace {
 
-/// A picture with more nodes takes long to lay out and to read, so parts of it are folded.
+/// A picture with more nodes takes Graphviz and readers too long, so parts of it are folded.
 constexpr std::size_t kLargestUnfolded = 400;
 
 std::set<std::size_t> clustersToFold(const viz::Graph& graph, const FoldKeys& keys) {

@@ -1,8 +1,8 @@
-"""What could not be tried, said once at the end of `./dev test`: each skipped test with its reason.
+"""Lists the skipped tests with their reasons at the end of `./dev test`.
 
 usage: ctest … --output-junit FOLDER/tested-NAME.xml | skips.py FOLDER [--not-tried WHAT REASON]…
 
-Passes on what ctest prints; its closing lines come last, behind the list. With CI=true it fails where a skip is not one
+Passes on what ctest prints; its closing lines come last, after the list. With CI=true it fails if a skip is not one
 of tests/skips.txt, whose lines are `test | reason | why it cannot be helped`, with `*` for anything in the first two.
 """
 

@@ -33,7 +33,7 @@ def git(*arguments):
 
 
 def base_of_changes():
-    """The commit since which files count as changed, in words, too; none where the history does not reach so far."""
+    """The commit since which files count as changed, with a description; none if the history is too short."""
     head = git("rev-parse", "HEAD").stdout
     for main in ("origin/main", "main"):
         left = git("merge-base", "HEAD", main).stdout

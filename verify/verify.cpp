@@ -257,8 +257,8 @@ private:
     return std::nullopt;
   }
 
-  /// What evidence says, with its trace. Where a limit is met first there is none, but the verdict
-  /// stands.
+  /// Answers by evidence, with its trace. If a limit is reached first there is none, but the
+  /// verdict remains.
   void answerBy(std::size_t index, const Evidence& evidence, const Witness& witness) {
     const auto& goal = compiled.goals[index];
     try {

@@ -249,7 +249,7 @@ Statement SkillFrame::changeResources(Op op) {
   return sequence(std::move(all));
 }
 
-// --- Behind the end
+// --- After the end
 
 std::string SkillFrame::restingState() const {
   if (skill.runsOnce()) return "ended";

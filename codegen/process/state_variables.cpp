@@ -30,7 +30,7 @@ void addExact(Context& context, const Variable& variable, const Actor& actor,
   process.states.push_back({"error", place});
 }
 
-/// The polling automaton of the paper. It may lag behind the variable.
+/// The polling automaton of the paper. It may be later than the variable.
 class PollingAutomaton {
 public:
   PollingAutomaton(Context& context, const Variable& variable, const Actor& actor,

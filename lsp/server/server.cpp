@@ -121,7 +121,7 @@ void Server::receive(const rpc::Frame& frame) {
   receive(std::move(*message));
 }
 
-/// Cancels immediately: a cancellation must not wait behind the request that it cancels.
+/// Cancels immediately: a cancellation must not queue after the request that it cancels.
 void Server::receive(rpc::Message message) {
   if (message.kind == rpc::MessageKind::Notification && message.method == "$/cancelRequest") {
     const Json& id = idOf(message.params);

@@ -29,8 +29,8 @@ bool continues(const rpc::Message& next, const rpc::Message& edit) {
 
 } // namespace
 
-/// Combines an edit with those of the same text that wait behind it: no request refers to the
-/// states between, and parsing once is faster.
+/// Combines an edit with those of the same text that follow it in the queue: no request refers to
+/// the states between, and parsing once is faster.
 void Server::gatherEdits(rpc::Message& edit) {
   for (unsigned i = 0; i < kMostGathered; ++i) {
     auto next = inbox.takeIf([&](const rpc::InboxEvent& event) {

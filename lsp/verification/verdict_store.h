@@ -28,8 +28,8 @@ class VerdictStore {
 public:
   using Told = std::function<void(const ProgramState& state)>;
 
-  /// \param tell called for every change, by one thread at a time
-  explicit VerdictStore(Told tell) : tell(std::move(tell)) {}
+  /// \param onChange called for every change, by one thread at a time
+  explicit VerdictStore(Told onChange) : tell(std::move(onChange)) {}
 
   /// The verdicts that features may show.
   [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const;

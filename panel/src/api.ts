@@ -288,7 +288,7 @@ export interface Remembered {
   run?: ChosenRun;
 }
 
-// ---- what the host tells the panel -----------------------------------------------------------
+// ---- notifications of the host ----------------------------------------------------------------
 
 export interface Show {
   picture?: { kind: PictureKind; name: string };

@@ -21,8 +21,8 @@ class Connection:
 
     @classmethod
     def of_this_process(cls) -> Connection:
-        """Standard input and output. What is printed goes to standard error from now on: a line
-        that is no message would be a fault."""
+        """Standard input and output. From now on, print() writes to standard error: a line that is
+        not a message would be a fault."""
         reader = os.fdopen(os.dup(0), "rb")
         writer = os.fdopen(os.dup(1), "wb", buffering=0)
         os.dup2(2, 1)

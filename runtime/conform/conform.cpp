@@ -58,7 +58,7 @@ public:
 private:
   using States = std::set<Concrete>;
 
-  /// In the model an action stops as soon as it is asked to, so a stop request is no step of it.
+  /// In the model an action stops as soon as it is asked to, so a stop request is not a step.
   bool noteStop(const RecordedStep& step) {
     if (step.stops.empty()) return false;
     asked[step.stops] = step.date;

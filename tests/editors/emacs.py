@@ -33,7 +33,7 @@ with tempfile.TemporaryDirectory() as directory:
                           env=dict(os.environ, HOME=directory, PROSKILL_ROOT=str(ROOT), LC_ALL="C.UTF-8"),
                           cwd=directory, stdin=subprocess.DEVNULL, timeout=280)
     if done.returncode == 0:
-        # What the compiler of Emacs warns of is a mistake here.
+        # Warnings of the Emacs compiler are errors here.
         mode = shutil.copy(ROOT / "editors/emacs/proskill-mode.el", directory)
         done = subprocess.run([program, "-Q", "--batch", "--eval", "(setq byte-compile-error-on-warn t)",
                                "-f", "batch-byte-compile", mode], stdin=subprocess.DEVNULL)

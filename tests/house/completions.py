@@ -17,7 +17,7 @@ from house import ROOT, finish
 PROGRAM, SHELL = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 FILES = ["main.proskill", "model.fcr", "notes.txt"]
 
-# What stands on the command line, and some of what has to be offered behind it; what must not be, behind a `!`.
+# A command line, and some of the words to offer after it; a `!` marks words that must not be offered.
 CASES = [
     ("proskill ", ["check", "verify", "view", "!--format"]),
     ("proskill ver", ["verify", "!check"]),
@@ -78,7 +78,7 @@ def offered_by_zsh(line, directory, environment):
 
 
 def offered(line, directory):
-    """The words that the shell offers behind a line."""
+    """The words that the shell offers after a line."""
     path = os.pathsep.join([str(PROGRAM.parent), os.environ["PATH"]])
     scripts = {"bash": ["bash", "--norc", "-c", BASH, "bash", str(ROOT / "completions/proskill.bash"), line],
                "fish": ["fish", "--no-config", "-c", "source $argv[1]; complete -C $argv[2]",

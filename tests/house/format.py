@@ -7,7 +7,7 @@ import sys
 
 from house import ROOT, files, finish
 
-SKIPPED = 77  # as ctest is told
+SKIPPED = 77  # as ctest expects
 
 program = shutil.which("clang-format")
 if not program:

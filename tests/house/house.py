@@ -18,7 +18,7 @@ def tracked():
 
 
 def unpacked():
-    """The files of an archive: all but those that the build and editors leave behind."""
+    """The files of an archive: all but those that the build and editors make."""
     names = (str(path.relative_to(ROOT)) for path in ROOT.rglob("*") if path.is_file())
     return [name for name in names if not name.startswith(("build/", ".git/", ".cache/"))]
 

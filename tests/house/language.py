@@ -1,4 +1,4 @@
-"""The Lisp examples of docs/language.md are together one program without mistakes.
+"""The Lisp examples of docs/language.md form one program without errors.
 
 usage: language.py PROGRAM
 """

@@ -1,4 +1,4 @@
-"""No folder reaches up: what each may include stands in the tables of ARCHITECTURE.md."""
+"""Folders include only what the tables of ARCHITECTURE.md allow."""
 
 import re
 

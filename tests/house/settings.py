@@ -15,7 +15,7 @@ import tempfile
 
 from house import ROOT, finish, read
 
-SKIPPED = 77  # as ctest is told
+SKIPPED = 77  # as ctest expects
 
 PROGRAM = sys.argv[1]
 SCHEMA = "docs/proskill.schema.json"

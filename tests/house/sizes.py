@@ -27,8 +27,8 @@ FUNCTION_BEGIN = re.compile(r"^(\s*)(?!namespace|struct|class|enum|union|if|for|
 
 
 def function_lengths(text):
-    """Lines from that with the opening brace to that with the closing one, of functions that are laid out by
-    clang-format; a function on one line has one."""
+    """The lengths of functions formatted by clang-format: the lines from the opening brace to the closing one. A function
+    on one line has length one."""
     lengths, open_at = [], None
     for number, line in enumerate(text.splitlines()):
         if open_at is None and re.match(r"^\s*[\w\[:~<>&*, ]+\(.*\).*\{ .*\}$", line):

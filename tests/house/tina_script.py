@@ -1,4 +1,4 @@
-"""`./dev tina` reports what came of each example, with programs that stand in for the tools."""
+"""`./dev tina` reports the result of each example, here with fake tools."""
 
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""The manual's transcripts are true: every `$ proskill …` in a console block prints what stands below it.
+"""The manual's transcripts are correct: every `$ proskill …` in a console block prints the text below it.
 
 A line `…` stands for any lines, `…` within a line for any text. Commands run at the root of the tree.
 usage: transcripts.py PROGRAM

@@ -1,22 +1,18 @@
-"""The words that docs/glossary.md has replaced do not come back: not in the manual, not in messages, not in the editors.
+"""The words that docs/glossary.md has replaced do not come back: not in the manual, messages or editors, and not in comments.
 
 A row of its table has the term, what it replaced, its meaning, and what remains allowed; phrases are in backquotes, with `*` for any ending.
 """
 
-import json
 import re
 
 from house import files, finish, read
+from prose import blank, comments, prose
 
 GLOSSARY = "docs/glossary.md"
-PAGES = ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md")
-ELSEWHERE = ("tests/", "bench/", "fuzz/", "tree-sitter-proskill/", "examples/", "scripts/", "cmake/")
-FENCE = re.compile(r"^( *)(```|~~~).*?^\1\2", re.M | re.S)
-CODE = re.compile(r"`[^`\n]*`|(?<=\]\()[^)]*|^    .*$", re.M)
-# A string, raw or not; or what only looks as if it held one.
-LITERAL = re.compile(r'R"(\w*)\((?P<raw>.*?)\)\1"|"(?P<text>(?:[^"\\\n]|\\.)*)"|//[^\n]*|/\*.*?\*/|#include[^\n]*', re.S)
-ELISP = re.compile(r'"(?P<text>(?:[^"\\]|\\.)*)"|;[^\n]*', re.S)
-SCRIPT = re.compile(r"//[^\n]*|/\*.*?\*/|--[^\n]*|'(?P<one>(?:[^'\\\n]|\\.)*)'|\"(?P<two>(?:[^\"\\\n]|\\.)*)\"|`(?P<more>(?:[^`\\]|\\.)*)`", re.S)
+PAGES = ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md")
+SOURCES = (".cpp", ".h", ".hpp", ".def", ".ts", ".mjs", ".py", ".lua", ".el")
+# Their strings are not for users; their comments are checked.
+INTERNAL = ("tests/", "bench/", "fuzz/", "tree-sitter-proskill/", "examples/", "scripts/", "cmake/", "panel/test/", "panel/e2e/")
 
 
 def phrase(text):
@@ -25,7 +21,7 @@ def phrase(text):
 
 
 def rules():
-    """What is looked for, and the longer phrases in which it may stay."""
+    """The phrases that were replaced, and the longer ones in which they are allowed."""
     replaced, allowed = [], []
     for row in re.findall(r"^\| (?!term |---)(.*) \|$", read(GLOSSARY), re.M):
         cells = [re.findall(r"`([^`]*)`", cell) for cell in row.split("|")]
@@ -34,66 +30,55 @@ def rules():
     return re.compile("|".join(map(phrase, replaced)), re.I), re.compile("|".join(map(phrase, allowed)), re.I), replaced
 
 
-def blank(match):
-    """As many lines as there were, so that places stay right."""
-    return "x" + "\n" * match[0].count("\n")
-
-
-def prose(name, text):
-    """The sentences of a file that people read, each with the line on which it begins."""
+def is_read_by_users(name):
     if name.endswith(".md"):
-        yield 1, CODE.sub(blank, FENCE.sub(blank, text))
-    elif name.endswith(".json"):
-        for number, line in enumerate(text.splitlines(), 1):
-            yield from ((number, json.loads(value)) for value in re.findall(r'"(?:[^"\\]|\\.)*"', line))
-    else:
-        literal = ELISP if name.endswith(".el") else SCRIPT if name.endswith((".ts", ".lua", ".js", ".mjs")) else LITERAL
-        end, sentence, start = 0, "", 1
-        for match in literal.finditer(text):
-            said = next((part for part in match.groupdict().values() if part is not None), None)
-            if text[end:match.start()].strip() or said is None:  # not one literal directly after another
-                yield start, re.sub(r"`[^`]*`", "x", sentence)
-                sentence = ""
-            start = start if sentence else text.count("\n", 0, match.start()) + 1
-            end, sentence = match.end(), sentence + (said or "")
-        yield start, re.sub(r"`[^`]*`", "x", sentence)
+        return name.startswith("docs/") or name.endswith(PAGES)
+    if name.endswith(".json"):
+        return name.endswith(("vscode-extension/package.json", ".schema.json"))
+    return not name.startswith(INTERNAL) and not name.endswith((".py", ".mjs"))
+
+
+def pieces(name, text):
+    """The pieces of English to check in a file, each with its first line."""
+    if is_read_by_users(name):
+        yield from ((line, piece) for line, piece in prose(name, text) if re.search(r"\s", piece))
+    if name.endswith(SOURCES):
+        yield from ((line, re.sub(r"`[^`]*`", "x", piece)) for line, piece in comments(name, text))
 
 
 def complaints(name, text):
-    for line, sentence in prose(name, text):
-        if not re.search(r"\s", sentence):
-            continue
-        free = ALLOWED.sub(blank, sentence)
+    for line, piece in pieces(name, text):
+        free = ALLOWED.sub(blank, piece)
         for match in REPLACED.finditer(free):
             yield f"{name}:{line + free.count(chr(10), 0, match.start())}: \"{' '.join(match[0].split())}\" ({GLOSSARY})"
 
 
-def looked_for():
-    for name in files(".md", ".cpp", ".h", ".def", ".json", ".ts", ".lua", ".el"):
-        if name == GLOSSARY or name.startswith(ELSEWHERE) and not name.endswith("README.md") or "/test" in name or "node_modules" in name:
-            continue
-        if name.endswith(".md") and not name.startswith("docs/") and not name.endswith(PAGES):
-            continue
-        if name.endswith(".json") and not name.endswith(("vscode-extension/package.json", ".schema.json")):
-            continue
-        yield name
+def checked():
+    for name in files(".md", ".json", *SOURCES):
+        if name != GLOSSARY and "node_modules" not in name and "/dist/" not in name and (is_read_by_users(name) or name.endswith(SOURCES)):
+            yield name
 
 
 def planted():
-    """Each phrase is found in each kind of file, and not where it is code or a comment."""
+    """Each phrase is found in each kind of file, and not in code."""
     for text in (words.replace("*", "") for words in PHRASES):
-        for name, sample in (("docs/x.md", f"This {text} it."), ("x.cpp", f'say("this " // why\n  "{text} it");'), ("x.def", f'R"(this\n{text}\nit)"'),
-                             ("x.ts", f"say(`this {text} it`)"), ("x.el", f'(error "this {text} it")'), ("x.json", f'{{"a": "this {text} it"}}')):
-            if not list(complaints(name, sample)):
+        for name, sample in (("docs/x.md", f"This {text} it."), ("CHANGELOG.md", f"- This {text} it."),
+                             ("x.cpp", f'say("this " // why\n  "{text} it");'), ("x.def", f'R"(this\n{text}\nit)"'),
+                             ("x.ts", f"say(`this {text} it`)"), ("x.el", f'(error "this {text} it")'), ("x.json", f'{{"a": "this {text} it"}}'),
+                             ("tests/x.cpp", f"f(); ///< this\n     ///< {text} it\n"), ("x.h", f"/* this {text} it */"), ("tests/x.ts", f"// this {text} it\n"),
+                             ("x.py", f"f()  # this {text} it\n"), ("x.py", f'"""This {text} it."""\n'), ("x.lua", f"-- this {text} it\n"),
+                             ("x.el", f";; this {text} it\n")):
+            if not list(complaints(name.replace("x.json", "x.schema.json"), sample)):
                 yield f"not found in {name}: {text}"
-        for name, sample in (("docs/x.md", f"This `{text}`."), ("x.cpp", f"// this {text} it\n")):
+        for name, sample in (("docs/x.md", f"This `{text}`."), ("x.cpp", f"// this `{text}` it\n"), ("tests/x.cpp", f'say("this {text} it");'),
+                             ("x.py", f'say("this {text} it")\n')):
             if list(complaints(name, sample)):
                 yield f"found in {name}, where it is code: {text}"
 
 
 REPLACED, ALLOWED, PHRASES = rules()
 found = list(planted())
-names = list(looked_for())
+names = list(checked())
 for name in names:
     found += complaints(name, read(name))
 finish(found, f"{len(PHRASES)} phrases are not in {len(names)} files")

@@ -99,7 +99,7 @@ Ltl formula(RandomSource& random, const fiacre::Program& program, int depth, int
   return made;
 }
 
-/// The engine's answer under each setting; it has a trace if it is no.
+/// The engine's answer under each setting; it has a trace if it is negative.
 bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pattern& asked,
             std::span<const Setting> settings) {
   program.properties = {{.name = "p", .pattern = asked}};

@@ -50,7 +50,7 @@ class View:
         return json.loads(body)
 
     def verified(self):
-        """The program once it is decided, as the news tell."""
+        """The program once it is decided, according to the events."""
         program, after = self.call("hello")["result"]["program"], 0
         while program["state"] == "checking":
             news = self.call("news", after=after)["result"]

@@ -56,7 +56,7 @@ def records(data):
 
 
 def messages(data):
-    """Topic, time and content of each message; a channel stands before its messages, as a schema before its channels."""
+    """Topic, time and content of each message; channels come before their messages, and schemas before their channels."""
     schemas, channels, found = {}, {}, []
     for opcode, fields in records(data):
         if opcode == SCHEMA:

@@ -28,7 +28,7 @@ function chromium() {
   return found;
 }
 
-/** A module of native code, built here, because npm was told to run no scripts. */
+/** A module of native code, built here, because npm runs no scripts here. */
 function build(folder, module, product) {
   const at = join(folder, 'node_modules', module);
   if (existsSync(join(at, product))) return;

@@ -126,7 +126,7 @@ export class Editor {
     return (await this.page.locator('[id="status.editor.selection"]').textContent()).trim();
   }
 
-  /** The lines that a decoration with this border or background stands on, as the gutter numbers them. */
+  /** The lines with a decoration of this border or background, as numbered in the gutter. */
   markedLines(uriEnd) {
     return this.page.evaluate((end) => {
       const editor = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.endsWith(end));

@@ -1,6 +1,6 @@
 // The TextMate grammar of Fiacre sees what Fiacre's lexer sees:
 //   node fiacre_grammar.mjs FIACRE_TOKENS FILE…
-// Every reserved word is coloured as one, alone and after whatever may stand before it; and each character of
+// Every reserved word is coloured as one, alone and after whatever may precede it; and each character of
 // each file has a colour of what the lexer takes it for.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -10,7 +10,7 @@ import { grammarOf, scopesOf } from './textmate.mjs';
 const [tokens, ...files] = process.argv.slice(2);
 const grammar = await grammarOf('fiacre');
 
-/** The scopes that may stand for a token, by their beginnings; the file's own scope is no colour. */
+/** The scopes allowed for a token, by their prefixes; the file's own scope is not a colour. */
 const kScopes = {
   comment: /^comment\./, string: /^string\.quoted/, number: /^constant\.numeric/,
   reserved: /^(keyword|storage\.type|constant\.language)\./, name: /^(source\.fiacre$|entity\.name|variable\.other)/,
@@ -20,7 +20,7 @@ const kScopes = {
 const complaints = [];
 const run = (...args) => execFileSync(tokens, args, { encoding: 'utf8', maxBuffer: 1 << 26 }).trim().split('\n');
 
-/** A word of the language is one wherever it stands; a name that begins or ends with it is none. */
+/** A keyword is one everywhere; a name that begins or ends with it is not. */
 const words = run();
 for (const word of words) {
   for (const before of ['', 'x ', '(', ', ', 'state ', 'a := ']) {

@@ -41,7 +41,7 @@ ${Array.from({ length: count - 1 }, (_, i) => `     (move_${i + 2})`).join('\n')
 
 `;
 
-/** At least so many lines, in which the skills stand as they are called, or the first one last. */
+/** At least this many lines, with the skills in the order of their calls, or the first one last. */
 export function largeProgram(lines, order = 'called') {
   const count = Math.max(2, Math.ceil((lines - 10) / 26));
   const skills = Array.from({ length: count }, (_, i) => skill(i + 1));

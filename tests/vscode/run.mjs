@@ -48,7 +48,7 @@ async function passes(world, name, scenario) {
   }
 }
 
-/** The names of those that fail twice: the editor is another program, and slow at times on a busy machine. A first failure is told. */
+/** The names of those that fail twice: the editor is a separate program, and sometimes slow on a busy machine. First failures are printed. */
 async function play(world) {
   const failures = [];
   for (const [name, scenario] of Object.entries(scenarios)) {

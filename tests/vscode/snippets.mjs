@@ -1,4 +1,4 @@
-// Each snippet of the extension, as it is inserted, stands in a program that parses:
+// Each snippet of the extension, as it is inserted, is part of a program that parses:
 //   node snippets.mjs PROSKILL
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';

@@ -11,8 +11,8 @@ namespace {
 
 bool isStuckGoal(const Goal& goal) { return goal.kind == GoalKind::Stuck; }
 
-/// Whether a run along these steps ends with the clocks in these ranges: the zones along it, with
-/// nothing forgotten but what cannot be told apart.
+/// Whether a run along these steps ends with the clocks in these ranges: computes the zones along
+/// it, extrapolated only as far as that is exact.
 bool isReal(const System& system, const Evidence& evidence) {
   Timing timing(system, Extrapolation::Least);
   Enabling enabling(system);
@@ -57,7 +57,7 @@ std::optional<Evidence> findStuck(const System& system, const Reductions& reduct
   return evidence;
 }
 
-/// The same with finer zones, in an exploration of its own.
+/// Repeats the search with finer zones, in a separate exploration.
 /// \throw LimitMet
 std::optional<Evidence> findStuckFiner(const System& system, const std::vector<Goal>& goals,
                                        const Reductions& reductions, LimitWatch& limits,
@@ -77,13 +77,13 @@ std::optional<Evidence> findStuckFiner(const System& system, const std::vector<G
   return stuck;
 }
 
-/// Whether time can stop. Says in the result which limit left that open.
+/// Whether time can stop. If undecided, the result says which limit was reached.
 std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>& goals,
                                   const Reductions& reductions, Extrapolation extrapolation,
                                   Explorer& explorer, LimitWatch& limits, SearchResult& result) {
   try {
     auto stuck = findStuck(system, reductions, explorer, limits);
-    // Extra+LU may put clocks nearer to their upper bounds than they get; the maximum does not.
+    // Extra+LU may put clocks nearer to their upper bounds than they get; maximum bounds do not
     if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck))
       return findStuckFiner(system, goals, reductions, limits, result);
     return stuck;

@@ -233,7 +233,7 @@ System untimed(System system) {
 }
 
 /// State classes contain how long each step may still wait, not since when it has been waiting. So
-/// they cannot tell whether a step with priority has waited long enough. \return why there are no
+/// they do not show whether a step with priority has waited long enough. \return why there are no
 /// classes
 std::optional<Unsupported> withoutClasses(const System& system) {
   const auto late = std::ranges::find_if(system.transitions, &Transition::blocksLater);

@@ -44,7 +44,7 @@ struct Cell {
 enum class NodeOp : std::uint8_t {
   Number, // the constant `number`
   Cell,   // the value of cell a
-  // (word a & mask) == value; comparisons with constants become this when the state is laid out
+  // (word a & mask) == value; replaces comparisons with constants once states have a layout
   Test,
   Not,
   Negate, // a
@@ -103,9 +103,9 @@ struct BitStore {
 };
 
 enum class InstructionKind : std::uint8_t {
-  Assign, // assignments[first, last): evaluates all values, then writes all targets
-  Store, // an Assign of constants as stores[firstStore, lastStore); made when the state is laid out
-  On,    // the path is disabled unless node holds
+  Assign,     // assignments[first, last): evaluates all values, then writes all targets
+  Store,      // an Assign of constants as stores[firstStore, lastStore), once states have a layout
+  On,         // the path is disabled unless node holds
   JumpUnless, // to instruction `last` unless node
   Jump,       // to instruction `last`
   Tag,        // event happens
@@ -173,9 +173,10 @@ struct Transition {
   bool urgent = false;   ///< [0,0]
   ClockId clock = kNone; ///< kNone: urgent, or [0,...[
   NodeId guard = 0;      ///< conjunction of the locations and guards of all parts
-  /// The guard as bit tests, made when the state is laid out; all must hold.
+  /// The guard as bit tests, once states have a layout; all must be true.
   std::vector<BitTest> tests;
-  std::vector<NodeId> rest; ///< the conditions of the guard that are no bit tests; all must hold
+  std::vector<NodeId> rest; ///< the conditions of the guard that are not bit tests; all must be
+                            ///< true
   bool tentative = false;
   bool fails = false; ///< if this transition is enabled, the model has an error
   /// A part reads what another one writes, so each part reads the state before the step.

@@ -40,8 +40,8 @@ private:
     relevant.cells.insert(system.instances[instance].location);
   }
 
-  /// Whether a process can be left out as far as it alone is concerned: it meets nobody at a port,
-  /// nobody asks for what it does, it cannot fail, and it cannot stop time.
+  /// Whether a process could be skipped, considering it alone: it synchronises with nobody, no goal
+  /// asks for what it does, and it can neither fail nor stop time.
   [[nodiscard]] bool onlyWatches(InstanceId instance) const {
     bool stops = std::ranges::any_of(
         goals, [](const auto& goal) { return goal.kind == GoalKind::Deadlock; });
@@ -57,7 +57,7 @@ private:
            !hasCycle(instance, !stops);
   }
 
-  /// Whether the instance can go round: by urgent steps alone, or by any.
+  /// Whether the instance has a cycle: of urgent steps only, or of any.
   [[nodiscard]] bool hasCycle(InstanceId instance, bool urgentOnly) const {
     const auto count = system.instances[instance].locations.size();
     std::vector<Bits> reached(count);
@@ -78,7 +78,7 @@ private:
     return false;
   }
 
-  /// One round of the fixed point: what relevant things are computed from, and who writes them.
+  /// A round of the fixed point: adds what relevant parts are computed from, and who writes that.
   bool grow() {
     const Bits cellsBefore = relevant.cells;
     const Bits keptBefore = kept;

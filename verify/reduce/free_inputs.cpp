@@ -12,7 +12,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// The values that the code of one transition reads are chosen in at most this many ways.
+/// Limit of the combinations of values that the code of one transition reads.
 constexpr std::size_t kMostChoices = 1024;
 
 /// The events that goals ask for.
@@ -81,7 +81,8 @@ void FreeInputs::findPlaces(const Bits& dropped) {
   guardedAt.assign(places.begin(), places.end());
 }
 
-/// Those with the most values are kept, as long as no transition's code has too many choices.
+/// Gives up open variables while the code of a transition has too many choices; keeps those with
+/// the most values.
 void FreeInputs::forgetMany(const Bits& dropped) {
   std::ranges::stable_sort(variables, std::greater{},
                            [](const auto& variable) { return variable.values.size(); });
@@ -188,8 +189,8 @@ PartialTruth FreeInputs::truth(TransitionId id, const Word* state, const std::ve
   return isEnabled(*system, id, state) ? PartialTruth::True : PartialTruth::False;
 }
 
-/// Sets values of unknown variables so that the transition is enabled; false, and the state as
-/// before, where there are none.
+/// Sets values of unknown variables so that the transition is enabled. \return false, with the
+/// state unchanged, if there are none
 bool FreeInputs::satisfy(TransitionId id, Word* state, std::vector<Word>& unknown) const {
   BitField undecided;
   switch (truth(id, state, unknown, undecided)) {
@@ -201,7 +202,7 @@ bool FreeInputs::satisfy(TransitionId id, Word* state, std::vector<Word>& unknow
                    [&] { return satisfy(id, state, unknown); });
 }
 
-/// The same so that none of the transitions is enabled.
+/// Sets values such that none of the transitions is enabled.
 bool FreeInputs::disable(std::span<const TransitionId> all, Word* state,
                          std::vector<Word>& unknown) const {
   BitField undecided;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::int64_t kMostValues = 64;
 
-/// Cells that may not be open: a goal's condition sees them, a clock starts and stops with them, or
-/// a run ends with them.
+/// Cells that may not be open: a goal's condition reads them, a clock depends on them, or a run may
+/// end because of them.
 Bits closedCells(const System& system, const std::vector<Goal>& goals) {
   Bits closed;
   for (const auto& goal : goals)
@@ -26,7 +26,7 @@ Bits closedCells(const System& system, const std::vector<Goal>& goals) {
   return closed;
 }
 
-/// Events that count each time that they happen.
+/// Events of which each occurrence counts.
 Bits countedEvents(const System& system, const std::vector<Goal>& goals) {
   Bits counted;
   for (const auto& goal : goals)
@@ -34,7 +34,7 @@ Bits countedEvents(const System& system, const std::vector<Goal>& goals) {
   return counted;
 }
 
-/// Instances whose clocks a step of theirs would start anew.
+/// Instances with clocks that a step of theirs would restart.
 Bits clockedInstances(const System& system) {
   Bits all;
   for (const auto& transition : system.transitions)
@@ -43,10 +43,10 @@ Bits clockedInstances(const System& system) {
   return all;
 }
 
-/// What a transition makes of each value of the one variable that it changes.
+/// The effect of a transition on each value of the only variable that it changes.
 struct Mover {
   TransitionId transition = kNone;
-  std::vector<std::optional<std::int64_t>> to; ///< by value from the cell's least on
+  std::vector<std::optional<std::int64_t>> to; ///< by value, from the cell's lowest on
 };
 
 class Search {
@@ -78,7 +78,7 @@ private:
     return cell.mask != 0 && cell.word < system.storedWords;
   }
 
-  /// Whether time and the places of processes have no part in it.
+  /// Whether the transition depends on neither time nor locations.
   [[nodiscard]] bool isFree(const Transition& transition) const {
     return !transition.urgent && transition.clock == kNone && !transition.tentative &&
            !transition.fails && !transition.consumed.meets(clocked) &&
@@ -88,8 +88,8 @@ private:
            });
   }
 
-  /// The cell that the transition changes, where of those that tell states apart it is the only
-  /// one.
+  /// The cell that the transition changes, if it is the only one among those that distinguish
+  /// states.
   [[nodiscard]] std::optional<CellId> onlyCell(const Transition& transition) const {
     std::optional<CellId> found;
     std::size_t count = 0;
@@ -109,7 +109,7 @@ private:
     return readsOnly(system.transitions[id], cell) ? tried(id, cell) : std::nullopt;
   }
 
-  /// The constant that the transition writes into the cell in any state.
+  /// The constant that the transition writes to the cell in any state.
   [[nodiscard]] std::optional<std::int64_t> constantOf(const Transition& transition,
                                                        CellId cell) const {
     std::optional<std::int64_t> found;
@@ -131,7 +131,7 @@ private:
     return found;
   }
 
-  /// Whether what the transition does depends on the cell alone.
+  /// Whether the effect of the transition depends on the cell alone.
   [[nodiscard]] bool readsOnly(const Transition& transition, CellId cell) const {
     bool only = true;
     const auto look = [&](CellId read) { only = only && (read == cell || !isStored(read)); };
@@ -156,7 +156,7 @@ private:
     return mover;
   }
 
-  /// By value, as an index from the cell's least on: which values are reached.
+  /// By value, from the cell's lowest on: the values reached from it.
   using Reached = std::vector<Word>;
 
   [[nodiscard]] static Reached reachedBy(const std::vector<Mover>& movers, std::int64_t low,
@@ -171,7 +171,7 @@ private:
     return reached;
   }
 
-  /// The greatest set of values of which each reaches each.
+  /// The largest set of values that all reach each other.
   [[nodiscard]] static Word largestCycle(const Reached& reached) {
     Word best = 0;
     for (std::size_t i = 0; i < reached.size(); ++i) {
@@ -215,7 +215,7 @@ private:
     return made;
   }
 
-  /// Shortest ways to each value, breadth first and backwards.
+  /// Shortest paths to each value, by breadth-first search backwards.
   static void findMoves(FreeInput& made, const std::vector<Mover>& movers, std::int64_t low) {
     const std::size_t range = movers.front().to.size();
     made.moves.assign(range, std::vector<InputMove>(made.values.size()));

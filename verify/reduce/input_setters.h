@@ -8,7 +8,7 @@
 /// Finds variables that the environment may change at any time between certain values.
 namespace proskill::verify {
 
-/// The first step on the way from one value of a free input to another.
+/// The first step on a path from one value of a free input to another.
 struct InputMove {
   TransitionId setter = kNone;
   std::int64_t next = 0; ///< the value after this step
@@ -16,10 +16,10 @@ struct InputMove {
 
 struct FreeInput {
   CellId cell = 0;
-  /// Each can become each other one; the first is the representative.
+  /// Each value can be changed to any other; the first one is the representative.
   std::vector<std::int64_t> values;
-  std::vector<TransitionId> setters; ///< lead from these values to these values only
-  /// [value - the cell's lowest value][index of the target value]: first step of a shortest way.
+  std::vector<TransitionId> setters; ///< setters between these values only
+  /// [value - the cell's lowest value][index of the target value]: first step of a shortest path.
   std::vector<std::vector<InputMove>> moves;
   std::vector<Word> readers; ///< transitions whose guard reads it
 };

@@ -56,7 +56,7 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
   });
 }
 
-/// The conditions that all paths of a location have in common, of one cell each.
+/// Finds conditions on a single cell that all paths of a location have in common.
 void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
   auto& all = places.emplace_back(system.instances[instance].locations.size());
   std::vector<std::optional<std::vector<NodeId>>> common(all.size());
@@ -74,7 +74,7 @@ void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
     if (common[i]) all[i].needed = *common[i];
 }
 
-/// The paths of each location, with those conditions that say which cells will be written anew.
+/// Finds the paths of each location, with those conditions that show which cells will be written.
 void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
   for (auto id : paths[instance]) {
     limits.check();
@@ -96,7 +96,7 @@ void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
   }
 }
 
-/// What every path of another instance surely writes that may make the condition true.
+/// The cells that every path of another instance surely writes if it may make the condition true.
 /// \pre it is a condition on one cell
 Bits LiveVariables::rewrittenFor(InstanceId instance, NodeId condition) const {
   Bits read;
@@ -110,9 +110,9 @@ Bits LiveVariables::rewrittenFor(InstanceId instance, NodeId condition) const {
   return cells;
 }
 
-/// What is live before a path follows from what is live behind it, so the last places come first.
+/// Computes live cells backwards along paths, so the last places come first.
 void LiveVariables::findLive(std::vector<Place>& all) {
-  std::vector<std::vector<std::uint32_t>> before(all.size()); // who leads to a place
+  std::vector<std::vector<std::uint32_t>> before(all.size()); // predecessors of a place
   std::vector<std::uint32_t> todo;
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     todo.push_back(i);
@@ -135,7 +135,7 @@ void LiveVariables::findLive(std::vector<Place>& all) {
   }
 }
 
-/// Adds to a way what may be read behind it. \return something was added
+/// Adds to a path the cells that may be read after it. \return whether there are new ones
 bool LiveVariables::follow(const std::vector<Place>& all, Place& from, Way& way) {
   limits.check();
   const Path& path = system.paths[way.path];
@@ -168,8 +168,8 @@ void LiveVariables::clean(Word* state) const {
 }
 
 /// For each instance that can never move again, the cells that keep it from moving; empty for the
-/// others. Supposes first that all that wait do so for ever, and takes back those whose cell
-/// another may still write.
+/// others. Starts with the assumption that all waiting instances are stuck, and corrects it for
+/// those whose cells another instance may still write.
 std::vector<Bits> LiveVariables::frozenNeeds(const Word* state) const {
   const auto placeOf = [&](InstanceId i) -> const Place& {
     return places[i]

@@ -26,7 +26,8 @@ std::vector<Goal> goalsOf(const Monitor& monitor) {
     add(location.stay);
     for (const auto& edge : location.edges) add(edge.condition);
   }
-  // A process that is left out must not go round and round: that would be a run of its own.
+  // A process that is skipped must have no endless cycle, which would be an infinite run of its
+  // own.
   if (monitor.looksForCycles()) all.push_back({.kind = GoalKind::Deadlock});
   return all;
 }

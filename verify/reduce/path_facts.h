@@ -19,7 +19,7 @@ namespace proskill::verify {
 template <class Fact, class Assign, class Join>
 [[nodiscard]] std::map<std::uint32_t, Fact> alongPath(const Path& path, const Fact& start,
                                                       Assign assign, Join join) {
-  std::vector<std::optional<Fact>> before(path.code.size()); // nothing: not reached
+  std::vector<std::optional<Fact>> before(path.code.size()); // nullopt: not reached
   std::map<std::uint32_t, Fact> atEnd;
   if (before.empty()) return atEnd;
   before[0] = start;
@@ -34,7 +34,7 @@ template <class Fact, class Assign, class Join>
     if (const auto [entry, isNew] = atEnd.try_emplace(location, fact); !isNew)
       join(entry->second, fact);
   };
-  while (grew) { // code may jump back
+  while (grew) { // code may jump backwards
     grew = false;
     for (std::size_t i = 0; i < path.code.size(); ++i) {
       if (!before[i]) continue;

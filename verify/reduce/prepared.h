@@ -14,7 +14,7 @@
 
 namespace proskill::verify {
 
-/// A system as a search for some goals looks at it.
+/// A system, reduced for a search for some goals.
 struct Prepared {
   /// \param takes whether a reduction may be used \throw LimitMet
   Prepared(const System& whole, const std::vector<Goal>& goals,

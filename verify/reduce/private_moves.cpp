@@ -10,7 +10,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// Choices of values of one process's inputs that are tried.
+/// Limit of tested combinations of values of one process's inputs.
 constexpr std::size_t kMostChoices = 256;
 
 using Transitions = std::vector<TransitionId>;
@@ -40,7 +40,7 @@ public:
     }
   }
 
-  /// The inputs that only this instance reads, alone.
+  /// The inputs that only this instance reads.
   [[nodiscard]] std::vector<std::uint32_t> inputsOf(InstanceId instance) const {
     std::vector<std::uint32_t> own;
     for (std::uint32_t v = 0; v < inputs.all().size(); ++v) {
@@ -55,12 +55,12 @@ public:
     return own;
   }
 
-  /// By location of the instance: its private move.
+  /// The private move of the instance, by location.
   [[nodiscard]] Transitions movesOf(InstanceId instance,
                                     const std::vector<std::uint32_t>& own) const {
     Transitions moves(system.instances[instance].locations.size(), kNone);
     if (isSeenByOthers(instance)) return moves;
-    Bits rests; // where moves end, so that none goes round and round
+    Bits rests; // targets of moves, to exclude endless cycles
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t from = 0; from < moves.size(); ++from) {
@@ -85,7 +85,7 @@ private:
     return parts.size() == 1 && system.paths[parts[0]].instance == instance;
   }
 
-  /// Whether a step in which the instance takes no part depends on where it is.
+  /// Whether a step without the instance depends on its location.
   [[nodiscard]] bool isSeenByOthers(InstanceId instance) const {
     const CellId location = system.instances[instance].location;
     const auto takesPart = [&](TransitionId id) {
@@ -96,7 +96,8 @@ private:
     return visibleCells.contains(location) || !std::ranges::all_of(readers[location], takesPart);
   }
 
-  /// Where the step leads, if nobody sees it and the inputs alone decide whether it is possible.
+  /// The target of the step, if nobody observes it and only inputs determine whether it is
+  /// possible.
   [[nodiscard]] std::optional<std::uint32_t>
   privateTarget(InstanceId instance, TransitionId id, const std::vector<std::uint32_t>& own) const {
     const Transition& move = system.transitions[id];
@@ -108,7 +109,7 @@ private:
     return targetOf(path);
   }
 
-  /// Whether the step does nothing that tells states apart but to lead its process on.
+  /// Whether the step moves its process and changes nothing else that distinguishes states.
   [[nodiscard]] bool onlyMoves(InstanceId instance, const Transition& move) const {
     bool only = true;
     move.writes.each([&](CellId cell) {
@@ -120,7 +121,7 @@ private:
     return only;
   }
 
-  /// Where the path leads, if that is one location.
+  /// The target of the path, if there is only one.
   [[nodiscard]] static std::optional<std::uint32_t> targetOf(const Path& path) {
     std::optional<std::uint32_t> target;
     for (const auto& instruction : path.code) {
@@ -132,8 +133,8 @@ private:
     return target;
   }
 
-  /// Whether with some values of the inputs nothing that the instance takes part in is possible
-  /// there, whatever else the state is.
+  /// Whether for some values of the inputs the instance can take no step there, whatever the rest
+  /// of the state is.
   [[nodiscard]] bool mayStay(InstanceId instance, std::uint32_t location,
                              const std::vector<std::uint32_t>& own) const {
     const Transitions& all = at[instance][location];
@@ -145,8 +146,8 @@ private:
            isPossible(instance, location, own, all, PartialTruth::False);
   }
 
-  /// Whether with some values of the inputs this is known of all these transitions, whatever else
-  /// the state is.
+  /// Whether for some values of the inputs this is known for all these transitions, whatever the
+  /// rest of the state is.
   [[nodiscard]] bool isPossible(InstanceId instance, std::uint32_t location,
                                 const std::vector<std::uint32_t>& own, const Transitions& all,
                                 PartialTruth wanted) const {
@@ -179,7 +180,7 @@ private:
   const System& system;
   const Bits& dropped;
   const FreeInputs& inputs;
-  std::vector<Transitions> readers;         ///< by cell: in their guards or their code
+  std::vector<Transitions> readers;         ///< by cell: transitions whose guard or code reads it
   std::vector<std::vector<Transitions>> at; ///< by instance and location
   Bits visibleCells;
   Bits visibleEvents;

@@ -21,7 +21,7 @@ constexpr std::int64_t kMostValues = 4096;
 /// Values of a cell: a bit for each kind.
 using Values = Word;
 
-/// The values of a cell, sorted by what writes them and which guards they allow.
+/// The values of a cell, in kinds with the same writers and readers.
 struct Kinds {
   std::vector<std::size_t> of; ///< by value, from the cell's lowest on
   std::size_t count = 0;
@@ -68,7 +68,7 @@ private:
                                [&](PathId part) { return system.paths[part].mayFail; });
   }
 
-  /// Which of those left have to do with which cells and instances.
+  /// Finds the remaining transitions that use each cell and instance.
   void findUses() {
     readers.resize(system.cells.size());
     writers.resize(system.cells.size());
@@ -82,7 +82,8 @@ private:
     });
   }
 
-  /// One round over all variables that some of those left read. \return something was taken away
+  /// A round over all variables that remaining transitions read. \return whether a transition was
+  /// removed
   bool takeAway() {
     const TransitionSet before = left;
     Bits read;
@@ -94,8 +95,8 @@ private:
     return left != before;
   }
 
-  /// Either the cell is written again and again, or it keeps one of its values. Those left before
-  /// lie on cycles, so only where some are taken away others may lose theirs.
+  /// Either the cell is written infinitely often, or it keeps one of its values. The remaining
+  /// transitions are on cycles, so removing some affects only those on their cycles.
   TransitionSet recurringWith(CellId cell, const Kinds& kinds) {
     limits.check();
     Values written = 0;
@@ -134,7 +135,7 @@ private:
     return found;
   }
 
-  /// The values that the transition may write into the cell.
+  /// The values that the transition may write to the cell.
   [[nodiscard]] Values writtenBy(TransitionId id, CellId cell, const Kinds& kinds) const {
     Values values = 0;
     bool isAny = false;
@@ -147,8 +148,8 @@ private:
     return isAny ? kinds.all() : values;
   }
 
-  /// Visits the values that the transition may write into the cell, counted from its lowest;
-  /// nothing stands for any.
+  /// Visits the values that the transition may write to the cell, from its lowest on; nullopt means
+  /// any.
   template <class Visit> void eachWritten(TransitionId id, CellId cell, Visit visit) const {
     if (!system.transitions[id].writes.contains(cell)) return;
     const Cell& place = system.cells[cell];
@@ -193,11 +194,11 @@ private:
     return made;
   }
 
-  /// A transition with a location in which it leaves one of its instances.
+  /// A transition and a location in which it leaves one of its instances.
   using End = std::tuple<TransitionId, InstanceId, std::uint32_t>;
   using Ends = std::set<End>;
 
-  /// The ends on the way to which the transition surely writes the cell.
+  /// The ends of the transition before which it surely writes the cell.
   [[nodiscard]] std::vector<End> endsThatWrite(TransitionId id, CellId cell) {
     std::vector<End> ends;
     for (auto part : system.transitions[id].parts) {
@@ -211,7 +212,7 @@ private:
     return ends;
   }
 
-  /// The values of the cell with which the transition's guard may hold.
+  /// The values of the cell for which the transition's guard may be true.
   [[nodiscard]] Values allowedBy(TransitionId id, CellId cell, const Kinds& kinds) {
     const auto [entry, isNew] = allowed.try_emplace({id, cell}, 0);
     if (!isNew) return entry->second;
@@ -221,7 +222,7 @@ private:
     return entry->second;
   }
 
-  /// By value of the cell: whether the transition's guard may hold.
+  /// By value of the cell: whether the transition's guard may be true.
   [[nodiscard]] std::vector<bool> allowing(TransitionId id, CellId cell) {
     const Cell& place = system.cells[cell];
     std::vector<bool> allows;
@@ -246,9 +247,9 @@ private:
     std::vector<std::uint32_t> to;
   };
 
-  /// Those whose parts all lie on cycles made of the rest.
+  /// The transitions whose parts are all on cycles of the rest.
   /// \param touched instances that may have lost cycles
-  /// \param impossible ends that are never come to
+  /// \param impossible ends that are never reached
   [[nodiscard]] TransitionSet onCycles(TransitionSet some, Bits touched,
                                        const Ends& impossible = {}) const {
     while (!touched.empty()) {
@@ -303,13 +304,13 @@ private:
   LimitWatch& limits;
   PartialEvaluation evaluation;
   TransitionSet left;
-  TransitionSet kept; ///< whether they can happen is known only when they do
+  TransitionSet kept; ///< whether they are possible is known only when they are taken
   Bits locations;     ///< cells
   std::vector<std::vector<TransitionId>> readers; ///< by cell: guards
   std::vector<std::vector<TransitionId>> writers; ///< by cell
   std::vector<std::vector<Move>> movers;          ///< by instance
-  std::vector<Word> anywhere;                     ///< a state of which one cell is looked at
-  std::vector<Word> unknown;                      ///< the bits of the others
+  std::vector<Word> anywhere;                     ///< a state of which only one cell is read
+  std::vector<Word> unknown;                      ///< the bits of the other cells
   std::map<CellId, Kinds> kindsOfCell;
   std::map<PathId, std::map<std::uint32_t, Bits>> sure;
   std::map<std::pair<TransitionId, CellId>, Values> allowed;

@@ -11,7 +11,7 @@ namespace proskill::verify {
 
 namespace {
 
-/// Instances that take part, each with where it stands.
+/// The participating instances with their source locations.
 std::vector<std::pair<InstanceId, std::uint32_t>> placesOf(const System& system,
                                                            const Transition& transition) {
   std::vector<std::pair<InstanceId, std::uint32_t>> all;
@@ -28,7 +28,7 @@ bool shareInstance(const System& system, const Transition& a, const Transition& 
   });
 }
 
-/// Cells that the transition changes, apart from where its instances are.
+/// Cells that the transition changes, apart from locations.
 Bits dataWrites(const System& system, const Transition& transition) {
   Bits cells = transition.writes;
   for (auto part : transition.parts)
@@ -38,7 +38,7 @@ Bits dataWrites(const System& system, const Transition& transition) {
 
 } // namespace
 
-/// Which transitions have to do with a cell or a place; those that are left out do not.
+/// The transitions that use a cell or a location; all others are independent of it.
 struct StubbornSets::Touching {
   using Transitions = std::vector<TransitionId>;
 
@@ -62,8 +62,9 @@ struct StubbornSets::Touching {
   }
 
   std::vector<Transitions> writers;         ///< by cell
-  std::vector<Transitions> readers;         ///< by cell: in their guards or their code
-  std::vector<Transitions> guardedByClock;  ///< by cell: guards of those with a clock of their own
+  std::vector<Transitions> readers;         ///< by cell: transitions whose guard or code reads it
+  std::vector<Transitions> guardedByClock;  ///< by cell: those with a clock of their own whose
+                                            ///< guard reads it
   std::vector<std::vector<Transitions>> at; ///< by instance and location
 };
 
@@ -98,7 +99,7 @@ void StubbornSets::findDependence(const Touching& touching, const Bits& dropped)
   }
 }
 
-/// Those that can help a condition to become true.
+/// The transitions that may make a condition true.
 const TransitionSet& StubbornSets::helpersOf(const Touching& touching, NodeId node) {
   auto [entry, isNew] = helpers.try_emplace(node, none);
   if (!isNew) return entry->second;
@@ -160,7 +161,7 @@ void StubbornSets::findWays(const Bits& dropped) {
   }
 }
 
-/// The transitions by which an instance may leave where it is for the target in the end.
+/// The transitions by which an instance may leave its location on the way to the target.
 const TransitionSet& StubbornSets::waysTo(InstanceId instance, std::uint32_t from,
                                           std::uint32_t target) const {
   auto [entry, isNew] = ways.try_emplace({instance, from, target}, none);
@@ -170,7 +171,7 @@ const TransitionSet& StubbornSets::waysTo(InstanceId instance, std::uint32_t fro
   return entry->second;
 }
 
-/// Those that nothing ever keeps from being enabled.
+/// The transitions that are enabled in every state.
 TransitionSet StubbornSets::alwaysPossible() const {
   TransitionSet all = none;
   for (TransitionId i = 0; i < needs.size(); ++i) {
@@ -183,8 +184,8 @@ TransitionSet StubbornSets::alwaysPossible() const {
   return all;
 }
 
-/// Urgent transitions that no goal sees, that start or stop no clock of another process by what
-/// they write, and that depend on none that is always possible.
+/// Finds urgent transitions that no goal observes, that neither start nor stop a clock of another
+/// process by their writes, and that depend on no transition that is always possible.
 void StubbornSets::findCandidates(const Touching& touching, const std::vector<Goal>& goals,
                                   const Bits& dropped) {
   candidates = none;
@@ -229,8 +230,8 @@ TransitionId StubbornSets::pick(const Word* state, const TransitionSet& enabled)
   return kNone;
 }
 
-/// Closes { transition } under what a stubborn set must have; gives up where that has another
-/// enabled transition.
+/// Computes the closure of { transition } as a stubborn set; fails if it contains another enabled
+/// transition.
 bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
                                    const TransitionSet& enabled) const {
   TransitionSet stubborn = dependent[transition];
@@ -257,8 +258,8 @@ bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
 }
 
 /// Why a transition is disabled: a set of transitions of which one must fire before it can be
-/// enabled. None of them may be enabled unless it is in the stubborn set; the one that adds least
-/// is taken.
+/// enabled. None of them may be enabled unless it is in the stubborn set. Chooses the smallest
+/// addition.
 const TransitionSet* StubbornSets::reasonFor(TransitionId transition, const Word* state,
                                              const TransitionSet& enabled,
                                              const TransitionSet& stubborn) const {

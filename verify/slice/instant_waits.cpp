@@ -21,7 +21,7 @@ bool add(CellValues& to, const CellValues& more) {
   return to.size() != before;
 }
 
-/// What a cell may hold at each end of a path, from what it holds before.
+/// The possible values of cells at each end of a path, from those before it.
 std::map<std::uint32_t, CellValues> valuesAfter(const System& system, const Path& path, CellId cell,
                                                 const CellValues& before, const CellValues& all) {
   const auto assign = [&](CellValues& values, const Assignment& assignment) {
@@ -96,8 +96,8 @@ bool InstantWaits::isInstant(NodeId condition) {
   return entry->second = all;
 }
 
-/// Whether an urgent transition is possible where the cells hold what they are set to: one of the
-/// same instance wherever that may be then.
+/// Whether an urgent transition is possible for these values of the cells: one of the same
+/// instance, in each location in which the instance may then be.
 bool InstantWaits::isUrgentWith(const std::vector<CellId>& cells) {
   std::map<InstanceId, Bits> places;
   for (auto cell : cells) {
@@ -130,7 +130,7 @@ bool InstantWaits::someIsEnabled(InstanceId instance, std::uint32_t location) {
   return found;
 }
 
-/// Where the only writer of a cell may be while it has a value.
+/// The locations in which the only writer of a cell may be while the cell has a value.
 Bits InstantWaits::locationsWith(InstanceId instance, CellId cell, std::int64_t value) {
   Bits locations;
   if (cell == system.instances[instance].location) {
@@ -143,7 +143,7 @@ Bits InstantWaits::locationsWith(InstanceId instance, CellId cell, std::int64_t 
   return locations;
 }
 
-/// What a cell may hold while its only writer is in each location; empty: anything.
+/// The possible values of a cell while its only writer is in each location; empty: any.
 const std::vector<CellValues>& InstantWaits::valuesAt(CellId cell) {
   const auto [entry, isNew] = known.try_emplace(cell);
   const Cell& of = system.cells[cell];

@@ -9,16 +9,16 @@
 
 namespace proskill::verify {
 
-/// Finds conditions that are false for an instant only: while one is false, an urgent step is
-/// possible, so that no time passes. An urgent step that waits for such a condition is possible
-/// whenever time is about to pass, whether it waits or not.
+/// Finds conditions that are false only for an instant: while such a condition is false, an urgent
+/// step is possible, so no time passes. An urgent step that waits for it can therefore be taken
+/// before time passes, with or without the wait.
 class InstantWaits {
 public:
   /// \param system with its state layout \pre the arguments outlive this
   InstantWaits(const System& system, LimitWatch& limits);
 
   /// Whether some urgent transition is possible in each reachable state in which the condition is
-  /// false. May say no where it is so. \throw LimitMet
+  /// false. Conservative: may return false although it is so. \throw LimitMet
   [[nodiscard]] bool isInstant(NodeId condition);
 
 private:

@@ -17,7 +17,7 @@ Bits readBy(const System& system, NodeId node) {
   return cells;
 }
 
-/// Divides guards into conjuncts, and numbers these.
+/// Splits guards into conjuncts, and numbers these.
 class GuardReader {
 public:
   GuardReader(System& of, std::vector<Conjunct>& to, LimitWatch& watch)
@@ -67,7 +67,7 @@ private:
   std::map<NodeId, ConjunctId> known;
 };
 
-/// The cells that the code of a path reads to choose a way, or to fail.
+/// The cells on which the branches and failures of a path's code depend.
 Bits testedBy(const System& system, const Path& path) {
   Bits cells;
   for (const auto& instruction : path.code) switch (instruction.kind) {
@@ -85,7 +85,7 @@ Bits testedBy(const System& system, const Path& path) {
   return cells;
 }
 
-/// Whether a path leaves its instance where it is, and the clocks of the instance as they are.
+/// Whether a path changes neither the location nor the clocks of its instance.
 bool changesNothing(const System& system, const SliceFacts& facts, PathId id) {
   const Path& path = system.paths[id];
   const auto isTimed = [&](PathId other) {
@@ -99,7 +99,7 @@ bool changesNothing(const System& system, const SliceFacts& facts, PathId id) {
          (path.loops || std::ranges::none_of(facts.pathsOf[path.instance], isTimed));
 }
 
-/// Finds the cells that an instance may read after each of its paths.
+/// Computes the cells that an instance may read after each of its paths.
 void findReadLater(const System& system, InstanceId instance, SliceFacts& facts,
                    LimitWatch& limits) {
   const auto& own = facts.pathsOf[instance];

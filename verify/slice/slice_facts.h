@@ -13,23 +13,25 @@ struct Condition {
   Bits cells;
 };
 
-/// One of the conditions that a guard is the conjunction of.
+/// A conjunct of a guard.
 struct Conjunct {
   Condition whole;
-  /// The conditions that it is the conjunction of, if the negation of a disjunction counts as one.
+  /// The conditions it is the conjunction of, if the negation of a disjunction counts as one.
   std::vector<Condition> parts;
 };
 using ConjunctId = std::uint32_t;
 
-/// What decides whether a path belongs to a slice.
+/// Facts that determine whether a path belongs to a slice.
 struct PathFacts {
   std::vector<ConjunctId> guard;
   std::vector<std::uint32_t> targets;    ///< locations
-  std::vector<TransitionId> transitions; ///< those that the path is a part of
-  Bits tested;                           ///< cells that its code reads to choose a way, or to fail
+  std::vector<TransitionId> transitions; ///< those that contain the path
+  Bits tested;                           ///< cells on which branches and failures of its code
+                                         ///< depend
   std::vector<Bits> assigned;            ///< by assignment: the cells that its value reads
   Bits readLater;                        ///< cells that its instance may read after it
-  bool changesNothing = false;           ///< neither the location nor the clocks of its instance
+  bool changesNothing = false;           ///< it changes neither the location nor the clocks of its
+                                         ///< instance
 };
 
 struct TransitionFacts {
@@ -37,9 +39,9 @@ struct TransitionFacts {
   Bits ownLocations; ///< the cells with the locations of its instances
 };
 
-/// Facts about a system that do not depend on what a slice is about.
+/// Facts about a system that are independent of the questions.
 struct SliceFacts {
-  /// \param system without a state layout; gets the nodes of conjuncts \throw LimitMet
+  /// \param system without a state layout; receives the nodes of conjuncts \throw LimitMet
   SliceFacts(System& system, LimitWatch& limits);
 
   std::vector<Conjunct> conjuncts;

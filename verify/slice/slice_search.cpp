@@ -15,16 +15,16 @@ namespace proskill::verify {
 
 namespace {
 
-/// A slice that is nearly the whole is not worth its exploration.
+/// A slice that is almost the whole system does not pay off.
 bool isSmall(const Bits& cone, const Bits& all) { return cone.count() * 4 <= all.count() * 3; }
 
-/// What can be explored together at little more than the cost of the larger alone.
+/// Whether both can be explored together at little more than the cost of the larger one.
 bool isExploredWith(const Bits& cone, const Bits& larger) {
   return cone.isWithin(larger) && (cone.empty() || cone.count() * 2 > larger.count());
 }
 
-/// Whether it is possible in every state: its processes have one place only, and it asks for no
-/// more.
+/// Whether it is possible in every state: its processes have one location each, and it has no other
+/// condition.
 bool isAlwaysPossible(const System& system, TransitionId id) {
   const Transition& transition = system.transitions[id];
   Bits read;
@@ -54,7 +54,8 @@ Bits SliceSearch::decide(const std::vector<Goal>& goals, const std::vector<std::
   return decided;
 }
 
-/// The largest cones first: a cone that is not much smaller than one that contains it joins it.
+/// Groups goals, the largest cones first: a cone that is not much smaller than one that contains it
+/// joins it.
 std::vector<SliceSearch::Group> SliceSearch::groupsOf(const std::vector<Goal>& goals,
                                                       const std::vector<std::size_t>& open) {
   std::vector<Group> alone;

@@ -12,26 +12,31 @@ namespace proskill::verify {
 /// Answers questions by exploring only the part of the system that each is about.
 class SliceSearch {
 public:
-  /// Gets a goal, by its place, and a run of the whole that reaches it; null: nothing does.
-  /// \return the run stands
+  /// Receives a goal, by its index, and a run of the whole system that reaches it; null: it is
+  /// never reached.
+  /// \return whether the run was confirmed
   using OnDecided = std::function<bool(std::size_t, const Evidence*)>;
   using Takes = std::function<bool(Reduction)>;
 
-  /// \param system without a state layout, and without priorities \param whole the same with every
-  /// cell kept \param takes whether a reduction may be used \pre the arguments outlive this
+  /// \param system without a state layout, and without priorities
+  /// \param whole the same with every cell kept
+  /// \param takes whether a reduction may be used
+  /// \pre the arguments outlive this
   /// \throw LimitMet
   SliceSearch(const System& system, const System& whole, const fiacre::Provenance& provenance,
               Takes takes, LimitWatch& limits);
 
-  /// \param open the goals to decide, by place \param statistics counts the explorations
-  /// \return those that were decided \throw LimitMet
+  /// \param open the goals to decide, by index
+  /// \param statistics counts the explorations
+  /// \return those that were decided
+  /// \throw LimitMet
   [[nodiscard]] Bits decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
                             Exploration& statistics, const OnDecided& onDecided);
 
 private:
   struct Group {
     Bits cone;
-    std::vector<std::size_t> goals; ///< by place
+    std::vector<std::size_t> goals; ///< by index
   };
 
   [[nodiscard]] std::vector<Group> groupsOf(const std::vector<Goal>& goals,
@@ -46,8 +51,9 @@ private:
   Slicer slicer;
 };
 
-/// Whether the goal is never reached, as is plain without a search.
-/// \param whole with every cell kept, and without priorities \throw LimitMet
+/// Whether a simple argument shows, without a search, that the goal is never reached.
+/// \param whole with every cell kept, and without priorities
+/// \throw LimitMet
 [[nodiscard]] bool isPlainlyNever(const System& whole, const Goal& goal, LimitWatch& limits);
 
 } // namespace proskill::verify

@@ -29,7 +29,8 @@ bool Slicer::canDecide(const Goal& goal) {
   std::unreachable();
 }
 
-/// Whether no time passes while the condition is false. A value that may not exist has to be read.
+/// Whether no time passes while the condition is false. Includes conditions on values that may not
+/// exist.
 bool Slicer::isInstant(ConjunctId id) {
   const Conjunct& conjunct = facts.conjuncts[id];
   return !mayFail(base, conjunct.whole.node) &&
@@ -37,7 +38,7 @@ bool Slicer::isInstant(ConjunctId id) {
                              [&](const Condition& part) { return waits.isInstant(part.node); });
 }
 
-// --- What matters
+// --- Relevance
 
 std::size_t Slicer::Cone::size() const {
   std::size_t total = 0;
@@ -93,7 +94,8 @@ void Slicer::need(const Bits& cells, InstanceId reader, Cone& cone) {
   });
 }
 
-/// One round: who writes what matters, which of its paths matter, and what these read.
+/// A round of the fixed point: adds the writers of relevant cells, their relevant paths, and what
+/// these read.
 void Slicer::grow(Cone& cone) {
   cone.cells.each([&](CellId cell) { cone.instances |= facts.writers[cell]; });
   const Bits instances = cone.instances;
@@ -106,7 +108,7 @@ void Slicer::grow(Cone& cone) {
   needInstants(cone);
 }
 
-/// What only the instance itself reads matters only where it may read it later.
+/// A cell that only the instance itself reads is relevant only as long as it may read it later.
 bool Slicer::writesWhatMatters(PathId id, const Cone& cone) const {
   const Path& path = base.paths[id];
   if (path.writes.meets(cone.shared)) return true;
@@ -120,8 +122,8 @@ bool Slicer::writesWhatMatters(PathId id, const Cone& cone) const {
   return matters;
 }
 
-/// Which paths of an instance are in the slice: those that may lead to what matters, and those that
-/// make it impossible.
+/// Classifies the paths of an instance: the slice contains those that may lead to something
+/// relevant, and those that make that impossible.
 void Slicer::sortPaths(InstanceId instance, Cone& cone) const {
   std::vector<bool> leads(base.instances[instance].locations.size());
   const auto matters = [&](PathId id) {
@@ -131,7 +133,8 @@ void Slicer::sortPaths(InstanceId instance, Cone& cone) const {
   };
   for (bool grew = true; grew;) {
     grew = false;
-    for (auto id : facts.pathsOf[instance] | std::views::reverse) { // mostly the order of locations
+    for (auto id :
+         facts.pathsOf[instance] | std::views::reverse) { // usually the order of locations
       limits.check();
       if (leads[base.paths[id].location] || !matters(id)) continue;
       grew = leads[base.paths[id].location] = true;
@@ -148,9 +151,9 @@ void Slicer::sortPaths(InstanceId instance, Cone& cone) const {
   }
 }
 
-/// What decides whether the transition is possible matters. Whether an instance comes to an end at
-/// which nothing of it matters does not, unless time depends on it; and a condition that is false
-/// for an instant only may be omitted.
+/// Adds what determines whether the transition is possible. Whether an instance reaches an end
+/// without relevant paths is irrelevant, unless time depends on it; a condition that is false only
+/// for an instant may be omitted.
 void Slicer::needGuard(TransitionId id, Cone& cone) {
   const Transition& transition = base.transitions[id];
   const bool isPlain = transition.clock == kNone && !transition.fails;
@@ -176,7 +179,7 @@ void Slicer::needCode(PathId id, Cone& cone) const {
   need(cells, path.instance, cone);
 }
 
-/// Those parts of instant conditions matter that bring in no other moving instance.
+/// Adds those parts of instant conditions that involve no other moving instance.
 void Slicer::needInstants(Cone& cone) const {
   cone.instant.each([&](ConjunctId conjunct) {
     for (const auto& part : facts.conjuncts[conjunct].parts) {

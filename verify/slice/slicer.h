@@ -10,17 +10,17 @@
 
 namespace proskill::verify {
 
-/// The part of a system that some questions are about. Each run of the whole is a run of the slice,
-/// without the steps that are not in it: what never happens in the slice never happens. A slice may
-/// have more runs, so what happens in it need not happen in the whole.
+/// The part of a system that is relevant for some questions. Each run of the whole, without the
+/// steps outside of the slice, is a run of the slice: so what never happens in the slice never
+/// happens. A slice may have more runs, so what happens in it need not happen in the whole.
 struct Slice {
   System system; ///< cells, instances, nodes and events are numbered as in the whole
-  std::vector<TransitionId> original; ///< by transition: which it is of the whole
+  std::vector<TransitionId> original; ///< by transition: its index in the whole system
   Bits late;                          ///< transitions that are urgent in the whole only
 };
 
-/// Cuts a system into slices. Weiser, "Program slicing", TSE 1984; docs/verification.md says why no
-/// run of the whole is lost.
+/// Cuts a system into slices. Weiser, "Program slicing", TSE 1984; docs/verification.md explains
+/// why no run of the whole is lost.
 class Slicer {
 public:
   using Goals = std::vector<const Goal*>;
@@ -28,10 +28,10 @@ public:
   /// \param system without a state layout, and without priorities \throw LimitMet
   Slicer(const System& system, LimitWatch& limits);
 
-  /// Whether a slice can answer it: it asks for states or steps that are reached.
+  /// Whether a slice can answer it: the goal asks for reachable states or steps.
   [[nodiscard]] static bool canDecide(const Goal& goal);
-  /// The instances with several locations that have an influence on whether one of the goals is
-  /// reached. \throw LimitMet
+  /// The instances with several locations that influence whether one of the goals is reached.
+  /// \throw LimitMet
   [[nodiscard]] Bits cone(const Goals& goals);
   /// All instances with several locations.
   [[nodiscard]] const Bits& moving() const { return facts.moving; }
@@ -39,16 +39,18 @@ public:
   [[nodiscard]] Slice slice(const Goals& goals);
 
 private:
-  /// What a slice depends on. All of it only grows.
+  /// Dependencies of a slice. All sets only grow.
   struct Cone {
     Bits instances;
-    Bits cells;  ///< whose values matter; locations only where other instances read them
-    Bits shared; ///< those of them that several instances read, or a goal
-    std::vector<InstanceId> reader; ///< by cell: the only one that reads it, or kNone
-    Bits observed;                  ///< paths that have to be in the slice
+    Bits cells;  ///< whose values are relevant; locations only if other instances read them
+    Bits shared; ///< those read by several instances, or by a goal
+    std::vector<InstanceId> reader; ///< by cell: its only reader, or kNone
+    Bits observed;                  ///< paths that must be in the slice
     Bits kept;                      ///< paths of the slice
-    Bits relevant; ///< those that may lead to what matters; the others start where one of them does
-    Bits instant;  ///< conjuncts that are false for an instant only, so that the slice omits parts
+    Bits relevant; ///< those that may lead to something relevant; the others start where one of
+                   ///< these does
+    Bits instant;  ///< conjuncts that are false only for an instant, so that the slice omits parts
+                   ///< of them
 
     [[nodiscard]] std::size_t size() const;
   };

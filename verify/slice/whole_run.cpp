@@ -16,7 +16,7 @@ public:
       if (!slice.late.contains(static_cast<std::uint32_t>(i))) planned.insert(slice.original[i]);
   }
 
-  /// Takes the step at its date, and before it what time waits for.
+  /// Takes the step at its date, after the steps that time waits for.
   bool take(TransitionId step, std::int64_t at) {
     while (const auto due = nextDue(at)) {
       if (planned.contains(due->step) || !takeAt(due->step, due->date)) return false;
@@ -68,7 +68,7 @@ private:
   Simulator simulator;
   Concrete now;
   std::int64_t date = 0;
-  Bits planned; ///< transitions that happen only where the slice's run says so
+  Bits planned; ///< transitions taken only where the slice's run says so
   StepLog log;
 };
 

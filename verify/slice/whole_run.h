@@ -7,10 +7,11 @@
 
 namespace proskill::verify {
 
-/// A run of the whole system in which the steps of a run of a slice happen at their dates. Other
-/// steps are put in where time would not pass without them, as late as possible. Nothing where that
-/// does not work out: the run may be one of the slice alone.
-/// \param whole the system with every cell kept \param dating of the steps in the slice
+/// A run of the whole system in which the steps of a slice's run happen at their dates. Adds other
+/// steps if time could not pass without them, as late as possible.
+/// \return nullopt if this fails: the run may exist in the slice only
+/// \param whole the system with every cell kept
+/// \param dating of the steps in the slice
 /// \throw LimitMet
 [[nodiscard]] std::optional<Steps> wholeRun(const System& whole, const Slice& slice,
                                             const Steps& steps, const Dating& dating,

@@ -14,11 +14,11 @@ namespace proskill::verify {
 
 namespace {
 
-/// Other steps in place of those of evidence, and where each of those is now.
+/// Steps that replace those of evidence, and the new positions of the latter.
 struct Rewritten {
   Steps steps;
-  std::vector<std::size_t> ownPlaces{0}; ///< by steps taken: how many these are right behind them
-  std::vector<std::size_t> places{0};    ///< the same, with what was put in behind them
+  std::vector<std::size_t> ownPlaces{0}; ///< by number of steps: positions directly after them
+  std::vector<std::size_t> places{0};    ///< the same, after inserted steps
 
   void endStep() { ownPlaces.push_back(steps.size()); }
   void endPlace() { places.push_back(steps.size()); }
@@ -34,7 +34,7 @@ struct Rewritten {
   }
 };
 
-/// By step: whether the monitor moves with it, so that it has to stay.
+/// By step: whether the monitor moves with it, so that it cannot be removed.
 std::vector<bool> readSteps(const Evidence& evidence) {
   std::vector<bool> read(evidence.steps.size());
   for (const auto& mark : evidence.marks)
@@ -42,7 +42,7 @@ std::vector<bool> readSteps(const Evidence& evidence) {
   return read;
 }
 
-/// The evidence without one step, which the monitor does not read.
+/// The evidence without a step that the monitor does not read.
 Evidence without(const Evidence& evidence, std::size_t step) {
   Evidence made = evidence;
   made.steps.erase(made.steps.begin() + static_cast<std::ptrdiff_t>(step));
@@ -69,7 +69,7 @@ Witness::Witness(const System& whole, const Reductions& used, const fiacre::Prov
   used.dropped.each([&](TransitionId id) { insert(dropped, id); });
 }
 
-/// Dates and replays the evidence. Says what is wrong with it, nothing where it stands.
+/// Dates and replays the evidence. \return an error; empty on success
 std::string Witness::check(const Goal& goal, const Evidence& evidence,
                            std::optional<Dating>& dating) const {
   dating = dated(system, all, evidence, limits);
@@ -120,8 +120,8 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidenc
   return made;
 }
 
-/// What a slice claims is tried; where it does not stand, every step counts as relevant. Where a
-/// limit is met, the trace stays as it is.
+/// Replays the relevant steps alone; if this fails, every step counts as relevant. If a limit is
+/// reached, the trace stays unchanged.
 void Witness::addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const {
   try {
     auto causes = causesOf(system, all, provenance, goal, evidence, limits);
@@ -138,7 +138,7 @@ void Witness::addCauses(const Goal& goal, const Evidence& evidence, Trace& trace
   }
 }
 
-/// Watched variables that a step may change, by their places.
+/// Watched variables that a step may change, by index.
 const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
   auto& known = changing[step];
   if (known) return *known;
@@ -154,7 +154,7 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
   std::optional<Dating> dating;
   Evidence better = completed(goal, lazily(goal, evidence));
   if (!check(goal, better, dating).empty()) return whole;
-  const std::vector<bool> read = readSteps(better); // only steps behind the one at hand go
+  const std::vector<bool> read = readSteps(better); // only steps after the current one are removed
   constexpr std::size_t kLong = 400;
   for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
     if (!open->isSetter(better.steps[i]) || read[i]) continue;
@@ -165,15 +165,14 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
 }
 
 /// The search sets open variables before each step and back after it. Here they are set only when a
-/// step reads them, when time may have to pass and could not as they are, and where asked for at
-/// the end.
+/// step reads them, when time could not pass otherwise, and as required at the end.
 Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
   const Steps& steps = evidence.steps;
   const bool valuesAtEnd = goal.kind == GoalKind::Stuck;
   const bool lastIsAskedFor = !valuesAtEnd && goal.kind != GoalKind::Run;
   const std::vector<bool> read = readSteps(evidence);
   StepLog log;
-  std::vector<Word> there = initialState(system); // as the search had it
+  std::vector<Word> there = initialState(system); // as in the search
   std::vector<Word> here = there;
   Rewritten made;
   const auto urgent = [&](const std::vector<Word>& state) {
@@ -205,7 +204,7 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
   return made.of(evidence);
 }
 
-/// The steps with those of the dropped processes put in where they have to happen: at once.
+/// The steps with those of the dropped processes inserted as soon as they are urgent.
 Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
   if (isEmpty(dropped)) return evidence;
   Rewritten made;
@@ -231,7 +230,7 @@ Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
     while (takeOne(true) || (alsoLater && takeOne(false))) {
     }
   };
-  // A monitor moves in a state when all that has to happen at once has happened.
+  // A monitor moves in a state after all urgent steps.
   if (evidence.monitor) settle(false);
   made.places[0] = made.steps.size();
   for (auto step : evidence.steps) {

@@ -69,7 +69,7 @@ private:
     }
   }
 
-  /// Whether a value is never left, probably by mistake. A value that is entered but never left is
+  /// Whether a value is never left, probably by accident. A value that is entered but never left is
   /// probably intended as final; the initial value, or one that is neither, is not.
   bool isFrozen() {
     if (variable.allowed.empty()) return false;

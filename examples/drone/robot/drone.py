@@ -43,7 +43,7 @@ drone = Drone()
 
 @robot.background
 def sensors(stop: Stop) -> None:
-    """The satellites are found after a second; the battery is looked at every half of one."""
+    """Finds the satellites after a second; reads the battery every half second."""
     stop.sleep(1)
     robot.report("localization_status_to_valid")
     told = "good"

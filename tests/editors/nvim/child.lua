@@ -90,7 +90,7 @@ function Child:open(path)
   self:wait("return require('proskill.client').of(0) ~= nil")
 end
 
--- Puts the cursor on the first place behind the caret `|` in a line of the text.
+-- Puts the cursor on the first position after the caret `|` in a line of the text.
 function Child:at(pattern)
   local before, after = pattern:match('^(.-)|(.*)$')
   local line, column = unpack(self:lua([[

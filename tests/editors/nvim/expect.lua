@@ -1,4 +1,4 @@
--- What a test says of a value; an error tells both.
+-- Assertions on values; errors show both.
 local M = {}
 
 function M.equal(got, wanted)
@@ -7,7 +7,7 @@ function M.equal(got, wanted)
   end
 end
 
--- Tells of the first line that differs only.
+-- Shows only the first line that differs.
 function M.lines(got, wanted, name)
   for number = 1, math.max(#got, #wanted) do
     if got[number] ~= wanted[number] then

@@ -14,7 +14,7 @@ local function trace(child, name)
   child:wait("return require('proskill.trace').shown ~= nil")
 end
 
--- The text that stands behind lines, as virtual text, with its line.
+-- The virtual text after lines, with the line numbers.
 local notes = [[
   local space = vim.api.nvim_get_namespaces()['proskill.trace']
   for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(0, space, 0, -1, { details = true })) do

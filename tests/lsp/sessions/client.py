@@ -46,7 +46,7 @@ def framed(body):
 
 
 class Note:
-    """A notification. It is parsed when somebody looks at it: a long one would keep the reader from the answer behind it."""
+    """A notification. It is parsed when somebody looks at it: a long one would delay the answer after it."""
 
     BEGIN = b'{"jsonrpc":"2.0","method":'  # both servers that are driven here sort their keys, so that requests begin with "id"
 
@@ -63,7 +63,7 @@ class Client:
 
     def __init__(self, command, settings=None, recording=False, **more):
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, **more)
-        atexit.register(self.process.kill)  # a session that fails leaves nothing behind
+        atexit.register(self.process.kill)  # ends the server of a session that fails
         self.begin(self.process.stdin, self.process.stdout, settings, recording)
 
     def begin(self, output, source, settings=None, recording=False):

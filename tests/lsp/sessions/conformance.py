@@ -143,7 +143,7 @@ NO_REQUESTS = {'positionEncoding', 'textDocumentSync', 'notebookDocumentSync', '
 
 
 def session(program):
-    """Calls everything, of a program without mistakes and of one with many. Returns what was said."""
+    """Calls every method, with a valid program and one with many errors. Returns the messages."""
     client = Client([program, 'lsp', '--debounce', '0', '--no-cache'], recording=True, settings={'diagnostics': {'style': True}})
     drone = ROOT / 'examples' / 'drone'
     offered = client.initialize({**CAPABILITIES, 'workspace': {**CAPABILITIES['workspace'], 'symbol': {}}},

@@ -45,7 +45,7 @@ class Reader:
         return found
 
     def members(self):
-        """By their names, whether each may be left out and its type; the type of any other under `*`."""
+        """By name: whether it is optional, and its type; the type of any other name under `*`."""
         result = {}
         self.take('{')
         while not self.took('}'):

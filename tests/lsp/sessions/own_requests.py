@@ -21,7 +21,7 @@ SMALL = '''(defsv lamp :states (On Off) :init Off :transitions :all)
 '''
 
 
-# Nobody sees the end of its states: there is progress to be told until the time is over.
+# Its state space is practically endless, so progress is reported until the time limit.
 ENDLESS = ''.join(f'(defskill s{i} :time_interval [1,{i}] :action (a) :success ok :failure bad)\n' for i in range(5, 14))
 
 

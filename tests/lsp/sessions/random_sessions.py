@@ -1,5 +1,5 @@
 """Random sessions: edits at random places, requests at random places, cancellations, of texts and of a notebook whose cells come, go
-and move. At the end the server holds the texts that the client holds, and tells what a fresh `proskill check` tells of them. Usage:
+and move. At the end the server holds the texts that the client holds, and its findings are those of a fresh `proskill check`. Usage:
 random_sessions.py PROSKILL [--check PROSKILL] [--seed N] [--sessions N | --seconds S] [--steps N]"""
 
 import argparse
@@ -94,7 +94,7 @@ class Session:
         return Cell(self.notebook, f'W{self.made}', content)
 
     def restructure(self):
-        """Some cells go, new ones come, and some of those that stay stand elsewhere."""
+        """Removes, adds and moves some cells."""
         start = self.random.randrange(len(self.cells) + 1)
         old = self.cells[start:start + self.random.randrange(4)]
         gone = [cell for cell in old if self.random.random() < 0.3]
@@ -136,7 +136,7 @@ class Session:
     def reopen(self):
         name, text = self.random.choice(list(self.texts.items()))
         self.client.close(text.uri)
-        self.open(name, text.text, text.version + 1)  # what was told of an earlier one is not taken for news
+        self.open(name, text.text, text.version + 1)  # so that notifications on an earlier one are not taken for new
 
     def watch(self):
         self.write('lamp.proskill', '(defsv lamp :states (On Off) :init %s)\n' % self.random.choice(['On', 'Off', 'Of']))
@@ -153,7 +153,7 @@ class Session:
     def compare_cells(self):
         """With files that a file includes as the notebook has cells."""
         names = [f'cell_{i}.proskill' for i in range(len(self.cells))]
-        for cell in self.cells:  # all of them, for an edit of one changes what is told of others
+        for cell in self.cells:  # all of them, since an edit of one changes findings in others
             cell.edit(self.client, len(cell.text), len(cell.text), '\n')
         for name, cell in zip(names, self.cells):
             self.write(name, cell.text)
@@ -174,7 +174,7 @@ class Session:
         assert (held['bytes'], held['hash']) == (len(sent), fnv1a(sent)), ('the texts differ', held, len(sent))
 
     def check(self, root, name):
-        """What is told of a file in the program of another."""
+        """The findings in a file in the program of another."""
         done = subprocess.run([CHECKER, 'check', '--format=json', os.path.join(self.path, root)], capture_output=True)
         path = os.path.join(self.path, name)
         return [(each['code'], each['severity'], each['message'], each['location']['begin']['line'])

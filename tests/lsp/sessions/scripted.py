@@ -41,7 +41,7 @@ def is_running(process):
 
 
 def wait_until_gone(process):
-    """By looking, for it is no child of ours."""
+    """By polling, since it is not our child."""
     deadline = time.monotonic() + PATIENCE
     while is_running(process):
         assert time.monotonic() < deadline, 'the server lives on'

@@ -126,7 +126,7 @@ def diagnostics_are_those_of_check():
             severities = {1: 'error', 2: 'warning', 4: 'hint'}
             assert ([(each['code'], severities[each['severity']], each['message'], each['range']['start']['line'] + 1) for each in told] ==
                     [(each['code'], each['severity'], each['message'], each['location']['begin']['line']) for each in checked])
-            if settings:  # a change of the file is seen when the client tells of it
+            if settings:  # the server reads the file again when the client reports a change
                 os.remove(os.path.join(folder, '.proskill.json'))
                 client.notify('workspace/didChangeWatchedFiles',
                               {'changes': [{'uri': f'file://{folder}/.proskill.json', 'type': 3}]})

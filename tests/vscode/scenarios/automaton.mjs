@@ -8,7 +8,7 @@ const lineOf = (root, path, text) =>
 
 const node = (frame, label) => frame.locator('svg g.node').filter({ hasText: label });
 
-/** The label of the node that the ring for the caret stands around. */
+/** The label of the node with the ring for the caret. */
 const underCaret = (frame) => frame.evaluate(() => {
   const ring = document.querySelector('.rings .caret')?.getBoundingClientRect();
   if (!ring) return undefined;
@@ -20,7 +20,7 @@ const underCaret = (frame) => frame.evaluate(() => {
 });
 
 export const scenarios = {
-  /** The picture of the mission stands beside its text. */
+  /** The picture of the mission is beside its text. */
   async automaton({ editor, root }) {
     await editor.openFile('drone/drone.proskill');
     await editor.goTo(lineOf(root, 'drone/drone.proskill', '((start_drone)'), 8);
@@ -62,7 +62,7 @@ export const scenarios = {
     await editor.type('(if (=');
     await frame.locator('.automaton-view .notice:not([hidden])').first().waitFor();
     equal('the picture is still there', (await node(frame, 'landing').count()) > 0, true);
-    // The picture is of the text before: the caret's frame stands around what the caret stands in all the same.
+    // The picture is of the previous text, but still marks the node at the caret.
     await editor.goTo(lineOf(root, 'drone/drone.proskill', '           (landing)') + 1, 14);
     await expect('the ring around landing, though lines have moved', async () => (await underCaret(frame))?.includes('landing'));
     await editor.picture('live-broken');

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 
-/** Milliseconds from the last key of a mistake to its squiggle, as the browser sees both. */
+/** Milliseconds from the last key of an error to its squiggle, as the browser measures them. */
 async function typeAndWait(page, key) {
   await page.evaluate(() => {
     window.seen = new Promise((resolve) => {
@@ -65,7 +65,7 @@ export const scenarios = {
     });
   },
 
-  /** A tag that is edited in all its places is no error, and looks like none. What a code means stands beside the text. */
+  /** A tag that is edited in all its places is not an error, and does not look like one. The explanation of a code opens beside the text. */
   async explained({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
     await editor.goTo(84, 16);
@@ -78,7 +78,7 @@ export const scenarios = {
     await editor.squigglesHere().first().waitFor();
     await editor.press('Control+.');
     await page.locator('.action-widget .monaco-list-row.focused').first().waitFor();
-    await editor.press('ArrowDown', 'Enter'); // behind what mends it
+    await editor.press('ArrowDown', 'Enter'); // after the fixes
     await expect('the page on the code beside the text', async () => {
       for (const frame of page.frames())
         if (await frame.locator('.markdown-body, body.vscode-body h1', { hasText: /PS\d+/ }).count().catch(() => 0)) return true;
@@ -123,7 +123,7 @@ export const scenarios = {
     await editor.statusSays(kVerified, 60_000);
   },
 
-  /** A model by hand: its colours, its comments, a mistake in it, and what a name is. */
+  /** A Fiacre model: colours, comments, an error, and a hover. */
   async models({ editor, page }) {
     await editor.openFile('fiacre/fischer.fcr');
     await page.locator('.view-line span[class^="mtk"]', { hasText: /^process$/ }).first().waitFor();

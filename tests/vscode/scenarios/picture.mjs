@@ -28,7 +28,7 @@ export const scenarios = {
     await expect('all nodes', async () => (await nodes(frame)) === open);
   },
 
-  /** What is found stands out, and Enter goes on to the next. */
+  /** Matches are highlighted, and Enter goes to the next. */
   async search({ editor, page }) {
     const frame = await editor.panel();
     await frame.locator('.automaton-view .search').fill('goto_waypoint');
