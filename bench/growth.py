@@ -1,4 +1,4 @@
-"""How verification grows with a program: `python3 bench/growth.py build/bin/proskill [OTHER…]`.
+"""Measures how the cost of verification grows with a program: `python3 bench/growth.py build/bin/proskill [OTHER…]`.
 
 Each family is one program at several sizes. Printed are classes, user seconds and memory of one process that
 answers all default properties; a run is ended after a minute."""

@@ -23,7 +23,7 @@ REQUESTS = ['completion', 'hover', 'signatureHelp', 'definition', 'references', 
 
 
 def memory(client):
-    """Of the server: resident now and at its most, in MB."""
+    """Resident memory of the server in MB: now, and the maximum."""
     with open(f'/proc/{client.process.pid}/status') as file:
         fields = dict(line.split(':', 1) for line in file)
     return tuple(int(fields[name].split()[0]) / 1024 for name in ('VmRSS', 'VmHWM'))
@@ -34,7 +34,7 @@ def quantile(values, part):
 
 
 def row(what, samples, goal=''):
-    """Of pairs: seconds that passed, and seconds of the server's processor time."""
+    """Statistics of pairs: seconds that passed, and processor time of the server."""
     parts = [(0, 0.5), (0, 0.95), (0, 0.99), (1, 0.5), (1, 0.95)]
     figures = '  '.join(f'{quantile([sample[of] for sample in samples], part) * 1000:9.2f}' for of, part in parts)
     print(f'  {what:44} {figures}  {len(samples):6}  {goal}', flush=True)
@@ -46,7 +46,7 @@ def heading(title):
 
 
 class Stopwatch:
-    """From its making on. The processor time is that of all threads of a process."""
+    """Measures from its construction. The processor time is that of all threads of a process."""
 
     def __init__(self, process=None):
         self.clock = (~process.pid << 3) | 2 if process else None  # as clock_getcpuclockid(3) computes it
@@ -56,7 +56,7 @@ class Stopwatch:
         return time.clock_gettime(self.clock) if self.clock else 0.0
 
     def until(self, when):
-        """When something came; it is asked right then."""
+        """Times of diagnostics, noted when they arrive."""
         return when - self.begin, self.used() - self.cpu
 
 
@@ -76,7 +76,7 @@ class Bench:
         return Stopwatch(self.client.process)
 
     def diagnostics(self, version):
-        """When those of the version came. A server that gives no versions is taken at its last word."""
+        """When those of the version came; for a server without versions, the last ones."""
         return self.client.timed_note('textDocument/publishDiagnostics', lambda params: params['uri'] == self.text.uri and
                                       params.get('version', version) == version)[1]
 
@@ -84,7 +84,7 @@ class Bench:
         return self.random.randrange(len(self.text.text))
 
     def type(self, at, letters):
-        """Letter by letter; gives the times until the diagnostics of each."""
+        """Types letter by letter; returns the times until the diagnostics of each."""
         times = []
         for letter in letters:
             watch = self.watch()
@@ -109,7 +109,7 @@ class Bench:
         return times
 
     def comments(self, count):
-        """Edits that leave the program right: nothing is spared by an error."""
+        """Edits that keep the program valid, so that no error shortens the analysis."""
         mark = '\n; ' if self.language == 'proskill' else '\n// '
         times = []
         for _ in range(count):
@@ -173,7 +173,7 @@ class Bench:
         return times
 
     def cancellation(self, count):
-        """From `$/cancelRequest` until the next request is answered, with a heavy one under way."""
+        """Time from `$/cancelRequest` of an expensive request to the answer of the next one."""
         times = []
         for _ in range(count):
             self.text.edit(self.client, 0, 0, '\n')
@@ -206,7 +206,7 @@ class Bench:
         print('  memory: %.0f MB, at its most %.0f MB' % memory(self.client))
 
     def flat(self, count):
-        """Memory while letters are typed and taken back, without a look at the diagnostics."""
+        """Memory while letters are typed and removed, without reading diagnostics."""
         figures = []
         for i in range(count // 2):
             at = self.place()
@@ -253,7 +253,7 @@ def many_files(program, folder, source):
 
 
 def in_c(lines):
-    """A file of C of so many lines, for the other server."""
+    """A C file with this many lines, for the other server."""
     device = ('struct device_{0} {{\n  int state;\n  double speed;\n}};\n\n/* Device {0} does its work. */\n'
               'static int use_{0}(struct device_{0} *device, double speed, int times) {{\n  if (device->state == 0)\n    return -1;\n'
               '  device->speed = speed;\n  for (int i = 0; i < times; ++i)\n    device->state += i;\n  return device->state;\n}}\n\n')

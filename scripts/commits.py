@@ -1,4 +1,4 @@
-"""Which commits do not keep to the form that CONTRIBUTING.md asks for.
+"""Lists commits that violate the rules of CONTRIBUTING.md.
 
 usage: commits.py [BASE]        those since BASE; without one, those that the upstream branch has not got
 """
@@ -17,7 +17,7 @@ TRAILER = re.compile(r"[A-Z][A-Za-z-]+-by: |(?:Fixes|Refs|See): ")
 
 
 def complaints(subject, body):
-    """What is wrong with a commit's message."""
+    """The violations in a commit's message."""
     if not SUBJECT.fullmatch(subject):
         yield "the subject is not `area: what it does`"
     elif NO_IMPERATIVE.match(verb := subject.split(": ", 1)[1]) and not IMPERATIVE.match(verb):
@@ -35,7 +35,7 @@ def git(*arguments):
 
 
 def base():
-    """Where the branch left its upstream, or main."""
+    """The merge base with the upstream branch, or with main."""
     for upstream in ("@{upstream}", "origin/main", "main"):
         found = git("merge-base", "HEAD", upstream)
         if found.returncode == 0:

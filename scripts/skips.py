@@ -39,7 +39,7 @@ def read_list(file):
 
 
 def pass_on(stream):
-    """Prints what comes, but for ctest's closing lines, which it returns."""
+    """Passes on the output, except ctest's closing lines, which it returns."""
     closing = []
     for line in stream:
         if closing or CLOSING.search(line):

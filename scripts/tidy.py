@@ -1,4 +1,4 @@
-"""clang-tidy over the sources and headers of the program; what it says is an error.
+"""Runs clang-tidy on the sources and headers of the program; warnings are errors.
 
 usage: tidy.py PROGRAM changed|all
   changed: the files that differ from where the branch left main; on main, those of the last ten commits. A clone with less
@@ -50,7 +50,7 @@ def changed():
 
 
 def changed_since(base):
-    """A file that has moved, or includes one that has, and says the same as before, does not count."""
+    """A file that was only moved, or includes one that was, does not count."""
     fields = iter(git("diff", "-z", "--find-renames", "--ignore-matching-lines=^#include ", "--numstat",
                       base).stdout.split("\0"))
     names = set()
@@ -63,7 +63,7 @@ def changed_since(base):
 
 
 class Unit:
-    """What clang-tidy reads at once: some sources, and the tree's headers that they include."""
+    """Input of one run of clang-tidy: some sources, and the tree's headers that they include."""
 
     def __init__(self, command):
         self.file, self.command = command["file"], command["command"]
@@ -81,7 +81,7 @@ class Unit:
             todo += INCLUDE.findall((ROOT / name).read_text(encoding="utf-8"))
 
     def stamp(self, program):
-        """Of all that clang-tidy's answer depends on, but the system's headers."""
+        """Digest of everything that the result depends on, except the system's headers."""
         digest = hashlib.sha256(program.encode() + self.command.encode() + TESTS.encode())
         for name in [".clang-tidy", *sorted(self.files)]:
             digest.update(name.encode() + (ROOT / name).read_bytes())
@@ -97,13 +97,13 @@ def units():
 
 
 def unread(found):
-    """The sources and headers that no unit has."""
+    """The sources and headers in no unit."""
     tracked = set(git("ls-files", "*.cpp", "*.h").stdout.splitlines())
     return {name for name in tracked if not name.startswith(OTHERS)} - set().union(*(unit.files for unit in found))
 
 
 def covering(found, names):
-    """Units that have each of these files: a source's own, and of those with a header the one of its own name or folder."""
+    """Units that contain these files: for a source its own; for a header one with its name or folder."""
     chosen = {unit.file: unit for unit in found if unit.sources & names}
     for name in sorted(names):
         if name.endswith(".h") and not any(name in unit.files for unit in chosen.values()):

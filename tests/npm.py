@@ -1,4 +1,4 @@
-"""npm's packages for tests; ends a test as skipped where they cannot be had."""
+"""npm packages for tests; skips a test if they cannot be installed."""
 
 import pathlib
 import re

@@ -13,7 +13,7 @@
 
     robot.run()
 
-The file that says so to `proskill run --platform FILE`:
+The platform file, for `proskill run --platform FILE`:
 
     {"kind": "process", "command": ["python3", "robot.py"]}
 """

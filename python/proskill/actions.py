@@ -1,4 +1,4 @@
-"""A program's actions as functions."""
+"""The actions of a program as functions."""
 
 from __future__ import annotations
 
@@ -43,43 +43,43 @@ class Platform:
         self._loop: asyncio.AbstractEventLoop | None = None
         self.speed = 1.0  # of the run's clock
 
-    # --- What a user says
+    # --- For users
 
     @overload
     def action(self, skill: Call) -> Call: ...
     @overload
     def action(self, skill: str) -> Callable[[Call], Call]: ...
     def action(self, skill: Any) -> Any:
-        """Makes a function the action of the skill of its name, or of the skill that is given.
+        """Makes a function the action of the named skill, or of the skill with its own name.
 
-        It gets the arguments of `:action` in their order, and a `Stop` for a parameter that is
-        called `stop` or has that type. It returns the name of a result, or an enumeration's member
-        that has this name as its value; what it raises ends the skill without a result. Each run
-        has a thread of its own. An `async` function runs in an event loop; without a token it is
-        cancelled when it is to stop."""
+        The function receives the arguments of `:action` in order, and a `Stop` for a parameter
+        that is called `stop` or has this type. It returns the name of a result, or a member of an
+        enumeration with this value. An exception ends the skill without a result. Each run has a
+        thread of its own. An `async` function runs in an event loop; if it has no `Stop`, it is
+        cancelled when it is asked to stop."""
         if isinstance(skill, str):
             return lambda call: self._add(skill, call)
         return self._add(skill.__name__, skill)
 
     def background(self, call: Call) -> Call:
-        """Runs a function, with a `Stop` where it takes one, from the start of the run on."""
+        """Runs a function during the whole run, with a `Stop` if it has a parameter for it."""
         self._background.append(Function(call.__name__, call))
         return call
 
     def report(self, event: str) -> None:
-        """An event of the program has happened."""
+        """Reports an event of the program."""
         self._send("event", name=event)
 
     def interrupt(self, skill: str) -> None:
-        """Somebody wants a skill to end."""
+        """Interrupts a skill."""
         self._send("interrupt", skill=skill)
 
     def log(self, text: str) -> None:
-        """A line for the recording."""
+        """Writes a line to the recording."""
         self._send("log", text=text)
 
     def run(self, connection: Connection | None = None) -> None:
-        """Performs actions until the run is over or `proskill run` is gone, then stops them all."""
+        """Performs actions until the run or `proskill run` ends, then stops all of them."""
         self._connection = connection or Connection.of_this_process()
         try:
             for message in self._connection.messages():
@@ -88,7 +88,7 @@ class Platform:
         finally:
             self._stop_all()
 
-    # --- What `proskill run` says
+    # --- Messages of `proskill run`
 
     def _obey(self, message: dict[str, Any]) -> bool:
         kind = message.get("type")
@@ -120,7 +120,7 @@ class Platform:
         return True
 
     def _why_not(self, hello: dict[str, Any]) -> str:
-        """Why this platform does not suit the program; empty where it does."""
+        """Why this platform does not fit the program; empty if it does."""
         if hello.get("protocol") != PROTOCOL:
             return f"this package speaks version {PROTOCOL} of the protocol"
         self._results = {skill["name"]: [result["name"] for result in skill["results"]]
@@ -205,7 +205,7 @@ class Platform:
             traceback.print_exc()
             self.log(f"{function.skill} ended: {type(error).__name__}: {error}")
 
-    # --- The rest
+    # --- Sending
 
     def _add(self, skill: str, call: Call) -> Call:
         if skill in self._functions:

@@ -1,4 +1,4 @@
-"""The JSON lines between `proskill run` and this program: docs/platforms.md of ProSkill."""
+"""The connection to `proskill run`: docs/platforms.md of ProSkill."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PROTOCOL = 1
 
 
 class Connection:
-    """One line a message, in both directions. Any thread may send."""
+    """JSON messages, one per line, in both directions. Sending is thread-safe."""
 
     def __init__(self, reader: BinaryIO, writer: BinaryIO) -> None:
         self._reader = reader
@@ -40,7 +40,7 @@ class Connection:
                 pass  # the end of the input means the same
 
     def messages(self) -> Iterator[dict[str, Any]]:
-        """Until the other end is closed."""
+        """The messages until the other end is closed."""
         for line in self._reader:
             message = json.loads(line)
             if isinstance(message, dict):

@@ -11,7 +11,7 @@ from proskill.stop import Stop
 
 
 class Function:
-    """What a skill calls, and what its signature says."""
+    """A function and its signature."""
 
     def __init__(self, skill: str, call: Callable[..., Any]) -> None:
         self.skill = skill
@@ -26,7 +26,7 @@ class Function:
                           if name == "stop" or self.types.get(name) is Stop), None)
 
     def bound(self, arguments: list[Any], stop: Stop) -> inspect.BoundArguments:
-        """The arguments in order, and the token where the function takes one. Raises TypeError."""
+        """The arguments in order, with a `Stop` if it has a parameter for it. Raises TypeError."""
         rest = iter(arguments)
         given: list[Any] = []
         named: dict[str, Any] = {}
@@ -42,7 +42,7 @@ class Function:
         return self.signature.bind(*given, *rest, **named)
 
     def wrong_results(self, results: list[str]) -> list[str]:
-        """What the function says it may return, and the skill does not have."""
+        """Declared return values that are not results of the skill."""
         returned = self.types.get("return")
         if inspect.isclass(returned) and issubclass(returned, enum.Enum):
             return [str(member.value) for member in returned if member.value not in results]
@@ -55,7 +55,7 @@ _MISSING = object()
 
 
 def result_name(returned: Any) -> str | None:
-    """What the protocol calls a returned value; None where nothing was returned."""
+    """The protocol's name of a returned value; None if nothing was returned."""
     value = returned.value if isinstance(returned, enum.Enum) else returned
     if value is None or isinstance(value, str):
         return value

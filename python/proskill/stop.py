@@ -1,4 +1,4 @@
-"""How an action learns that it is to stop."""
+"""Stop requests to actions."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import threading
 
 
 class Stopped(Exception):
-    """Raised in an action that was asked to stop. An action that lets it pass has stopped."""
+    """Raised in an action that is asked to stop. Let it propagate to end the action."""
 
 
 class Stop:
-    """Asked to stop, or not yet: each run of an action has its own."""
+    """Stop request of one run of an action."""
 
     def __init__(self, speed: float = 1.0) -> None:
         self._event = threading.Event()
@@ -18,25 +18,25 @@ class Stop:
 
     @property
     def requested(self) -> bool:
-        """Whether the action is to stop."""
+        """Whether the action is asked to stop."""
         return self._event.is_set()
 
     def check(self) -> None:
-        """Raises Stopped if the action is to stop."""
+        """Raises Stopped if the action is asked to stop."""
         if self.requested:
             raise Stopped
 
     def wait(self, seconds: float | None = None) -> bool:
-        """Waits until the action is to stop, at most so many seconds of the run's clock.
+        """Waits until the action is asked to stop, at most this many seconds of the run's clock.
 
-        True where it is to stop."""
+        Returns whether it is asked to stop."""
         return self._event.wait(None if seconds is None else max(seconds, 0.0) / self._speed)
 
     def sleep(self, seconds: float) -> None:
-        """Waits so many seconds of the run's clock; raises Stopped if the action is to stop."""
+        """Waits this many seconds of the run's clock; raises Stopped if asked to stop."""
         if self.wait(seconds):
             raise Stopped
 
     def request(self) -> None:
-        """Asks for the stop. `proskill run` does it; tests of an action may."""
+        """Asks the action to stop. For tests of actions; otherwise `proskill run` does this."""
         self._event.set()

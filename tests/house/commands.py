@@ -20,13 +20,13 @@ def help_of(*command):
 
 
 def subcommands():
-    """The words below `Subcommands:`."""
+    """The names below `Subcommands:`."""
     _, _, below = help_of().partition("Subcommands:\n")
     return re.findall(r"^  (\S+)", below.split("\n\n")[0], re.M)
 
 
 def complaints(command):
-    """What a reader of `--help` would stumble over."""
+    """Problems for readers of `--help`."""
     text = help_of(command)
     for sign in ("ENUM", "TEXT", "UINT", "FLOAT", "->", "{", "REQUIRED", "Excludes"):
         if sign in text:
@@ -54,7 +54,7 @@ def made():
 
 
 def warnings():
-    """What man has to say about the manual page."""
+    """Warnings of man about the manual page."""
     done = subprocess.run(["man", "--warnings", "-l", "-Tutf8", "man/proskill.1"], cwd=ROOT,
                           capture_output=True, text=True, env={"LC_ALL": "C.UTF-8", "MANWIDTH": "80",
                                                                "PATH": "/usr/bin:/bin"})

@@ -1,4 +1,4 @@
-"""What the checks of the house share: where the tree is, its files, and how to complain."""
+"""What the checks of the house share: the tree's root, its files, and the report."""
 
 import pathlib
 import shutil
@@ -10,7 +10,7 @@ GENERATED = ("tree-sitter-proskill/src/parser.c", "tree-sitter-proskill/src/tree
 
 
 def tracked():
-    """What git would keep, also of what is not committed yet; nothing where there is no git."""
+    """Files tracked by git or not ignored; none without git."""
     if not shutil.which("git"):
         return []
     return subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"],
@@ -35,7 +35,7 @@ def read(name):
 
 
 def finish(complaints, praise):
-    """Ends the check: each complaint is a line, none of them is success."""
+    """Ends the check: prints the complaints, and fails if there are any."""
     for complaint in complaints:
         print(complaint)
     if complaints:

@@ -51,7 +51,7 @@ def run(*command):
 
 
 def wrong(root, command, file):
-    """What a program complains about in a file; a manual page has to name every command."""
+    """The complaints of a program about a file; a manual page has to name every command."""
     done = subprocess.run([*command, root / file], capture_output=True, text=True, env={**os.environ, "MANPAGER": "cat", "MANWIDTH": "200"})
     found = [f"{file}: {line}" for line in done.stderr.splitlines()]
     if done.returncode:

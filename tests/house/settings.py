@@ -1,4 +1,4 @@
-"""The schema of `.proskill.json` is one, names every code, and means what the program does.
+"""The schema of `.proskill.json` is valid, contains every code, and agrees with the program.
 
 usage: settings.py PROGRAM
 
@@ -40,7 +40,7 @@ def codes():
 
 
 def accepted(text, directory):
-    """The program understands these settings."""
+    """Whether the program accepts these settings."""
     (directory / ".proskill.json").write_text(text, encoding="utf-8")
     (directory / "main.proskill").write_text("(defskill mission :body ((^ 1)))\n", encoding="utf-8")
     done = subprocess.run([PROGRAM, "check", directory / "main.proskill"], capture_output=True)

@@ -1,4 +1,4 @@
-"""Of what is skipped nothing stays unsaid, and with CI=true nothing that is not listed passes."""
+"""Every skipped test is reported, and with CI=true each must be listed."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ LISTED = "# why\neditors: * | emacs is * | there is no Emacs\n"
 
 
 def run(said, ci, *more):
-    """How it ends, and what it prints, where ctest writes its results while the list is waited for."""
+    """Exit code and output if ctest writes its results while the script waits for them."""
     with tempfile.TemporaryDirectory() as directory:
         junit, listed = pathlib.Path(directory, "tested-release.xml"), pathlib.Path(directory, "skips.txt")
         listed.write_text(LISTED, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""No namespace has two types of one name: the linker takes the members of one for those of both, and says nothing."""
+"""No namespace has two types of one name: the linker would silently use the members of one for both."""
 
 import collections
 import re

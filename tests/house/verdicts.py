@@ -1,6 +1,6 @@
-"""Every example gives the verdicts that are written down in tests/house/verdicts/.
+"""Every example has the verdicts recorded in tests/house/verdicts/.
 
-usage: verdicts.py PROGRAM [--write]      --write: write down what it gives now
+usage: verdicts.py PROGRAM [--write]      --write: record the current ones
 """
 
 import difflib
@@ -17,7 +17,7 @@ WRITTEN = "tests/house/verdicts"
 
 
 def roots():
-    """The examples that no other example includes, or that have verdicts of their own all the same."""
+    """The examples that no other example includes, or that have recorded verdicts of their own."""
     examples = [name for name in files(".proskill") if name.startswith("examples/")]
     models = [name for name in files(".fcr") if name.startswith("examples/")]
     included = {name.rsplit("/", 1)[0] + "/" + path for name in examples

@@ -1,4 +1,4 @@
-"""`proskill view` and reports in Chromium, used as a person would.
+"""Tests `proskill view` and reports in Chromium as a user would.
 
 usage: browser.py PROGRAM SCREENSHOTS
 """

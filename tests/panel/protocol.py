@@ -1,4 +1,4 @@
-"""`proskill view` answers whoever has its token and comes from its own page, and nobody else.
+"""`proskill view` answers only requests with its token from its own page.
 
 usage: protocol.py PROGRAM
 """
@@ -238,7 +238,7 @@ class Load(unittest.TestCase):
 
 
 def cpu_seconds(process):
-    """What a process has used of the processors."""
+    """Processor time of a process."""
     fields = pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 

@@ -25,7 +25,7 @@ PLAIN = {"name": "fly", "results": [{"name": "success", "status": "success"}]}
 
 
 class Talk:
-    """A platform that runs, and what it says. `with` ends it."""
+    """A running platform, and its messages. `with` ends it."""
 
     def __init__(self, platform, **hello):
         to_read, to_write = os.pipe()
@@ -67,7 +67,7 @@ def performing(function, **hello):
 
 class Actions(unittest.TestCase):
     def ends(self, function, *arguments, **hello):
-        """What is said of a run of this function, without its number."""
+        """The messages on a run of this function, without its number."""
         with performing(function, **hello) as talk:
             talk.start(*arguments)
             said = talk.hear()

@@ -1,4 +1,4 @@
-"""Platforms of kind `library` under `proskill run`: real libraries, compiled here, and what becomes of it when they fail.
+"""Platforms of kind `library` under `proskill run`: libraries compiled here, and the effects of their failures.
 
 usage: library.py PROGRAM
 """

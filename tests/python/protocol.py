@@ -1,4 +1,4 @@
-"""The schemas in docs/ mean what `proskill run` does: of its messages, and of platform files.
+"""The schemas in docs/ agree with `proskill run`: those of its messages, and of platform files.
 
 usage: protocol.py PROGRAM
 """

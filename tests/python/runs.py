@@ -1,4 +1,4 @@
-"""Platforms in Python under `proskill run`, and what becomes of it when they fail.
+"""Platforms in Python under `proskill run`, and the effects of their failures.
 
 usage: runs.py PROGRAM
 """

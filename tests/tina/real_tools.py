@@ -1,7 +1,7 @@
 """Runs every example through the Tina tools of a directory and beside the engine: `./dev tina DIRECTORY`.
 
 Usage: real_tools.py PROSKILL DIRECTORY OUT FILE…
-What the tools were given and what they said is kept in OUT/NAME; OUT/report.md says what came of each file. Exit status 1:
+Input and output of the tools are kept in OUT/NAME; OUT/report.md has the result of each file. Exit status 1:
 the two differ somewhere, or a tool failed.
 """
 

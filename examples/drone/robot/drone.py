@@ -1,4 +1,4 @@
-"""A drone that flies in numbers: performs the actions of drone.proskill and reports its sensors.
+"""A simulated drone: performs the actions of drone.proskill and reports its sensors.
 
     proskill run --platform examples/drone/robot/platform.json examples/drone/drone.proskill
 """
@@ -18,7 +18,7 @@ robot = Platform()
 
 
 class Drone:
-    """Where it is, and how much is left in its battery. Metres, seconds, and parts of one."""
+    """Position in metres, time in seconds, and charge of the battery from 0 to 1."""
 
     SPEED = 1.5
 
@@ -28,7 +28,7 @@ class Drone:
         self.charge = 1.0
 
     def fly_to(self, target: tuple[float, float, float], stop: Stop) -> None:
-        """Raises Stopped, and stays where it is, when it is to stop."""
+        """Raises Stopped when asked to stop, and stays at its position."""
         step = 0.1
         while (left := math.dist(self.position, target)) > 0:
             stop.sleep(step)

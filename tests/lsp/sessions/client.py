@@ -157,7 +157,7 @@ class Client:
         return self.last
 
     def wait(self, condition):
-        """What `condition` gives once that is something."""
+        """The value of `condition` once it is true."""
         deadline = time.monotonic() + PATIENCE
         with self.lock:
             while (found := condition()) is None:
@@ -239,7 +239,7 @@ class Client:
                          lambda params: params['uri'] == uri and params.get('version') == version)['diagnostics']
 
     def end(self):
-        """The exit code after an orderly end."""
+        """The exit code after a regular end."""
         self.result('shutdown', None)
         self.notify('exit', None)
         return self.process.wait(PATIENCE)
@@ -285,7 +285,7 @@ class Text:
 
 
 class Cell(Text):
-    """One of a notebook's."""
+    """A cell of a notebook."""
 
     def __init__(self, notebook, name, text):
         super().__init__(f'vscode-notebook-cell:{notebook.removeprefix("file://")}#{name}sZmlsZQ%3D%3D', text)
