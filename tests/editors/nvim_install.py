@@ -20,7 +20,7 @@ if not program:
     print("skipped: nvim is not installed (apt-get install neovim)")
     sys.exit(77)
 
-# What a user does then: a program, a model, a command, the help.
+# What users do next: open a program and a model, run a command, read the help.
 LOOK = """
 edit main.proskill
 let filetypes = &filetype
@@ -76,7 +76,7 @@ def script(clone, _):
 complaints = [line for name, configure in [("a package", package), ("runtimepath", path), ("setup.lua", script)]
               for line in seen(name, configure)]
 
-# Managers make the tags anew: they are those that are there, so that no clone is changed by its installation.
+# Managers generate the tags again; they must equal the existing ones, so that an installation does not change the clone.
 with tempfile.TemporaryDirectory() as directory:
     shutil.copytree(PLUGIN / "doc", f"{directory}/doc", ignore=shutil.ignore_patterns("tags"))
     subprocess.run([program, "--headless", "-u", "NONE", "-i", "NONE", "-c", f"helptags {directory}/doc", "-c", "quit"], check=True,

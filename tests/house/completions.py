@@ -27,7 +27,7 @@ CASES = [
     ("proskill verify --reduce ", ["stubborn-sets", "free-inputs"]),
     ("proskill emit ", ["fiacre", "hfiacre"]),
     ("proskill check m", ["main.proskill", "model.fcr", "!notes.txt"]),
-    ("proskill check n", ["!notes.txt"] if SHELL == "bash" else []),  # the others offer any file where none fits
+    ("proskill check n", ["!notes.txt"] if SHELL == "bash" else []),  # the others offer any file if none fits
     ("proskill verify main.proskill --property ", ["v.no_forbidden_transition", "s.can_run"]),
 ]
 
@@ -39,7 +39,7 @@ compopt() { :; }
 _proskill; printf '%s\\n' "${COMPREPLY[@]}"
 """
 
-# As zsh completes nowhere but in a terminal, it gets one; what is offered goes to a file.
+# zsh completes only in a terminal, so it gets one; the offered words go to a file
 ZSHRC = """
 PS1=READY; LISTMAX=0; fpath=({completions} $fpath)
 autoload -Uz compinit; compinit -u -D; compdef _proskill proskill

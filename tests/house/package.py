@@ -33,7 +33,7 @@ WANTED = [
     f"{DOC}/copyright", f"{DOC}/README.md", f"{DOC}/CHANGELOG.md", f"{DOC}/docs/language.md",
     f"{DOC}/examples/drone/drone.proskill",
 ]
-# What each program says of a file of the package, where the program is installed.
+# What each program reports on a file of the package, if the program is installed.
 CHECKS = [
     ("man", ["man", "--warnings", "--local-file"], "usr/share/man/man1/proskill.1"),
     ("bash", ["bash", "-n"], "usr/share/bash-completion/completions/proskill"),

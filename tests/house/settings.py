@@ -21,7 +21,7 @@ PROGRAM = sys.argv[1]
 SCHEMA = "docs/proskill.schema.json"
 MANUAL = "docs/checking.md"
 
-# Beside those of the manual: what is right, and what is wrong in one way each.
+# In addition to those of the manual: valid ones, and invalid ones with one error each.
 GOOD = ["{}", '{"style": false}', '{"severity": {}}', '{"$schema": "x", "style": true}',
         '{"severity": {"PS0501": "off", "PS0708": "error", "PS0902": "hint"}}']
 BAD = ["[]", "3", "null", '"style"', '{"style": 1}', '{"style": null}', '{"style": []}',

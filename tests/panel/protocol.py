@@ -188,7 +188,7 @@ class Load(unittest.TestCase):
             self.assertEqual(self.view.ask(self.view.path)[0], 200)
             self.assertLess(time.monotonic() - begin, 5)  # each poll waits for 20 s
             self.view.call("verify")
-            for poll in polls:  # and each of them hears the news
+            for poll in polls:  # and each of them receives the event
                 self.assertIn(b'"news":[{', poll.makefile("rb").read())
         finally:
             for poll in polls:

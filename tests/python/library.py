@@ -279,7 +279,7 @@ class Faults(Library):
         self.compile()
         process = subprocess.Popen([PROGRAM, "run", "--platform", self.path / "platform.json",
                                     self.path / "mission.proskill"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.assertEqual((self.path / "stopped").read_text(), "in order\n")  # waits for whoever writes
+        self.assertEqual((self.path / "stopped").read_text(), "in order\n")  # blocks until somebody writes
         self.assertEqual((self.path / "closed").read_text(), "once\n")
         self.assertEqual(process.wait(), -signal.SIGKILL)
 
@@ -350,7 +350,7 @@ class Stubs(Library):
         self.assertEqual(built.returncode, 0, built.stderr)
         self.ends(self.run_it(), 0, "success")
         self.assertIn("hit: No", str([line.get("changes") for line in self.lines]).replace("'variable': 'hit', 'before': 'No'", "hit: No"))
-        # A changed program shows as errors of the compiler.
+        # A changed program shows up as compiler errors.
         mission = self.path / "mission.proskill"
         mission.write_text(mission.read_text().replace(":success seen", ":success noticed"))
         self.stubs(language)

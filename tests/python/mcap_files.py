@@ -23,7 +23,7 @@ except ImportError:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 DRONE = ROOT / "examples/drone/drone.proskill"
-UNTRIED = []  # why the package was not asked
+UNTRIED = []  # the reason why the package was not used
 MAGIC = b"\x89MCAP0\r\n"
 HEADER, FOOTER, SCHEMA, CHANNEL, MESSAGE, DATA_END = 1, 2, 3, 4, 5, 15
 
@@ -140,7 +140,7 @@ class Files(unittest.TestCase):
         for length in random.Random(1).sample(range(len(MAGIC), len(data)), 200):
             part = messages(data[:length])
             self.assertEqual(part, ours[:len(part)])
-            # At most one message is lost, the one that was cut.
+            # At most one message is lost: the truncated one.
             rest = sum(1 for opcode, _ in records(data[:length]) if opcode == MESSAGE)
             self.assertEqual(rest, len(part))
 
@@ -154,7 +154,7 @@ class Files(unittest.TestCase):
         data = self.mcap.read_bytes()
         self.assertTrue(data.endswith(MAGIC))
         steps = [content for topic, _, content in messages(data) if topic == "/steps"]
-        # What came in the last moment may not have been written.
+        # The latest messages may not have been written.
         self.assertTrue(all(step["description"] == line["description"] for step, line in zip(steps, seen)))
 
     def test_a_full_disk_ends_the_file_and_not_the_run(self):

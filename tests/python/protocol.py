@@ -19,7 +19,7 @@ except ImportError:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 
-# Repeats what it hears and says into files.
+# Writes all messages in both directions to files.
 ROBOT = r'''
 import json, sys
 heard, said = open("heard", "wb"), open("said", "wb")

@@ -1,5 +1,5 @@
-// The editor and the browser: code-server from npm, Chromium from the distribution. They are
-// installed once, outside the tree, in a folder that is named after what is in it.
+// The editor and the browser: code-server from npm, Chromium from the distribution. They are installed once, outside the tree,
+// in a folder named after its contents.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
@@ -8,10 +8,10 @@ import { join, relative } from 'node:path';
 
 const here = import.meta.dirname;
 
-/** To be counted up where `install` changes. */
+/** Increase this when `install` changes. */
 const kRecipe = 2;
 
-/** Why the tests cannot run here; not a failure. */
+/** Skips the tests with a reason. */
 export class Missing extends Error {}
 
 function run(cwd, program, ...args) {
@@ -39,7 +39,7 @@ function build(folder, module, product) {
   }
 }
 
-/** Its own script would fetch it from elsewhere; the package for this platform has it. */
+/** Its own script would download it; the package for this platform contains it. */
 function linkRipgrep(folder, code) {
   const at = join(code, 'node_modules/@vscode/ripgrep/bin');
   mkdirSync(at);
@@ -62,7 +62,7 @@ function install(folder) {
   build(code, 'node-pty', 'build/Release/pty.node');
 }
 
-/** The folder with code-server and playwright-core, and Chromium's program. */
+/** The folder with code-server and playwright-core, and the path of Chromium. */
 export function bench() {
   const major = process.versions.node.split('.')[0];
   if (major !== '20') throw new Missing(`code-server wants node 20, and this is ${process.version}`);

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 const kSettings = {
-  'proskill.verify.seconds': 60, // what a quiet machine decides in two is decided on a busy one, too
+  'proskill.verify.seconds': 60, // on a busy machine, verification may take several times as long
   'workbench.startupEditor': 'none', 'security.workspace.trust.startupPrompt': 'never',
   'security.workspace.trust.banner': 'never', 'telemetry.telemetryLevel': 'off', 'extensions.ignoreRecommendations': true,
   'git.enabled': false, 'workbench.tips.enabled': false, 'editor.minimap.enabled': false, 'files.autoSave': 'off',
@@ -68,7 +68,7 @@ export class CodeServer {
     });
   }
 
-  /** How many processes verify, for this editor's server. */
+  /** Number of processes that verify for this editor's server. */
   workers() {
     return readdirSync('/proc').filter((name) => /^\d+$/.test(name)).filter((name) => {
       try {
@@ -83,7 +83,7 @@ export class CodeServer {
     try {
       process.kill(-this.process.pid, 'SIGTERM');
     } catch {
-      // It has ended.
+      // it has ended
     }
     rmSync(this.home, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
   }

@@ -1,14 +1,16 @@
-// VS Code in the browser, as a person uses it: by keys, and by looking at what is shown.
+// VS Code in the browser, used as by a person: through keys and what is visible.
 import { expect } from './expect.mjs';
 
-/** In the empty middle of the status bar. Where the mouse was left by a click, a list that opens later shows a hover, over its own lines. */
+/**
+ * A position in the empty middle of the status bar. If the mouse stays where it clicked, a list that opens later shows a hover over its own lines.
+ */
 const NOTHING_TO_HOVER = [720, 899];
 
 export class Editor {
   constructor(page, pictures) {
     this.page = page;
     this.pictures = pictures;
-    /** how many pictures there are */
+    /** number of pictures so far */
     this.taken = 0;
   }
 
@@ -30,8 +32,8 @@ export class Editor {
   }
 
   /**
-   * A line of what Ctrl+P or F1 offers, by its label; again, where something has taken the keyboard away, and each time with more
-   * patience: a busy machine takes longer for the list than an idle one for all of it.
+   * Chooses a line that Ctrl+P or F1 offers, by its label. Repeats this if something has taken the focus, with a longer wait each time: on a busy
+   * machine the list takes long.
    */
   async pick(key, text, row, after = ', ') {
     let patience = 1500;
@@ -49,12 +51,12 @@ export class Editor {
     }, 90_000);
   }
 
-  /** A command of the palette, by its full name. */
+  /** Runs a command of the palette, by its full name. */
   command(title) {
     return this.pick('F1', `>${title}`, title);
   }
 
-  /** Of a list that was asked for, the line with a name, once it is the one that Enter takes. */
+  /** Waits until the line with this name is the one that Enter takes. */
   async answer(name) {
     await this.quickInput().locator('input.input').fill(name);
     const row = this.quickInput().locator(`.monaco-list-row.focused[aria-label*="${name}"]`);
@@ -63,7 +65,7 @@ export class Editor {
     await row.waitFor({ state: 'hidden' });
   }
 
-  /** By its name in the list of themes. */
+  /** Chooses a theme by its name. */
   async theme(name) {
     await this.command('Preferences: Color Theme');
     await this.answer(name);
@@ -92,7 +94,7 @@ export class Editor {
     await this.quickInput().waitFor({ state: 'hidden' });
   }
 
-  /** What was typed in the group with the keyboard; keys arrive before the tab says that there is something to save. */
+  /** Saves the text in the active group. Keys arrive before the tab shows that there is something to save. */
   async save() {
     await this.page.locator('.editor-group-container.active .tab.active.dirty').first().waitFor();
     await this.press('Control+s');
@@ -103,7 +105,7 @@ export class Editor {
     return this.page.locator(`.squiggly-${kind}`);
   }
 
-  /** On the line of the caret: elsewhere verdicts may have theirs. */
+  /** On the line of the caret: elsewhere there may be verdicts. */
   squigglesHere(kind = 'error') {
     return this.page.locator(`.view-overlays > div:has(.current-line) .squiggly-${kind}`);
   }
@@ -121,7 +123,7 @@ export class Editor {
     return this.page.locator('.markers-panel .monaco-list-row, .markers-panel-container .monaco-list-row');
   }
 
-  /** Where the caret of the text with the keyboard is, as the status bar says it. */
+  /** The position of the caret, from the status bar. */
   async caret() {
     return (await this.page.locator('[id="status.editor.selection"]').textContent()).trim();
   }
@@ -149,7 +151,7 @@ export class Editor {
     }, uriEnd);
   }
 
-  /** The frame of a panel: of the one with this view, where there are several. */
+  /** The frame of a panel; of the one with this view if there are several. */
   async panel(view = '.automaton-view, .trace-view') {
     return expect('a panel in a webview', async () => {
       for (const frame of this.page.frames())

@@ -1,4 +1,4 @@
-/** Asks until it is so; what a person would do who waits for it. */
+/** Polls until the condition is true. */
 export async function expect(what, ask, timeout = 90_000) {
   const end = Date.now() + timeout;
   let last;

@@ -8,7 +8,7 @@ export const tree = resolve(import.meta.dirname, '../..');
 export const extension = join(tree, 'vscode-extension');
 export const read = (...path) => readFileSync(join(extension, ...path), 'utf8');
 
-/** A package of the extension's; where npm cannot install it, this test is skipped. */
+/** A package of the extension; skips the test if npm cannot install it. */
 export function need(...names) {
   try {
     install();

@@ -33,7 +33,7 @@ for (const word of words) {
   }
 }
 
-/** And no others are: what the grammar lists, the lexer reserves. */
+/** And no others are: the grammar's keywords are the lexer's reserved words. */
 const listed = (read('syntaxes/fiacre.tmLanguage.json').match(/\(\?:[a-z|]+\)/g) ?? []).flatMap((list) => list.match(/[a-z]+/g));
 if (listed.length < words.length / 2) complaints.push('the lists of words of the grammar are not found');
 for (const word of listed) if (!words.includes(word)) complaints.push(`\`${word}\` is no reserved word of Fiacre`);

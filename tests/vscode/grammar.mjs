@@ -10,7 +10,7 @@ import { grammarOf, scopesOf } from './textmate.mjs';
 
 const [captures, ...files] = process.argv.slice(2);
 
-/** The scopes that stand for a capture, by their beginnings. */
+/** The scopes allowed for a capture, by their prefixes. */
 const kScopes = {
   comment: 'comment', string: 'string.quoted', 'string.escape': 'constant.character.escape', number: 'constant.numeric',
   boolean: 'constant.language.boolean', 'constant.builtin': 'constant.language', 'variable.parameter': 'variable.parameter',
@@ -25,7 +25,7 @@ const kScopes = {
 
 const grammar = await grammarOf('proskill');
 
-/** The capture of each byte: of a smaller node before a larger one, of a later pattern before an earlier. */
+/** The capture of each byte: smaller nodes override larger ones, later patterns earlier ones. */
 function capturesOf(file, size) {
   const found = execFileSync(captures, [join(tree, 'tree-sitter-proskill/queries/highlights.scm'), file], { encoding: 'utf8', maxBuffer: 1 << 26 })
     .trim().split('\n').map((line) => line.split(' ')).filter(([, , , name]) => name !== 'spell')

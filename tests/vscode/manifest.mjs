@@ -13,7 +13,7 @@ const manual = readFileSync(join(tree, 'docs/vscode.md'), 'utf8');
 const complaints = [];
 const wanted = (condition, words) => condition || complaints.push(words);
 
-/** A sentence: it begins as one and ends as one. */
+/** Whether it begins and ends like a sentence. */
 const isSentence = (text) => /^[A-Z`].*\.$/s.test(text ?? '');
 
 function commands() {
@@ -29,7 +29,7 @@ function commands() {
   return new Set(contributes.commands.map(({ command }) => command));
 }
 
-/** Where a command is named that VS Code would look for: menus, keys, the walkthrough, lenses have their own test. */
+/** Commands that VS Code looks up: in menus, keys and the walkthrough; lenses have their own test. */
 function mentions(known) {
   const text = JSON.stringify([contributes.menus, contributes.keybindings, contributes.walkthroughs]);
   const named = [...text.matchAll(/(?:command:|onCommand:|"command":")(proskill\.\w+)/g)].map(([, name]) => name);
@@ -37,7 +37,7 @@ function mentions(known) {
   for (const name of new Set(named)) wanted(known.has(name), `${name} is in a menu, a key or the walkthrough, and is no command`);
 }
 
-/** The manual's row of a setting. Of several in one row those after the first show their last word alone: `.megabytes`. */
+/** The manual's row of a setting. In a row with several, those after the first show their last word only: `.megabytes`. */
 function rowOf(name) {
   return manual.split('\n').filter((line) => line.startsWith('| `proskill.')).find((row) => {
     const [first, ...others] = [...row.split('|')[1].matchAll(/`([\w.]+)`/g)].map(([, shown]) => shown);
@@ -67,7 +67,7 @@ function debuggers() {
   }
 }
 
-/** Every path in package.json, and the pictures and pages that those name. */
+/** Every path in package.json, and the pictures and pages in those. */
 function filesNamed() {
   const named = [];
   const walk = (value) => {
@@ -88,7 +88,7 @@ async function files() {
   return named.length;
 }
 
-/** What the marketplace shows, and wants to have. */
+/** What the marketplace shows and requires. */
 function metadata() {
   const { publisher, displayName, description, version, license, categories, keywords, icon, galleryBanner, pricing, engines } = manifest;
   for (const [name, value] of Object.entries({ publisher, displayName, version, license, icon, pricing, engine: engines?.vscode }))

@@ -3,7 +3,7 @@ import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect } from './expect.mjs';
 
-/** A line of one of the panel's menus, named by the beginning of its title; of a section of it. */
+/** Chooses a line of a menu of the panel, by the beginning of its title, in a section. */
 export async function choose(frame, menu, item, section = '') {
   const opener = frame.locator(`.menu > button[title^="${menu}"]`);
   await opener.click();
@@ -14,7 +14,7 @@ export async function choose(frame, menu, item, section = '') {
   if (await list.count()) await list.press('Escape');
 }
 
-/** Saves by the editor's own dialog, and gives the file's bytes. */
+/** Saves with the editor's dialog, and returns the file's bytes. */
 export async function saved({ editor, root }, frame, menu, format, name) {
   const file = join(root, name);
   rmSync(file, { force: true });
@@ -28,7 +28,7 @@ export async function saved({ editor, root }, frame, menu, format, name) {
   return readFileSync(file);
 }
 
-/** A trace or a run, by the editor's own dialog. This reads its folder first, and then writes the folder's name over what was typed. */
+/** Opens a trace or a run with the editor's dialog. The dialog first reads its folder, and then replaces typed text by the folder's name. */
 export async function openFromFile({ editor, root }, name) {
   const path = join(root, name);
   await editor.command('ProSkill: Open Trace or Run from File');

@@ -24,13 +24,13 @@ function workspace() {
   return folder;
 }
 
-/** Playwright's first line says that time is over, and a later one, for what. */
+/** Playwright's first line reports the timeout, and a later one its reason. */
 function whatWasWaitedFor({ message }) {
   const [first, ...rest] = message.replace(/\x1b\[[0-9;]*m/g, '').split('\n');
   return [first, rest.find((line) => /waiting for|locator\(/.test(line))?.trim()].filter(Boolean).join(' ');
 }
 
-/** Whether it went through; leaves the editor as the next one wants it. */
+/** Whether it succeeded; restores the editor for the next one. */
 async function passes(world, name, scenario) {
   const begin = Date.now();
   const { taken } = world.editor;

@@ -9,7 +9,7 @@ import { read } from './extension.mjs';
 const [proskill] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'proskill-snippets-'));
 
-/** The text with every placeholder as it is proposed, and every choice in turn first. */
+/** The text with every placeholder's default, and with each choice in turn. */
 function expand(body) {
   const values = new Map();
   let text = body.join('\n');
@@ -18,7 +18,7 @@ function expand(body) {
   return text.replace(/(?<!\\)\$(\d+)/g, (_, id) => values.get(id) ?? '').replace(/\\\$/g, '$');
 }
 
-/** Where it belongs: at the top, in a skill's body, in an environment's. */
+/** Its context: at the top, in a skill's body, or in an environment's. */
 function program(name, text) {
   if (/^\((def|include)/.test(text)) return text;
   const body = /choose|emit/.test(text)
@@ -34,7 +34,7 @@ for (const [name, { prefix, body, description }] of snippets) {
   const { stdout, stderr } = spawnSync(proskill, ['check', '--format', 'json', file], { encoding: 'utf8' });
   const { diagnostics } = JSON.parse(stdout || '{"diagnostics": null}');
   if (!diagnostics) complaints.push(`${name}: ${stderr}`);
-  // PS01 are those of the form of a text. Names are the user's own.
+  // PS01 are errors of form; names belong to the user
   for (const { code, message } of diagnostics ?? [])
     if (/^PS01/.test(code)) complaints.push(`${name}: ${code} ${message}`);
   if (!prefix || !description) complaints.push(`${name}: no prefix, or no description`);

@@ -1,4 +1,4 @@
-// What VS Code colours with: its TextMate engine, over the grammars of the extension.
+// VS Code's TextMate engine with the grammars of the extension.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';

@@ -121,7 +121,7 @@
         (let ((place (compilation--message->loc (get-text-property (point) 'compilation-message))))
           (should (equal (compilation--loc->line place) 84)))))))
 
-;; As in a terminal: nothing can show images, and there is no other display.
+;; As in a terminal: there are no images and no other display.
 (ert-deftest a-terminal-never-shows-the-text-of-a-picture ()
   (with-current-buffer (find-file-noselect (example "drone/drone"))
     (let ((process-environment (append '("DISPLAY" "WAYLAND_DISPLAY") process-environment)) said)
@@ -149,7 +149,7 @@
         (search-forward "(takeoff height")
         (goto-char (+ 1 (match-beginning 0)))
         (delete-char 1)
-        ;; What a pause in the typing does.
+        ;; simulates a pause in typing
         (eglot--signal-textDocument/didChange)
         (flymake-start)
         (wait-for (lambda () (has-finding "unknown skill `akeoff`")))

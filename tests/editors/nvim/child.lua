@@ -1,4 +1,4 @@
--- A Neovim that a test drives: keys are typed into it, and Lua is asked what has become of them.
+-- A Neovim that a test drives: the test types keys into it, and queries it in Lua.
 local Child = {}
 Child.__index = Child
 
@@ -41,7 +41,7 @@ function Child:keys(keys)
   vim.rpcrequest(self.channel, 'nvim_input', keys)
 end
 
--- Waits until a piece of Lua gives true (or what is neither false nor nil), and returns that.
+-- Waits until a piece of Lua returns a value that is neither false nor nil, and returns it.
 function Child:wait(code, ...)
   local value
   local arguments = { ... }

@@ -1,4 +1,4 @@
--- The language server in the editor, as a user meets it.
+-- The language server in the editor, from the user's view.
 local expect = require('expect')
 
 local function has_diagnostic(part)

@@ -1,7 +1,7 @@
 -- :ProskillAutomaton.
 local expect = require('expect')
 
--- The drone's program; `viewed` is the picture that was last shown, `told` what was said.
+-- The drone's program; `viewed` is the last picture shown, `told` the last message.
 local function drone(child, setup)
   child:lua([[
     told, viewed = {}, nil

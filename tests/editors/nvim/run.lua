@@ -1,5 +1,5 @@
--- Runs the tests of one script, which are functions in a table of { name, function }, each with a
--- Neovim of its own to drive. Prints what failed, and ends with 1 then.
+-- Runs the tests of one script, functions in a table of { name, function }, each with a new Neovim. Prints the
+-- failures; the exit code is then 1.
 local directory = vim.env.PROSKILL_ROOT .. '/tests/editors/nvim'
 package.path = directory .. '/?.lua;' .. package.path
 local Child = require('child')

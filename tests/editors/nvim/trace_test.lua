@@ -84,7 +84,7 @@ return {
     expect.contains(shown, 'Unknown → Ongoing')
     expect.contains(shown, '  battery')
 
-    -- Only what matters: the steps between do nothing to the time that the mission takes.
+    -- Only relevant steps: the others do not affect the duration of the mission.
     child:lua("require('proskill.trace').toggle_relevant()")
     child:lua("require('proskill.trace').next()")
     child:wait(step_at(4))

@@ -4,7 +4,7 @@ local expect = require('expect')
 local root = vim.env.PROSKILL_ROOT
 local examples = vim.fn.glob(root .. '/examples/*/*.proskill', false, true)
 
--- The group at a place, as the tree or a syntax file has it.
+-- The highlight group at a place, from the tree or a syntax file.
 local function group_at(child, pattern)
   child:at(pattern)
   return child:lua([[

@@ -30,7 +30,7 @@ type ProgressValue = p.WorkDoneProgressBegin | p.WorkDoneProgressReport | p.Work
 function fits<T>(_: T) {}
 `;
 
-/** A line of TypeScript for each distinct message of the server, with where it came from. */
+/** A line of TypeScript for each distinct message of the server, with its origin. */
 function linesFor(recording, names) {
   const asked = new Map();
   const lines = [];

@@ -16,7 +16,7 @@ function enumeration(name, members) {
   return `enum class ${name} : int {\n${members.map(([member, value]) => `  ${member} = ${value},\n`).join('')}};\n`;
 }
 
-/** What only bounds a range of numbers is none that is sent. */
+/** Constants that only bound a range are never sent. */
 const errorCodes = ['ErrorCodes', 'LSPErrorCodes'].flatMap(membersOf).filter(([member]) => /^[A-Z]/.test(member));
 
 const files = {

@@ -13,7 +13,7 @@ from scripted import BAD, LAMP, URI, at, codes, server, started, run
 def an_include_of_what_is_no_file_is_an_error_and_nobody_waits_for_it():
     with tempfile.TemporaryDirectory() as folder:
         folder = os.path.realpath(folder)
-        os.mkfifo(f'{folder}/pipe.proskill')  # whoever reads it waits until somebody writes
+        os.mkfifo(f'{folder}/pipe.proskill')  # reading it blocks until somebody writes
         client = started()
         client.open(f'file://{folder}/main.proskill', '(include "pipe.proskill")\n' + LAMP)
         assert 'PS0006' in codes(client.note('textDocument/publishDiagnostics')['diagnostics'])
@@ -69,7 +69,7 @@ def one_file_is_one_whatever_links_lead_to_it():
         client.open(f'{real}/main.proskill', main)
         wait_for_main(has_errors=False)
         assert definition(client, f'{real}/main.proskill') == f'{real}/lamp.proskill'
-        client.open(linked, lamp)  # as the client spells it, and part of the program all the same
+        client.open(linked, lamp)  # as the client spells it, and still part of the program
         assert client.diagnostics(linked, 1) == []
         assert definition(client, f'{real}/main.proskill') == linked
         links = client.result('textDocument/documentLink', {'textDocument': {'uri': f'{real}/main.proskill'}})
@@ -78,14 +78,14 @@ def one_file_is_one_whatever_links_lead_to_it():
         assert {edit['textDocument']['uri']: len(edit['edits']) for edit in edits} == {linked: 1, f'{real}/main.proskill': 2}
         client.change(linked, 2, position(0, 7), position(0, 11), 'light')
         wait_for_main(has_errors=True)
-        # The same file opened by one more name is a text of its own, and takes over when the first is closed.
+        # The same file, opened by another name, is a separate text, and takes over when the first is closed.
         client.open(also, lamp)
         assert client.result('textDocument/definition', at(linked, 0, 8))[0]['uri'] == linked
         wait_for_main(has_errors=True)
         client.close(linked)
         wait_for_main(has_errors=False)
         assert definition(client, f'{real}/main.proskill') == also
-        client.close(also)  # and is still called so, for the client knows it
+        client.close(also)  # and keeps this name, which the client knows
         assert definition(client, f'{real}/main.proskill') == also
         assert client.end() == 0
 
@@ -118,7 +118,7 @@ def fifty_files_at_once():
 def other_texts_of_a_program_are_asked_for_again():
     client = server()
     client.initialize({**CAPABILITIES, 'textDocument': {**CAPABILITIES['textDocument'], 'diagnostic': {}}})
-    client.asked('workspace/diagnostic/refresh')  # the settings have come
+    client.asked('workspace/diagnostic/refresh')  # the settings have arrived
     main = 'file:///nowhere/main.proskill'
     client.open(main, '(include "lamp.proskill")\n(defevent e :effects (lamp Oon))\n')
     client.open(URI, LAMP)
@@ -126,7 +126,7 @@ def other_texts_of_a_program_are_asked_for_again():
         change()
         for what in ('semanticTokens', 'inlayHint', 'inlineValue', 'codeLens', 'diagnostic'):
             client.asked(f'workspace/{what}/refresh')
-    client.change(main, 2, position(0, 0), position(0, 0), ';')  # a text alone is its client's own matter
+    client.change(main, 2, position(0, 0), position(0, 0), ';')  # a single text is configured by its client
     client.result('proskill/status', None)
     assert client.end() == 0
     assert not [each for each in client.questions if each.endswith('/refresh')], client.questions

@@ -30,7 +30,7 @@ export const scenarios = {
     await editor.picture('automaton-shown');
   },
 
-  /** The node under the caret is the one with the ring. */
+  /** The node at the caret is the one with the ring. */
   async follow({ editor, root }) {
     await editor.page.keyboard.press('Control+1');
     const frame = await editor.panel();
@@ -49,7 +49,7 @@ export const scenarios = {
       (await page.locator('.line-numbers.active-line-number').first().textContent()) === String(line));
   },
 
-  /** The picture follows the text; while the text is broken, the last good one stays. */
+  /** The picture follows the text; while the text has errors, the last valid picture stays. */
   async live({ editor, page, root }) {
     const frame = await editor.panel();
     const line = lineOf(root, 'drone/drone.proskill', '((start_drone)');

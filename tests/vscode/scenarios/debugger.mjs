@@ -7,7 +7,7 @@ const kDrone = 'drone/drone.proskill';
 const lineOf = (root, path, text) =>
   readFileSync(join(root, path), 'utf8').split('\n').findIndex((line) => line.includes(text)) + 1;
 
-/** The line at which the debugger has stopped, as the gutter marks it. */
+/** The line at which the debugger has stopped, from the gutter. */
 const stopped = (page) => page.evaluate(() => {
   const mark = document.querySelector('.codicon-debug-stackframe, .codicon-debug-stackframe-focused');
   const row = mark?.closest('.glyph-margin-widgets') ? mark : mark?.parentElement;
@@ -27,7 +27,7 @@ async function nextStop(page, before, key) {
 }
 
 export const scenarios = {
-  /** Forward, and back to the same line. */
+  /** Forwards, and back to the same line. */
   async debugger({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
     await editor.statusSays(/\d+ bad, \d+ warnings?/);
@@ -71,7 +71,7 @@ export const scenarios = {
     await page.locator('.glyph-margin-widgets .codicon-debug-breakpoint').first().waitFor({ state: 'detached' });
   },
 
-  /** F5 without a configuration simulates: the user picks what happens, takes it back, and picks something else. */
+  /** F5 without a configuration simulates: the user chooses a step, undoes it, and chooses another. */
   async simulation({ editor, page }) {
     await editor.command('View: Close All Editors');
     await editor.openFile('lift/lift.proskill');

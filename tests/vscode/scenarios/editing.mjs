@@ -20,7 +20,7 @@ async function typeAndWait(page, key) {
   return page.evaluate(() => window.seen);
 }
 
-/** Verdicts of the text as it is. */
+/** Verdicts on the unchanged text. */
 const kVerified = /\d+ (bad|warnings?|of \d+ good)(?!.*outdated)/;
 
 export const scenarios = {
@@ -46,7 +46,7 @@ export const scenarios = {
     console.log(`        from the key to the squiggle: median ${times[4].toFixed(0)} ms, slowest ${times.at(-1).toFixed(0)} ms`);
   },
 
-  /** A condition that is half typed is completed with the values of its variable. */
+  /** A condition that is being typed is completed with the values of its variable. */
   async completion({ editor, page }) {
     await editor.goTo(30, 9);
     await editor.press('Shift+End', 'Delete');
@@ -106,12 +106,12 @@ export const scenarios = {
     await editor.command('File: Save All Files');
     await expect('the new name in both files', () => ['world', 'mission']
       .every((name) => readFileSync(join(root, `rover/${name}.proskill`), 'utf8').includes('charge_left')));
-    await editor.statusSays(kVerified, 60_000); // though files were opened and closed again that the user did not look at
+    await editor.statusSays(kVerified, 60_000); // although files were opened and closed again that the user did not see
     for (const name of ['world', 'skills', 'mission', 'rover'])
       equal(`the old name in ${name}`, /\(energy |\benergy\)/.test(readFileSync(join(root, `rover/${name}.proskill`), 'utf8')), false);
   },
 
-  /** Where a file that others include is open, alone: after a restart the status is that of its program. */
+  /** Opens only a file that others include: after a restart the status is that of its program. */
   async restarted({ editor, server }) {
     await editor.command('View: Close All Editors');
     await editor.openFile('rover/world.proskill');
@@ -119,7 +119,7 @@ export const scenarios = {
     const before = server.servers().map(({ pid }) => pid);
     await editor.command('ProSkill: Restart the Server');
     await expect('another server', () => server.servers().some(({ pid }) => !before.includes(pid)));
-    await editor.statusSays(/errors|verifying|^ *ProSkill *$/); // what the old one has said is gone
+    await editor.statusSays(/errors|verifying|^ *ProSkill *$/); // problems of the old server are gone
     await editor.statusSays(kVerified, 60_000);
   },
 
@@ -137,7 +137,7 @@ export const scenarios = {
     await editor.command('View: Close Editor');
   },
 
-  /** The server is killed: it comes back, and so do its problems. */
+  /** The server is killed: it restarts, and its problems return. */
   async killed({ editor, server }) {
     await editor.openFile('drone/drone.proskill');
     const { pid } = server.servers().find(({ args }) => args[0] === 'lsp');
@@ -150,7 +150,7 @@ export const scenarios = {
     await editor.squigglesHere().first().waitFor({ state: 'detached' });
   },
 
-  /** Killed again and again, it is given up, and a message says what to do; asked to, it starts again. */
+  /** After repeated crashes it is given up, and a message says what to do; on request, it starts again. */
   async givenUp({ editor, page, server }) {
     const crashed = editor.status().filter({ hasText: 'crashed' });
     for (let kills = 0; !(await crashed.count()); ++kills) {

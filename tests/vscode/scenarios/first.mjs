@@ -8,7 +8,7 @@ import { equal, expect } from '../expect.mjs';
 const kDelay = Number(process.env.PROSKILL_TYPE_DELAY ?? 5);
 const kDrone = 'drone/drone.proskill';
 
-/** What the walkthrough has somebody write; the editor closes parentheses and indents by itself. */
+/** The program that the walkthrough asks for; the editor closes parentheses and indents by itself. */
 const kFirst = [
   '(defsv door :states (Open Shut) :init Shut :transitions ((Shut Open) (Open Shut)))',
   '(defskill open_door :time_interval [1,2] :action (open) :success open (:effects (door Open)))',
@@ -44,7 +44,7 @@ export const scenarios = {
     await frame.locator('.badge.violated').waitFor();
     await frame.locator('.step.current').first().waitFor();
     await editor.picture('first-violated');
-    // The door is shut before the robot drives.
+    // the door is closed before the robot drives
     await editor.press('Control+1');
     await editor.goTo(4, kFirst[3].indexOf('(drive)') + 1);
     await page.keyboard.type('(set (door Shut)) ', { delay: kDelay });
@@ -60,7 +60,7 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
   },
 
-  /** From a click on a lens to what it shows, with the panel open and without. */
+  /** From a click on a lens to its result, with and without an open panel. */
   async clicks({ editor, page }) {
     const figures = [];
     const begin = loadavg()[0].toFixed(1);
@@ -83,7 +83,7 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
   },
 
-  /** Two lines above: the results of the Testing view, the lenses and the squiggles are at their statements. */
+  /** After inserting two lines above: results, lenses and squiggles are at their statements. */
   async lines_above({ editor, page, root }) {
     mkdirSync(join(root, 'ids'), { recursive: true });
     writeFileSync(join(root, 'ids/shifted.proskill'), `${kFirst.join('\n')}\n`);
@@ -105,7 +105,7 @@ export const scenarios = {
     await editor.statusSays(/1 bad(?!.*outdated)/, 60_000);
     await expect('results two lines below, verified again', async () => JSON.stringify(await lines()) === JSON.stringify(before.map((line) => line + 2)));
     await editor.command('Testing: Focus on Test Explorer View');
-    // Rows below the fold do not exist, so each is filtered for.
+    // rows below the fold do not exist, so each is filtered for
     for (const name of ['lift/bug.proskill', 'rover/bug.proskill', 'shifted.proskill']) {
       await page.locator('.testing-filter-wrapper').click();
       await editor.press('Control+a');

@@ -1,5 +1,5 @@
-// Programs of thousands of lines: typing while they are verified, and what is in view first.
-// PROSKILL_TYPE_SECONDS=300 types for five minutes; the tests type for as long as shows that nothing moves.
+// Programs of thousands of lines: typing during verification, and visible parts first. PROSKILL_TYPE_SECONDS=300 types for five minutes; the tests
+// type long enough to show that nothing moves.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
@@ -13,7 +13,7 @@ const kSeconds = Number(process.env.PROSKILL_TYPE_SECONDS ?? 15);
 const kWords = 'what a person types while the program is verified again and again stays where it was typed'.split(' ');
 const kWordsALine = 12;
 
-/** From the key to the mutation that shows it, which comes within the frame that is painted, in milliseconds. */
+/** Milliseconds from the key to the mutation that shows it, within the painted frame. */
 const watchKeys = (page) => page.evaluate((end) => {
   const editor = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.endsWith(end));
   let pressed = null;
@@ -33,7 +33,7 @@ function write(root, file, text) {
 
 const part = (sorted, at) => sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * at))].toFixed(0);
 
-/** Types words into comments until the time is over; returns what was typed, and how often the caret was not where it belongs. */
+/** Types words into comments until the time limit; returns the text, and how often the caret was in a wrong position. */
 async function typeFor(editor, page, seconds, line) {
   const end = Date.now() + seconds * 1000;
   let typed = '';
@@ -45,9 +45,9 @@ async function typeFor(editor, page, seconds, line) {
     typed += word;
     const last = typed.split('\n');
     const wanted = `Ln ${line + last.length - 1}, Col ${last.at(-1).length + 1}`;
-    await page.waitForTimeout(count % 4 === 3 ? 900 : 60); // a pause lets a verification begin
+    await page.waitForTimeout(count % 4 === 3 ? 900 : 60); // a pause starts a verification
     if ((await editor.caret()) !== wanted) {
-      // The status bar is drawn a little later than the text.
+      // the status bar is updated a little later than the text
       await expect('the caret', async () => (await editor.caret()) === wanted, 3000).catch(() => { ++moved; });
     }
   }
@@ -87,7 +87,7 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
   },
 
-  /** 5,000 lines, of which all are decided much later: what is in view has its verdicts first, and no worker is killed. */
+  /** 5,000 lines whose verification takes long: visible properties are decided first, and no worker is killed. */
   async in_view({ editor, page, root }) {
     const text = largeProgram(5_000, 'first one last');
     write(root, kViewed, text);
@@ -99,7 +99,7 @@ export const scenarios = {
     console.log(`        ${said.trim()}, where the first one in view has its mark`);
     await editor.picture('in_view');
     equal('a worker that was killed', /signal/.test(said), false);
-    // On a machine that has decided all by now nothing can be said of the order.
+    // if the machine has decided all by now, the order is unknown
     if (done) equal('properties decided before', Number(done) < Number(total), true);
     await editor.command('View: Close All Editors');
   },

@@ -3,7 +3,7 @@ import { equal, expect } from '../expect.mjs';
 import { choose, saved } from '../panel.mjs';
 
 const nodes = (frame) => frame.locator('.stage g.node').count();
-/** How many kinds of lines the boxes of the legend are drawn with. */
+/** Number of line styles of the boxes in the legend. */
 const legendLines = (frame) => frame.locator('.stage g.graph > polygon:not(:first-of-type)').evaluateAll((boxes) =>
   new Set(boxes.map((box) => getComputedStyle(box).stroke)).size);
 const folded = (frame) => frame.locator('.stage g.role-folded');
@@ -12,13 +12,13 @@ const caretLine = async (page) => Number(await page.locator('.monaco-editor[data
 const clipboard = (page) => page.evaluate(() => navigator.clipboard.readText());
 
 export const scenarios = {
-  /** Branches become one node each, and are opened again: by the menu, by a double click, by the keyboard. */
+  /** Folds branches to one node each, and unfolds them: by the menu, a double click, and the keyboard. */
   async fold({ editor }) {
     const frame = await editor.panel();
     const open = await nodes(frame);
     await choose(frame, 'Fold branches', 'Fold all');
     await folded(frame).filter({ hasText: 'branch 2' }).waitFor();
-    await editor.statusSays(/\d+ bad, \d+ warnings?/); // of the text, though the keyboard is in the picture
+    await editor.statusSays(/\d+ bad, \d+ warnings?/); // of the text, although the focus is in the picture
     equal('fewer nodes', (await nodes(frame)) < open, true);
     await editor.picture('fold-all');
     await folded(frame).filter({ hasText: 'branch 2' }).dblclick();
@@ -43,7 +43,7 @@ export const scenarios = {
     await frame.locator('.stage svg:not(.searching)').waitFor();
   },
 
-  /** With the keyboard alone: to a node, its text is marked; zoom, fit; Enter goes to the text. */
+  /** With the keyboard only: at a node, its text is marked; zoom, fit; Enter goes to the text. */
   async keyboard({ editor, page }) {
     const frame = await editor.panel();
     await frame.locator('.stage').focus();
@@ -72,7 +72,7 @@ export const scenarios = {
     equal('the text at the caret', (await page.locator('.monaco-editor[data-uri$="drone.proskill"] .view-line', { hasText: '(shutdown_drone)' }).count()) > 0 && line > 0, true);
   },
 
-  /** The picture as a file and in the clipboard, as SVG, PNG and DOT. */
+  /** The picture as SVG, PNG and DOT, in files and the clipboard. */
   async copies(world) {
     const { editor, page } = world;
     const frame = await editor.panel();

@@ -1,4 +1,4 @@
-// In this order: later ones use the workspace as earlier ones leave it.
+// In this order: later scenarios use the workspace as earlier ones leave it.
 import { scenarios as automaton } from './automaton.mjs';
 import { scenarios as debugging } from './debugger.mjs';
 import { scenarios as editing } from './editing.mjs';

@@ -30,7 +30,7 @@ async function take(frame, text) {
 }
 
 export const scenarios = {
-  /** By the list and by the automaton, back, saved as a test, taken again after edits, opened again. */
+  /** Chooses steps in the list and the automaton, undoes them, saves the run as a test, replays it after edits, opens it again. */
   async chosen_run(world) {
     const { editor, root } = world;
     mkdirSync(join(root, 'simulated'), { recursive: true });

@@ -1,4 +1,4 @@
-// The Testing view over time: results of an older text, runs that are cancelled, results that come by themselves.
+// The Testing view over time: outdated results, cancelled runs, live results.
 import { readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
@@ -8,7 +8,7 @@ const kDrone = 'drone/drone.proskill';
 const kSettings = '.vscode/settings.json';
 const mission = (page) => row(page, 'takes at least').first();
 
-/** Nine skills side by side, three times each: what no explorer is through with in a minute. */
+/** Nine parallel skills, three times each: no explorer finishes within a minute. */
 function slowProgram() {
   const names = Array.from({ length: 9 }, (_, i) => `s${i}`);
   const skills = names.map((name, i) => `(defskill ${name} :time_interval [${i + 1},${i + 7}] :action (go) :success ok :failure no)`);
@@ -41,7 +41,7 @@ const undone = ({ editor, page }) => expect('the text as it was', async () => {
 });
 
 export const scenarios = {
-  /** A setting with a value that it cannot have is marked; a proper one works as soon as it is saved. */
+  /** An invalid value of a setting is marked; a valid one takes effect when it is saved. */
   async settings(world) {
     const { editor, page } = world;
     await writeSettings(world, '{"proskill.verify.live": "never", "proskill.verify.seconds": 2}');
@@ -56,7 +56,7 @@ export const scenarios = {
     equal('the settings', readFileSync(join(world.root, kSettings), 'utf8'), '{"proskill.verify.live": false}');
   },
 
-  /** The text changes, and nothing verifies it: what is known of it is shown as outdated, wherever it is shown. */
+  /** The text changes without a verification: all results are shown as outdated. */
   async outdated(world) {
     const { editor, page } = world;
     await editor.openFile(kDrone);
@@ -75,12 +75,12 @@ export const scenarios = {
     await undone(world);
   },
 
-  /** A run that takes long is cancelled: nothing is left of it. */
+  /** A long run is cancelled, and nothing remains of it. */
   async cancel({ editor, page, server, root }) {
     const path = join(root, 'lift/slow.proskill');
     writeFileSync(path, slowProgram());
     await editor.openFile('lift/slow.proskill');
-    // Before the editor knows of its properties, there is nothing to run in the file.
+    // the file has nothing to run until the editor knows its properties
     await page.locator('.monaco-editor[data-uri$="slow.proskill"] .testing-run-glyph').first().waitFor();
     await editor.command('Test: Run Tests in Current File');
     await editor.statusSays(/verifying, \d+ of \d+ decided/);
@@ -93,7 +93,7 @@ export const scenarios = {
     rmSync(path);
   },
 
-  /** Live again: verdicts follow the text without a click. */
+  /** With live verification again, verdicts follow the text without a click. */
   async continuous(world) {
     const { editor, page, root } = world;
     await writeSettings(world, '{}');

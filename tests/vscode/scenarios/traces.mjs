@@ -7,7 +7,7 @@ import { choose, openFromFile, saved } from '../panel.mjs';
 import { failing, verified } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
-/** Of those above the mission, of which alone ten properties are bad. */
+/** A lens above the mission, which has ten bad properties. */
 const lens = (page, text) => page.locator('.codelens-decoration', { hasText: '2 bad, 8 warnings' }).locator('a', { hasText: text });
 const steps = (frame) => frame.locator('.step');
 const count = (frame) => frame.locator('.count').textContent();
@@ -34,7 +34,7 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
   },
 
-  /** The steps of one actor, the ones that change something, a variable at the top, a search, another trace beside. */
+  /** Filters by actor and by changes, pins a variable, searches, compares with another trace. */
   async filters({ editor, page, proskill, root }) {
     await editor.openFile(kDrone);
     await editor.statusSays(/\d+ bad, \d+ warnings?/);
@@ -45,7 +45,7 @@ export const scenarios = {
     await expect('the keyboard in the list of steps', () => frame.evaluate(() => document.hasFocus() && document.activeElement.matches('.steps')));
     await editor.press('ArrowDown');
     await frame.locator('#step-1.current').waitFor();
-    // What went wrong in a sentence, why each step came, and by one key only the steps that matter.
+    // a sentence about the violation, a reason for each step, and a key to show only relevant steps
     equal('the sentence above the steps', await frame.locator('.trace-summary').textContent(), verified({ proskill, root }, kDrone, failing).trace.summary.replaceAll('`', ''));
     await frame.locator('.row.why').first().waitFor();
     await editor.picture('filters-why');
@@ -93,7 +93,7 @@ export const scenarios = {
     await frame.locator('body.vscode-dark').waitFor();
   },
 
-  /** Saved as JSON, text and SVG; the JSON is opened again, and so is what `proskill verify` saves. */
+  /** Saves JSON, text and SVG; opens the JSON, and a trace saved by `proskill verify`. */
   async saves(world) {
     const { editor, root, proskill } = world;
     let frame = await editor.panel('.trace-view');
@@ -106,7 +106,7 @@ export const scenarios = {
     try {
       execFileSync(proskill, ['verify', '--save-traces', 'traces', kDrone], { cwd: root, stdio: 'ignore' });
     } catch {
-      // It ends with 1, because something is violated.
+      // the exit code is 1, since a property is violated
     }
     for (const file of [name, `traces/${name}`]) {
       await editor.command('View: Close All Editors');

@@ -12,12 +12,12 @@ export const scenarios = {
     await editor.squiggles().first().waitFor({ state: 'detached' });
   },
 
-  /** Trust is granted because somebody wants to verify, by a mark beside the text: that is then done. */
+  /** The user verifies by a mark beside the text and grants trust; the verification then runs. */
   async trusted({ editor, page, server }) {
     const before = server.servers().map(({ pid }) => pid);
     await editor.openFile('drone/drone.proskill');
     await page.locator('.monaco-editor[data-uri$="drone.proskill"] .testing-run-glyph').first().click();
-    // Tried again, trust is there already.
+    // on the second attempt the workspace is already trusted
     const isAsked = (await editor.status().filter({ hasText: 'syntax and static checks' }).count()) > 0;
     if (isAsked) await page.locator('.monaco-dialog-box .monaco-button', { hasText: /^Trust/ }).first().click();
     if (isAsked) await expect('the server started again, with trust', () => {

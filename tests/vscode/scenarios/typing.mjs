@@ -13,9 +13,9 @@ const current = (frame) => frame.locator('.step.current .number').textContent();
 const lineOf = (root, text) => readFileSync(join(root, kFile), 'utf8').split('\n').findIndex((line) => line.includes(text)) + 1;
 
 export const scenarios = {
-  /** Each word is verified before the next one is typed, with a trace open whose steps are in another file. */
+  /** Each word is verified before the next one is typed, while a trace with steps in another file is open. */
   async typing({ editor, page, root }) {
-    await editor.command('View: Close All Editors'); // a panel of another scenario would be taken for the one that opens
+    await editor.command('View: Close All Editors'); // a panel of another scenario would be taken for the new one
     await editor.openFile(kFile);
     await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
     await editor.command('ProSkill: Open Trace');
@@ -41,7 +41,7 @@ export const scenarios = {
     equal('the text', readFileSync(join(root, kFile), 'utf8').split('\n')[1], kComment);
   },
 
-  /** The bug is repaired in the text: the panel shows the verdict, and no step is marked any more. Undone, the step is back. */
+  /** The bug is fixed in the text: the panel shows the verdict, and no step is marked any more. After undo, the step is marked again. */
   async repaired({ editor, page, root }) {
     const frame = await editor.panel('.trace-view');
     const line = lineOf(root, '(open_doors)');
@@ -62,8 +62,8 @@ export const scenarios = {
   },
 
   /**
-   * Programs that are not open are listed, and the window is loaded again: results of what has not changed are there, and so are
-   * the trace with its step, the picture, and the caret.
+   * Programs that are not open are listed. After a reload of the window, results of unchanged programs, the trace with its step, the picture, and
+   * the caret are restored.
    */
   async reloaded({ editor, page }) {
     await editor.openFile('drone/drone.proskill');
@@ -75,7 +75,7 @@ export const scenarios = {
     await before.locator('.steps').press('ArrowDown');
     await before.locator('#step-1.current').waitFor();
     await editor.command('Testing: Focus on Test Explorer View');
-    // It is not open: what there is to verify of it comes when somebody looks, and it can be run.
+    // It is not open: its properties are requested when the item is expanded, and it can be run.
     await expand(page, 'dock.proskill (');
     await row(page, 'recharge (').first().waitFor();
     await row(page, 'dock.proskill (').first().hover();

@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 
-/** What `proskill verify` says of a property; the editor has to agree with it. */
+/** The verdict of `proskill verify` on a property, with which the editor has to agree. */
 export function verified({ proskill, root }, program, name) {
   let text;
   try {
@@ -26,7 +26,7 @@ async function open(page, text) {
   await found.locator('.monaco-tl-twistie').click({ timeout: 1000 });
 }
 
-/** Opens a row, however often the tree is drawn anew meanwhile. */
+/** Opens a row, however often the tree is redrawn meanwhile. */
 export async function expand(page, text) {
   const found = row(page, text).first();
   await expect(`${text} opened`, async () => {
@@ -65,7 +65,7 @@ export const scenarios = {
     await editor.picture('testing-all');
   },
 
-  /** Its trace is opened, and stepped through by keys: the marked lines are those of the steps. */
+  /** Opens its trace, and steps through it by keys: the marked lines are those of the steps. */
   async trace(world) {
     const { editor, page } = world;
     const { trace } = verified(world, kProgram, failing);

@@ -1,7 +1,7 @@
 import { equal, expect } from '../expect.mjs';
 
 export const scenarios = {
-  /** From the list of walkthroughs; every step shows its text or its picture. */
+  /** Opened from the list of walkthroughs; every step shows its text or its picture. */
   async walkthrough({ editor, page }) {
     await editor.command('Welcome: Open Walkthrough...');
     await editor.quickInput().locator('input.input').fill('Get started with ProSkill');
@@ -22,7 +22,7 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
   },
 
-  /** A click on the status bar says what can be done; each line of it is a command that there is. */
+  /** A click on the status bar lists actions; each is an existing command. */
   async menu({ editor, page }) {
     await editor.status().click();
     const rows = editor.quickInput().locator('.monaco-list-row');
