@@ -20,7 +20,7 @@ complete -c proskill -n '__fish_seen_subcommand_from check' -l format -d 'How to
 complete -c proskill -n '__fish_seen_subcommand_from check' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complete_suffix .fcr)'
-complete -c proskill -n __fish_use_subcommand -a conform -d 'Decide whether a recorded run is a run of the model that is verified'
+complete -c proskill -n __fish_use_subcommand -a conform -d 'Check whether a recorded run is a run of the verified model'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l tolerance -d 'Tolerance on the intervals of actions, in seconds (default 0)' -x
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
@@ -31,7 +31,7 @@ complete -c proskill -n '__fish_seen_subcommand_from dap' -s h -l help -d 'Print
 complete -c proskill -n '__fish_seen_subcommand_from dap' -l port -d 'Wait for one client on this port of the loopback interface (0: any free port) instead of standard input' -x
 complete -c proskill -n __fish_use_subcommand -a emit -d 'Print the Fiacre model of a program'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -s h -l help -d 'Print this help message and exit'
-complete -c proskill -n '__fish_seen_subcommand_from emit' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from emit' -l main -d 'Skill to use as the mission, if several are possible' -x
 complete -c proskill -n '__fish_seen_subcommand_from emit' -s o -l output -d 'Write to this file instead of standard output' -r
 complete -c proskill -n '__fish_seen_subcommand_from emit' -l expanded -d 'fiacre: one state per step of a skill, easier to read'
 complete -c proskill -n '__fish_seen_subcommand_from emit' -l prove -d 'Write `prove` instead of `assert` for each property'
@@ -79,7 +79,7 @@ complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_comple
 complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a run -d 'Execute a program on a robot, or on a simulated one'
 complete -c proskill -n '__fish_seen_subcommand_from run' -s h -l help -d 'Print this help message and exit'
-complete -c proskill -n '__fish_seen_subcommand_from run' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from run' -l main -d 'Skill to use as the mission, if several are possible' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Platform that performs the actions (JSON): a program or a simulation (default: a simulation)' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l script -d 'Script of a simulation (JSON): results, events, interrupts' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time, N times real time (10x), or simulated: time jumps to the next step (default of a simulation)' -x -a 'real simulated Nx'
@@ -93,7 +93,7 @@ complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_
 complete -c proskill -n __fish_use_subcommand -a stubs -d 'Write a typed function for each action of a program, to be filled in'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -l language -d 'The language of the functions' -x -a 'python c cpp'
-complete -c proskill -n '__fish_seen_subcommand_from stubs' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from stubs' -l main -d 'Skill to use as the mission, if several are possible' -x
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from stubs' -ka '(__fish_complete_suffix .fcr)'
@@ -103,7 +103,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l property -d 'Ver
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l list -d 'List the names of the properties, and stop'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l properties -d 'Verify the properties of this file too: Fiacre, or one formula (.ltl)' -r
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l environment -d 'Replace the environment by the Fiacre process in this file' -r
-complete -c proskill -n '__fish_seen_subcommand_from verify' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l main -d 'Skill to use as the mission, if several are possible' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l format -d 'How to print verdicts' -x -a 'text json junit sarif'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l traces -d 'Which traces to print as text: of failed properties, all, or none' -x -a 'failed all none'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l save-traces -d 'Save every trace in this directory, as JSON and text' -x -a '(__fish_complete_directories)'
@@ -128,14 +128,14 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l difference -d 'b
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l cache -d 'Keep verdicts in this directory, and use those that are kept there' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l jobs -d 'Threads to explore with; this version uses one' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets slices inclusion extrapolation'
-complete -c proskill -n '__fish_seen_subcommand_from verify' -l runs -d 'Which runs without end count for your properties that do not say :fair. fair: time goes on, and actions without a time limit end; all: every run, as in Tina' -x -a 'fair all'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l runs -d 'Which infinite runs count for your properties that do not say :fair. fair: time goes on, and actions without a time limit end; all: every run, as in Tina' -x -a 'fair all'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l expanded -d 'Verify the expanded model, with one state per step of a skill'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l sv-automata -d 'exact: detect every forbidden move of a state variable; paper: poll, as the paper does' -x -a 'exact paper'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a view -d 'Show verdicts, traces and automata in a browser, live'
 complete -c proskill -n '__fish_seen_subcommand_from view' -s h -l help -d 'Print this help message and exit'
-complete -c proskill -n '__fish_seen_subcommand_from view' -l main -d 'The skill that is the mission, where several could be' -x
+complete -c proskill -n '__fish_seen_subcommand_from view' -l main -d 'Skill to use as the mission, if several are possible' -x
 complete -c proskill -n '__fish_seen_subcommand_from view' -l no-open -d 'Print the address without opening a browser'
 complete -c proskill -n '__fish_seen_subcommand_from view' -l time-limit -d 'Time limit of a verification in seconds (default 60); properties not decided by then are inconclusive' -x
 complete -c proskill -n '__fish_seen_subcommand_from view' -l memory-limit -d 'Memory limit of a verification in MiB (default 2048)' -x

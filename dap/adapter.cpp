@@ -13,7 +13,7 @@ namespace proskill::dap {
 
 namespace {
 
-constexpr std::string_view kNotLaunched = "nothing is launched yet";
+constexpr std::string_view kNotLaunched = "no session is running";
 
 std::string commandOf(const Json& message) {
   auto command = message.find("command");

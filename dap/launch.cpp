@@ -43,7 +43,7 @@ std::expected<const OrderedJson*, std::string> chosen(const OrderedJson& report,
   }
   if (first) return first;
   if (wanted.empty())
-    return std::unexpected("no property is bad: say with `property` whose trace to replay");
+    return std::unexpected("no property is violated: choose a trace with `property`");
   return std::unexpected(fmt::format("there is no trace of a property `{}`", wanted));
 }
 

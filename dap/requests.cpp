@@ -41,7 +41,7 @@ Adapter::Answer Adapter::initialize(const Json& arguments) {
 }
 
 Adapter::Answer Adapter::launch(const Json& arguments) {
-  if (player) return std::unexpected("something is launched already");
+  if (player) return std::unexpected("a session is already running");
   auto read = readLaunch(arguments);
   if (!read) return std::unexpected(read.error());
   launched = std::move(*read);
@@ -142,7 +142,7 @@ Adapter::Answer Adapter::stepBack(const Json&) {
 
 Adapter::Answer Adapter::resume(const Json&) {
   stop = player->run();
-  if (*stop == Stop::TooLong) stopWords = "Interrupted: the simulation goes on and on";
+  if (*stop == Stop::TooLong) stopWords = "Paused: the simulation may be endless";
   return Json{{"allThreadsContinued", true}};
 }
 

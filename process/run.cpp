@@ -204,7 +204,7 @@ std::string Finished::words() const {
   case Ending::Signalled: return fmt::format("was ended by signal {} ({})", code, strsignal(code));
   case Ending::TimedOut: return fmt::format("was ended after {:.0f} s, the time limit", seconds);
   case Ending::Cancelled: return "was cancelled";
-  case Ending::TooMuchOutput: return "wrote too much output, and was ended";
+  case Ending::TooMuchOutput: return "wrote too much output and was stopped";
   }
   return {};
 }

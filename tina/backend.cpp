@@ -156,7 +156,7 @@ private:
       return Stop{false, fmt::format("the output of `{}` on its graph is not understood", name)};
     outcome.result.exploration = *counts;
     const auto most = options.limits.classes;
-    if (most && counts->classes >= *most) return Stop{true, "the limit of classes was met"};
+    if (most && counts->classes >= *most) return Stop{true, "the limit of classes was reached"};
     return std::nullopt;
   }
 

@@ -35,10 +35,10 @@ std::optional<Session::Stop> Session::judge(const std::string& name,
   using process::Ending;
   if (finished.ending == Ending::Cancelled) return Stop{true, "cancelled"};
   if (finished.ending == Ending::TimedOut)
-    return Stop{true, fmt::format("the time limit was met, in `{}`", name)};
+    return Stop{true, fmt::format("the time limit was reached, in `{}`", name)};
   if (finished.succeeded()) return std::nullopt;
   if (options.limits.bytes && complainsOfMemory(finished))
-    return Stop{true, fmt::format("the memory limit was met, in `{}`", name)};
+    return Stop{true, fmt::format("the memory limit was reached, in `{}`", name)};
   return Stop{false, fmt::format("`{}` {}", name, finished.words())};
 }
 

@@ -24,7 +24,7 @@ std::expected<Workspace, std::string> Workspace::make(const std::optional<fs::pa
   fs::create_directories(*keep, error);
   if (error)
     return std::unexpected(
-        fmt::format("{} cannot be made a directory: {}", keep->string(), error.message()));
+        fmt::format("cannot create the directory {}: {}", keep->string(), error.message()));
   if (!fs::is_empty(*keep, error) || error)
     return std::unexpected(
         fmt::format("{} is not empty; the tools run in a fresh directory", keep->string()));

@@ -41,7 +41,7 @@ std::string LimitWatch::met(const Progress& progress, std::uint64_t growth) {
   }
   if (auto limit = passed(progress.bytes, growth); !limit.empty()) return limit;
   const auto& classes = options.limits.classes;
-  return classes && progress.classes >= *classes ? "the limit of classes was met" : "";
+  return classes && progress.classes >= *classes ? "the limit of classes was reached" : "";
 }
 
 void LimitWatch::look() {
@@ -54,9 +54,9 @@ void LimitWatch::look() {
 std::string LimitWatch::passed(std::uint64_t counted, std::uint64_t growth) {
   const auto& limits = options.limits;
   if (options.cancelled && options.cancelled->load(std::memory_order_relaxed)) return "cancelled";
-  if (limits.seconds && seconds() >= *limits.seconds) return "the time limit was met";
+  if (limits.seconds && seconds() >= *limits.seconds) return "the time limit was reached";
   if (limits.bytes && std::max(counted, resident(now())) + growth >= *limits.bytes)
-    return "the memory limit was met";
+    return "the memory limit was reached";
   return {};
 }
 

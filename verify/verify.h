@@ -184,8 +184,8 @@ struct Unsupported {
 };
 
 /// Answers all questions by one exploration of the dense-time state space. The result is exact: an
-/// answer other than Unknown is never wrong. An answer is Unknown only if a limit was met or the
-/// kind of property is not supported.
+/// answer other than Unknown is never wrong. An answer is Unknown only if a limit was reached or
+/// the kind of property is not supported.
 [[nodiscard]] std::expected<Result, Unsupported> verify(const fiacre::Program& program,
                                                         const fiacre::Provenance& provenance,
                                                         const std::vector<Question>& questions,

@@ -46,7 +46,7 @@ public:
     while (!result) {
       if (cancellation.isCancelled()) return std::unexpected(WorkerFailure{true, "cancelled"});
       if (Clock::now() > deadline)
-        return soFarOr("the verification did not end in time, and was ended");
+        return soFarOr("the verification exceeded its time limit and was stopped");
       auto done = child.exchange(toSend, kPatience);
       toSend.remove_prefix(done.sent);
       hear(done.received);

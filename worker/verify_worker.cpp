@@ -264,7 +264,7 @@ int runVerifyWorker(const std::string& cache) {
   try {
     work(header->job, cache);
   } catch (const std::bad_alloc&) {
-    say({{"stopped", "there was not enough memory within the limit"}});
+    say({{"stopped", "the memory limit was reached"}});
   }
   return kDone;
 }

@@ -40,7 +40,7 @@ void tellUntouched(const std::string& file, const syntax::Document& document) {
   for (auto range : syntax::unformattable(document)) {
     auto line = document.lines().position(range.begin).line + 1;
     std::cerr << (file == "-" ? "standard input" : syntax::printable(file)) << ':' << line
-              << ": left as it is: run `proskill check` to see what is wrong with it\n";
+              << ": not formatted; run `proskill check` to see its errors\n";
   }
 }
 
@@ -75,7 +75,7 @@ Layout layOutFiacre(const std::string& file, std::string text) {
   auto edits = ide::formatFiacre(text);
   if (!edits)
     std::cerr << syntax::printable(file)
-              << ": left as it is: run `proskill check` to see what is wrong with it\n";
+              << ": not formatted; run `proskill check` to see its errors\n";
   return {syntax::Document::parse(std::move(text)),
           edits.value_or(std::vector<syntax::TextEdit>{})};
 }

@@ -92,7 +92,7 @@ int drawAll(const analysis::Program& program, const GraphArguments& arguments,
   std::filesystem::create_directories(directory, error);
   if (error)
     return fail(
-        fmt::format("{} cannot be made a directory: {}", arguments.directory, error.message()));
+        fmt::format("cannot create the directory {}: {}", arguments.directory, error.message()));
   for (const auto& request : requests) {
     const auto bytes = picture(program, arguments, request);
     if (!bytes) return fail(bytes.error());
@@ -107,7 +107,7 @@ int drawOne(const analysis::Program& program, const GraphArguments& arguments,
             const viz::Request& request) {
   const bool standard = arguments.output.empty() || arguments.output == "-";
   if (standard && formatOf(arguments) == viz::Format::Png && isatty(STDOUT_FILENO) != 0)
-    return fail("a PNG is nothing for a terminal: name a file with `-o`");
+    return fail("a PNG cannot be shown in a terminal; name a file with `-o`");
   const auto bytes = picture(program, arguments, request);
   if (!bytes) return fail(bytes.error());
   const auto failed = disk::writeOutput(arguments.output, *bytes);
@@ -127,7 +127,7 @@ int runGraph(const GraphArguments& arguments) {
   if (requests.empty())
     return fail(arguments.name.empty()
                     ? std::string("the program has nothing of this kind")
-                    : fmt::format("nothing is called `{}` that has a picture", arguments.name));
+                    : fmt::format("there is no picture of `{}`", arguments.name));
   if (!arguments.directory.empty()) return drawAll(*program, arguments, requests);
   if (requests.size() > 1)
     return fail("say which one with `--name`, or draw all into a directory with `--out-dir`: " +

@@ -111,7 +111,7 @@ void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
        group::kAdvanced, reductionNames());
   addChoice<bool>(
       command, "--runs", arguments.fairRuns, {{"fair", true}, {"all", false}},
-      "Which runs without end count for your properties that do not say :fair. fair: time goes "
+      "Which infinite runs count for your properties that do not say :fair. fair: time goes "
       "on, and actions without a time limit end; all: every run, as in Tina",
       group::kAdvanced);
   show(command.add_flag("--expanded", arguments.expanded,

@@ -72,8 +72,8 @@ int runConform(const ConformArguments& arguments) {
 
 void addConform(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<ConformArguments>();
-  auto* command = app.add_subcommand(
-      "conform", "Decide whether a recorded run is a run of the model that is verified");
+  auto* command =
+      app.add_subcommand("conform", "Check whether a recorded run is a run of the verified model");
   command
       ->add_option("recording", arguments->recording,
                    "Recording written by `proskill run --record`")

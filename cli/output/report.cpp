@@ -91,7 +91,7 @@ std::optional<std::string> writeReport(const std::filesystem::path& directory,
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
-    return fmt::format("{} cannot be made a directory: {}", directory.string(), error.message());
+    return fmt::format("cannot create the directory {}: {}", directory.string(), error.message());
   const auto hashes = OrderedJson::parse(view::bundle::hashesJson);
   const auto page = fmt::format(
       kReportPage, fmt::arg("script", hashes["script"].get<std::string>()),

@@ -35,7 +35,7 @@ std::optional<std::string> saveTraces(const std::filesystem::path& directory,
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
-    return fmt::format("{} cannot be made a directory: {}", directory.string(), error.message());
+    return fmt::format("cannot create the directory {}: {}", directory.string(), error.message());
   for (const auto& row : report.result.rows) {
     if (!row.trace) continue;
     auto base = directory / row.check->name;

@@ -84,7 +84,7 @@ CLI::Option* show(CLI::Option* option, const char* inGroup, const std::string& v
 
 void addMainSkill(CLI::App& command, std::string& mainSkill) {
   show(command.add_option("--main", mainSkill,
-                          "The skill that is the mission, where several could be"),
+                          "Skill to use as the mission, if several are possible"),
        group::kSubject, "SKILL");
 }
 

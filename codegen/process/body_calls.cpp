@@ -107,10 +107,10 @@ Statement BodyProcess::returnFrom(const BodyState& state) {
 Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee,
                                  syntax::Range range, const std::string& target) {
   const auto isDone = calls.isDone(callee.name());
-  const auto returns = origin(range, fmt::format("`{}` returns", callee.name()));
+  const auto returns = origin(range, fmt::format("continues after `{}`", callee.name()));
   auto goOn = at(causedBy(context, returns, isDone), to(target));
   if (isTrue(precondition(context, callee.skill()))) return goOn;
-  const auto words = origin(range, fmt::format("`{}` was refused", callee.name()));
+  const auto words = origin(range, fmt::format("notices that `{}` was refused", callee.name()));
   causedBy(context, words, isDone);
   auto refused =
       sequence({tag(context.names.tag({body.name, state.name, "refused"})), at(words, to(target))});
@@ -125,7 +125,7 @@ Statement BodyProcess::chooseArm(const BodyState& state, const SkillPlan& callee
   Statement chosen;
   for (std::size_t i = arms.size(); i-- > 0;) {
     const auto& [status, tags, range] = arms[i].pattern;
-    const auto words = fmt::format("`{}` returns: {}", callee.name(), quote(range));
+    const auto words = fmt::format("continues after `{}` with {}", callee.name(), quote(range));
     const bool mayBeRefused = status.text == "refused" || !arms[i].condition;
     auto take = mayBeRefused
                     ? goOnAfter(state, callee, range, state.targets[i])

@@ -24,9 +24,11 @@ std::string busyState(const BodyState& state) { return state.name + "_busy"; }
 BodyProcess::BodyProcess(Context& context, const BodyAutomaton& body, Actor actor, fiacre::Expr me)
     : context(context), body(body), actor(std::move(actor)), calls(context, std::move(me)) {}
 
-std::string BodyProcess::quote(syntax::Range range) const {
-  return "`" + context.origins.excerpt(actor.file, range) + "`";
+std::string BodyProcess::excerpt(syntax::Range range) const {
+  return context.origins.excerpt(actor.file, range);
 }
+
+std::string BodyProcess::quote(syntax::Range range) const { return "`" + excerpt(range) + "`"; }
 
 std::string BodyProcess::lineOf(const BodyState& state) const {
   return context.origins.reference(actor.file, state.statement->range);
@@ -60,7 +62,7 @@ void BodyProcess::addStatement(fiacre::Process& process, const BodyState& state)
   case StatementKind::WaitTime: {
     // a guard that fails and is true again at once must not restart the clock
     const auto words =
-        origin(statement.range, "has waited " + quote(statement.duration.range) + " s");
+        origin(statement.range, "has waited " + excerpt(statement.duration.range) + " s");
     return addWaiting(
         process, state,
         sequence({wait(context.times.waiting(statement.duration)), at(words, to(state.next))}));
@@ -120,8 +122,9 @@ Statement BodyProcess::waitFor(const BodyState& state) {
 
 Statement BodyProcess::timeOut(const BodyState& state) {
   const auto& statement = *state.statement;
-  const auto words = fmt::format("has waited {} s in vain for {}", quote(statement.duration.range),
-                                 quote(statement.condition.range));
+  const auto words =
+      fmt::format("has waited {} s for {} and gives up", excerpt(statement.duration.range),
+                  quote(statement.condition.range));
   return sequence({wait(context.times.waiting(statement.duration)),
                    at(origin(statement.range, words), to(state.targets[0]))});
 }
@@ -139,7 +142,7 @@ Statement BodyProcess::step(const BodyState& state) {
   case StatementKind::Choose: return sequence({atOnce(), choose(state)});
   case StatementKind::Break: return sequence({atOnce(), goOn("leaves the loop")});
   case StatementKind::Goto:
-    return sequence({atOnce(), goOn("goes to `" + std::string(statement.name.text) + "`")});
+    return sequence({atOnce(), goOn("jumps to `" + std::string(statement.name.text) + "`")});
   case StatementKind::Set: {
     const auto words = origin(statement.range, "sets " + quote(statement.effects.range));
     return sequence(
@@ -152,7 +155,7 @@ Statement BodyProcess::step(const BodyState& state) {
   case StatementKind::Success:
   case StatementKind::Failure: return sequence({atOnce(), conclude(statement)});
   case StatementKind::Emit: {
-    const auto words = "lets `" + std::string(statement.name.text) + "` occur";
+    const auto words = "generates the event `" + std::string(statement.name.text) + "`";
     return sequence(
         {at(origin(statement.range, words), synchronise(context.names.event(statement.name.text))),
          to(state.next)});
@@ -198,9 +201,8 @@ Statement BodyProcess::join(const BodyState& state) {
   std::vector<fiacre::Expr> done;
   for (const auto& branch : state.branches) done.push_back(calls.isDone(branch.name));
   done.push_back(mayGoOn());
-  const auto words = origin(state.statement->range,
-                            isRace(state) ? "a branch has won the race, and the others have ended"
-                                          : "all parallel branches have ended");
+  const auto words = origin(state.statement->range, isRace(state) ? "joins its racing branches"
+                                                                  : "joins its parallel branches");
   auto all = conjunction(std::move(done));
   causedBy(context, words, all);
   return sequence({atOnce(), on(std::move(all)), at(words, to(state.next))});
@@ -219,9 +221,9 @@ Statement BodyProcess::testArms(const BodyState& state) {
   const bool hasElse = !arms.back().condition;
   const auto tests = arms.size() - (hasElse ? 1 : 0);
   const auto& otherwise = hasElse ? state.targets.back() : state.next;
-  auto chain = tests == 1
-                   ? tested(arms[0].condition->range, false, otherwise)
-                   : at(origin(state.statement->range, "all its tests are false"), to(otherwise));
+  auto chain = tests == 1 ? tested(arms[0].condition->range, false, otherwise)
+                          : at(origin(state.statement->range, "finds all its conditions false"),
+                               to(otherwise));
   const auto allFalse = chain.origin;
   for (std::size_t i = tests; i-- > 0;) {
     const auto test = conditionIn(body.name, context, *arms[i].condition);
@@ -250,7 +252,7 @@ Statement BodyProcess::choose(const BodyState& state) {
   std::vector<Statement> choices;
   for (std::size_t i = 0; i < state.targets.size(); ++i)
     choices.push_back(
-        at(origin(state.statement->branches[i].range, fmt::format("chooses possibility {}", i + 1)),
+        at(origin(state.statement->branches[i].range, fmt::format("chooses alternative {}", i + 1)),
            to(state.targets[i])));
   return select(std::move(choices));
 }

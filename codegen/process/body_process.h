@@ -75,6 +75,7 @@ private:
   [[nodiscard]] fiacre::Statement tested(syntax::Range range, bool value,
                                          const std::string& target);
   [[nodiscard]] std::string lineOf(const BodyState& state) const;
+  [[nodiscard]] std::string excerpt(syntax::Range range) const;
   [[nodiscard]] std::string quote(syntax::Range range) const;
 };
 

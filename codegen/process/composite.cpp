@@ -170,7 +170,7 @@ private:
     if (joining && skill.branchEnds) {
       const auto outcome = name(context.names.outcome(skill.name()));
       const auto ended = negation(mayGoOn());
-      all.push_back(strike(seen(ended, told(ended, node.name.range, "a branch has ended it")),
+      all.push_back(strike(seen(ended, told(ended, node.name.range, "is ended by a branch")),
                            running, note(outcome)));
     }
     return all;

@@ -27,7 +27,7 @@ std::optional<fiacre::Function> invariantActive(Context& context) {
 
   fiacre::Function function;
   function.name = "invariant_active";
-  function.comment = "An invariant has failed, and the skill whose it is has not yet noticed.";
+  function.comment = "Whether an invariant has failed and its skill has not noticed yet.";
   function.parameters.push_back({"skill", namedType("skill_array"), false});
   for (const auto& variable : context.program.stateVariables.all)
     if (const auto& name = context.names.variable(variable.name()); mentions(any, name))

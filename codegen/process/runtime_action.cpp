@@ -139,7 +139,7 @@ void RuntimeAction::addDispatch(fiacre::Process& process) {
   addState(process, "error", frame.place(),
            sequence({atOnce(), at(words, tag(context.names.tag({skill.name(), "unknown_result"}))),
                      frame.end(interruptionOf(skill))}),
-           "A result that is none of the skill's.");
+           "Not a result of the skill.");
 }
 
 void declareActions(Context& context, fiacre::Program& program) {

@@ -67,7 +67,7 @@ Ending failureOf(const syntax::Invariant& invariant) {
   result.tag = invariant.tag;
   result.effects = &invariant.effects;
   result.range = invariant.range;
-  result.description = "invariant `" + std::string(invariant.tag.text) + "` fails";
+  result.description = "finds its invariant `" + std::string(invariant.tag.text) + "` violated";
   return result;
 }
 

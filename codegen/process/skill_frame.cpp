@@ -108,7 +108,7 @@ Statement SkillFrame::refuse(std::string_view next) {
   const syntax::Range range = all.empty()
                                   ? skill.skill().name.range
                                   : syntax::Range{all.front().range.begin, all.back().range.end};
-  const auto words = origin(range, "is refused: its precondition does not hold");
+  const auto words = origin(range, "is refused because of its precondition");
   for (const auto& each : all)
     decidedBy(context, words, condition(context, each.condition), false, quote(each.range));
   return sequence({at(words, refusal()), returnControl(), to(next)});

@@ -19,7 +19,7 @@ void addExact(Context& context, const Variable& variable, const Actor& actor,
   const auto place = process.origin;
   if (!context.alarmed.contains(variable.name())) {
     process.states = {{"legal", place}, {"error", place}};
-    process.comment += "\nNothing that the program does is forbidden to it.";
+    process.comment += "\nThe program makes no move that it forbids.";
     return;
   }
   const auto words = context.origins.of(actor, variable->name.range, "has made a forbidden move");
@@ -108,8 +108,7 @@ public:
 
   fiacre::Process make() {
     process.name = context.names.process({"initial", "values"});
-    process.comment =
-        "What may be one or the other at the start is chosen before anything happens.";
+    process.comment = "Chooses initial values before anything else happens.";
     process.origin = context.origins.of({"start", 0}, {});
     // polling automata read the chosen value
     const bool apart = context.options.automata == StateVariableAutomata::Paper;
@@ -142,8 +141,9 @@ private:
       auto value = valueOf(context, variable.node(), init);
       const auto words = context.origins.of(
           actor, init.range,
-          fmt::format("starts as {}", variable->isNatural() ? std::to_string(init.number.numerator)
-                                                            : fmt::format("`{}`", init.name.text)));
+          fmt::format("starts with {}", variable->isNatural()
+                                            ? std::to_string(init.number.numerator)
+                                            : fmt::format("`{}`", init.name.text)));
       values.push_back(
           at(words, assign(name(context.names.variable(variable.name())), std::move(value))));
     };

@@ -46,7 +46,7 @@ public:
 private:
   void addIdle() {
     const auto words =
-        causedBy(context, origin("sees it start"), cell(again ? "watched" : "inv_active"));
+        causedBy(context, origin("starts measuring"), cell(again ? "watched" : "inv_active"));
     addState(process, "idle", place(),
              sequence({atOnce(), on(cell(again ? "watched" : "inv_active")),
                        at(words, to(mayBeEarly ? "early" : "on_time"))}));
@@ -54,7 +54,7 @@ private:
 
   void addEarly() {
     const Interval exactly{.lower = bounds.lower, .upper = bounds.lower};
-    const auto words = origin("its least time is over");
+    const auto words = origin("reaches the least time");
     std::vector<Statement> ends;
     if (again || context.isRuntime())
       ends = bounds.lowerOpen && !context.isRuntime() ? endAtTheBound() : endSeen();
@@ -94,10 +94,10 @@ private:
         sequence({atOnce(), on(std::move(hasEnded)), release(), at(sawEnd(), to("idle"))})};
     if (usesOver)
       all.push_back(sequence({atOnce(), on(name("over")), assign(name("over"), boolean(false)),
-                              at(origin("turns to the next run"), to("idle"))}));
+                              at(origin("begins with the next run"), to("idle"))}));
     if (bounds.upper) {
-      const auto words = origin(fmt::format("overshoot: `{}` takes more than {} s", skill.name(),
-                                            toString(*seconds.upper)));
+      const auto words = origin(fmt::format("detects an overshoot: `{}` takes more than {} s",
+                                            skill.name(), toString(*seconds.upper)));
       all.push_back(sequence({wait(afterUpper()), at(words, to("skill_overshoot"))}));
     }
     addState(process, "on_time", place(), select(std::move(all)));
@@ -144,10 +144,10 @@ private:
   OriginId origin(std::string_view words) {
     return context.origins.of(actor, seconds.range, words);
   }
-  OriginId sawEnd() { return causedBy(context, origin("sees it end"), ended()); }
+  OriginId sawEnd() { return causedBy(context, origin("stops measuring"), ended()); }
   OriginId tooEarly() {
-    const auto words =
-        fmt::format("undershoot: `{}` took less than {} s", skill.name(), toString(seconds.lower));
+    const auto words = fmt::format("detects an undershoot: `{}` took less than {} s", skill.name(),
+                                   toString(seconds.lower));
     return causedBy(context, origin(words), ended());
   }
 

@@ -88,7 +88,7 @@ private:
       reachable("can_fail", detail, "can fail" + with, std::move(happens));
     else if (ending.status == "failed_inv")
       reachable("invariant_may_fail", detail,
-                fmt::format("may have its invariant {} fail", syntax::backquoted(detail)),
+                fmt::format("can end because its invariant {} fails", syntax::backquoted(detail)),
                 std::move(happens));
     else
       reachable("can_be_interrupted", "", "can be interrupted", std::move(happens));

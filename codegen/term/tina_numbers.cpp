@@ -157,7 +157,7 @@ bool isTaken(const fiacre::Program& program, const std::string& name) {
 fiacre::Function identity(const std::string& called) {
   fiacre::Function function;
   function.name = called;
-  function.comment = "The number as one of `int`.";
+  function.comment = "Converts a number to `int`.";
   function.parameters = {{"number", {.kind = TypeKind::Int}}};
   function.result = {.kind = TypeKind::Int};
   function.body = {.kind = StatementKind::Return, .values = {name("number")}};

@@ -100,7 +100,7 @@ std::optional<MissingStep> SimulatedRun::follow(std::span<const ChosenStep> want
 /// The program may still allow the step at another time or by another path.
 std::string SimulatedRun::whyMissing(const ChosenStep& wanted) const {
   const auto offered = choices();
-  if (offered.empty()) return "nothing is possible any more";
+  if (offered.empty()) return "no step is possible any more";
   const auto own = std::ranges::find(offered, wanted.actor, &TraceStep::actor);
   const auto& instead = own != offered.end() ? *own : offered.front();
   return fmt::format("{} `{}` {}", own != offered.end() ? "now" : "the next is", instead.actor,

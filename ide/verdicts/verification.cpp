@@ -120,7 +120,7 @@ std::optional<verify::Question> progressBeside(const codegen::Model& model, cons
   return verify::Question{found->property};
 }
 
-constexpr std::string_view kOfRunsWithTime = "of runs in which time goes on";
+constexpr std::string_view kOfRunsWithTime = "for runs in which time goes on";
 
 /// In a fair run, an action without a time limit ends eventually.
 std::string unlessForEver(const codegen::Model& model) {
@@ -128,9 +128,9 @@ std::string unlessForEver(const codegen::Model& model) {
   std::set<std::string> names;
   for (const auto& [_, name] : model.obliged) names.insert(name);
   if (names.size() > kMost)
-    return fmt::format("unless one of {} actions and waits without a time limit takes for ever",
+    return fmt::format("unless one of {} actions and waits without a time limit never ends",
                        names.size());
-  return fmt::format("unless {} takes for ever", fmt::join(names, " or "));
+  return fmt::format("unless {} never ends", fmt::join(names, " or "));
 }
 
 /// Runs in which time stops violate no bound; says that they do not count.

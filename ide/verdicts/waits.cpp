@@ -2,20 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 namespace proskill::ide {
 
 namespace {
 
 constexpr std::size_t kMost = 4;
 
-/// The wait for a step, from the step's description: "has waited for `(door Open)`", "`drive`
-/// returns".
+/// How descriptions of steps begin, and how the waits for these steps do.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kBeginnings{{
+    {"has waited ", "waits "},
+    {"continues after ", "waits for the end of "},
+    {"joins ", "waits for the end of "},
+    {"notices that ", "waits until "},
+}};
+
+/// "`m` waits for the end of `drive`", from the step "m continues after `drive`".
 std::string waitText(const fiacre::Origin& next) {
-  constexpr std::string_view kPast = "has waited ";
   const std::string_view step = next.description;
-  if (step.starts_with(kPast))
-    return fmt::format("`{}` waits {}", next.actor, step.substr(kPast.size()));
-  return fmt::format("`{}` waits until {}", next.actor, step);
+  for (const auto& [beginning, wait] : kBeginnings)
+    if (step.starts_with(beginning))
+      return fmt::format("`{}` {}{}", next.actor, wait, step.substr(beginning.size()));
+  return fmt::format("`{}` waits until it {}", next.actor, step);
 }
 
 } // namespace

@@ -76,8 +76,8 @@ private:
   void addCondition(const verify::GroundValue& value, const Ground& ground) {
     const auto support = supportText(value.support);
     if (ground.text.empty()) return say(support);
-    say(fmt::format("{} is {}{}{}", ground.text, ground.expected ? "true" : "false",
-                    support.empty() ? "" : ": ", support));
+    say(fmt::format("{} is {}{}", ground.text, ground.expected ? "true" : "false",
+                    support.empty() ? "" : fmt::format(" ({})", support)));
   }
 
   /// `energy` 1 − 2 = −1 is below `:min` 0.
@@ -150,11 +150,11 @@ std::string afterText(const Trace& trace) {
 std::string stepText(const Trace& trace, std::size_t number) {
   const auto& step = trace.steps[number - 1];
   return fmt::format("{} {} {}{}{}", whenText(trace, number), step.actor, step.description,
-                     step.why.empty() ? "" : ": ", step.why);
+                     step.why.empty() ? "" : ". Reason: ", step.why);
 }
 
 std::string repeatText(const Trace& trace) {
-  return fmt::format("the steps from {} to {} may be repeated for ever", *trace.loop + 1,
+  return fmt::format("steps {} to {} can be repeated for ever", *trace.loop + 1,
                      trace.steps.size());
 }
 
@@ -207,10 +207,10 @@ std::string failureText(const codegen::Check& check, const codegen::Model& model
   if (check.operands.size() == 2 && kind == PatternKind::LeadsTo)
     return fmt::format("{} does not follow {}", operand(1), operand(0));
   if (check.operands.size() == 2 && kind == PatternKind::Precedes)
-    return fmt::format("{} comes without {} before it", operand(1), operand(0));
+    return fmt::format("{} becomes true without {} before it", operand(1), operand(0));
   if (check.operands.size() == 1) {
-    if (kind == PatternKind::Present) return operand(0) + " does not come";
-    if (kind == PatternKind::InfinitelyOften) return operand(0) + " does not come again";
+    if (kind == PatternKind::Present) return operand(0) + " does not become true";
+    if (kind == PatternKind::InfinitelyOften) return operand(0) + " does not become true again";
     if (kind == PatternKind::Always) return operand(0) + " is false";
     if (kind == PatternKind::Absent)
       return operand(0) +
@@ -253,8 +253,8 @@ std::vector<std::string> whyOf(const verify::Trace& trace, const codegen::Model&
 std::string summaryOf(const codegen::Check& check, const codegen::Model& model, const Trace& trace,
                       const std::vector<Support>& support) {
   if (check.kind == "no_deadlock")
-    return sentence(afterText(trace) + " nothing is possible any more, and the mission has not "
-                                       "ended");
+    return sentence(afterText(trace) +
+                    " no step is possible any more, and the mission has not ended");
   if (check.kind == "time_progress") {
     if (trace.loop) return sentence(repeatText(trace) + ", and no time passes");
     return sentence(afterText(trace) + " time can never pass again");

@@ -41,8 +41,8 @@ std::string withSetting(const std::string& reason, const LimitSettings& limits) 
     if (setting.empty()) return reason;
     return fmt::format("{}; the setting `{}` raises it", reason, setting);
   };
-  if (reason.ends_with("the time limit was met")) return raisedBy(limits.seconds);
-  if (reason.ends_with("the memory limit was met")) return raisedBy(limits.megabytes);
+  if (reason.ends_with("the time limit was reached")) return raisedBy(limits.seconds);
+  if (reason.ends_with("the memory limit was reached")) return raisedBy(limits.megabytes);
   return reason;
 }
 

@@ -148,7 +148,7 @@ test('what is said of a recorded run ends no bar', () => {
 });
 
 test('a call that is refused is no run', () => {
-  const lanes = lanesOf(trace({ 'a.status': 'no_status' }, ['a: is refused: its precondition does not hold @0']));
+  const lanes = lanesOf(trace({ 'a.status': 'no_status' }, ['a: is refused because of its precondition @0']));
   assert.deepEqual(lanes[0]!.bars, []);
   assert.deepEqual(lanes[0]!.marks, [0]);
 });

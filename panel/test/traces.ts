@@ -24,10 +24,10 @@ export const flight = trace({ battery: 'Good', level: '4', idle: 'x', 'takeoff.s
   'mission: calls `takeoff` @0',
   'takeoff: starts @0 level=4>3',
   'battery_low: occurs @2 battery=Good>Low',
-  'takeoff: invariant `power` fails @2',
+  'takeoff: finds its invariant `power` violated @2',
   'takeoff: fails with `grounded` @2.5 takeoff.status=no_status>failed_inv',
-  'mission: `takeoff` returns @2.5',
+  'mission: continues after `takeoff` @2.5',
   'mission branch 1: starts @2.5',
-  'watchdog of mission: sees it start @2.5',
+  'watchdog of mission: starts measuring @2.5',
   'mission branch 1: ends @3',
 ]);

@@ -104,12 +104,12 @@ std::unique_ptr<runtime::Observer> runText(std::ostream& out, RunSubject subject
 std::string_view toWords(End end) {
   switch (end) {
   case End::Mission: return "the mission has ended";
-  case End::Until: return "the time is over";
+  case End::Until: return "the time limit was reached";
   case End::Stopped: return "stopped: every action has ended";
   case End::Abandoned: return "stopped, but not every action has ended";
-  case End::Stuck: return "nothing can happen any more";
-  case End::NoTime: return "the program takes steps without end, and time does not go on";
-  case End::Failed: return "a step is an error of the model";
+  case End::Stuck: return "no step is possible any more";
+  case End::NoTime: return "the program takes endless steps without time passing";
+  case End::Failed: return "a step failed, which is an error of the model";
   case End::Lost: return "the platform has ended before the mission did";
   }
   return "";

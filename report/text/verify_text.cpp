@@ -180,7 +180,7 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
                      bytesText(explored.bytes), explored.seconds,
                      explored.complete ? "" : "; stopped: " + withOption(explored.stopped));
   if (explored.known > 0)
-    out << fmt::format("{} of {} verdicts are kept from before\n",
+    out << fmt::format("{} of {} verdicts were known from before\n",
                        std::min<std::uint64_t>(explored.known, rows.size()), rows.size());
 }
 
@@ -197,11 +197,11 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
   Paint paint{colour};
   auto layout = layoutOf(*row.trace);
   if (!row.trace->summary.empty()) out << "  " << row.trace->summary << '\n';
-  if (layout.marks) out << "  " << paint(Colour::Dim, "• steps that matter to this") << '\n';
+  if (layout.marks) out << "  " << paint(Colour::Dim, "• relevant steps") << '\n';
   std::size_t number = 0;
   for (const auto& step : row.trace->steps) writeStep(out, report, step, ++number, layout, paint);
   if (row.trace->loop)
-    out << fmt::format("    and from step {} on again and again\n", *row.trace->loop + 1);
+    out << fmt::format("    and from step {} on, repeated for ever\n", *row.trace->loop + 1);
   else if (row.trace->rest == verify::Rest::Forced)
     out << "    and nothing happens any more\n";
   else if (row.trace->end && row.trace->rest == verify::Rest::Allowed)

@@ -83,7 +83,7 @@ private:
     if (is && !std::exchange(isHeldUp, is))
       tell({.kind = RemarkKind::Note,
             .date = date,
-            .text = "this process was held up: steps are taken later than their dates"});
+            .text = "this process was suspended: steps are taken later than their dates"});
     isHeldUp = is;
   }
 
@@ -132,7 +132,7 @@ private:
       tell({.kind = RemarkKind::Fault,
             .date = date,
             .subject = nameOf(action),
-            .text = "nobody is there to perform its action"});
+            .text = "its action cannot start: the platform has ended"});
       return end(End::Lost);
     }
     auto& run = runs[action];
@@ -165,7 +165,7 @@ private:
       return tell({.kind = RemarkKind::Fault,
                    .date = date,
                    .subject = nameOf(report.action),
-                   .text = report.text.empty() ? "a result of a run that has ended; it is ignored"
+                   .text = report.text.empty() ? "ignored a result of a run that has already ended"
                                                : std::string_view(report.text)});
     if (!report.text.empty())
       tell({.kind = RemarkKind::Fault,
@@ -199,7 +199,7 @@ private:
           .date = date,
           .subject = of.name,
           .text = of.interrupts ? "there is nothing to interrupt"
-                                : "the program's environment says when it comes"});
+                                : "ignored: the program's environment generates this event"});
   }
 
   [[nodiscard]] bool missionIsOver() const {
@@ -242,7 +242,7 @@ private:
         tell({.kind = RemarkKind::Fault,
               .date = date,
               .subject = nameOf(i),
-              .text = "its action did not stop in time; it is left to the platform"});
+              .text = "its action did not stop in time, and may still be running"});
     end(all ? End::Stopped : End::Abandoned);
   }
 

@@ -24,7 +24,7 @@ Span spanOf(const fiacre::Interval& interval, Nanoseconds unit) {
   Span span{.first = interval.lower * unit + (interval.lowerOpen ? 1 : 0), .last = {}};
   if (interval.upper) span.last = *interval.upper * unit - (interval.upperOpen ? 1 : 0);
   if (span.last && *span.last < span.first)
-    throw Refused{{"an interval of time that no nanosecond lies in", {}}};
+    throw Refused{{"an interval that contains no whole nanosecond", {}}};
   return span;
 }
 
@@ -51,9 +51,8 @@ private:
   void findUnit() {
     const auto unit = made.model.unit;
     if (unit.denominator > kSecond || kSecond % unit.denominator != 0)
-      throw Refused{{fmt::format("{} s is less than a nanosecond, or no whole number of them",
-                                 syntax::toString(unit)),
-                     {}}};
+      throw Refused{
+          {fmt::format("{} s is not a whole number of nanoseconds", syntax::toString(unit)), {}}};
     made.unit = unit.numerator * (kSecond / unit.denominator);
   }
 

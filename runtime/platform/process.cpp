@@ -258,7 +258,7 @@ private:
     if (message.kind == Kind::Failed) report.text = "its action failed: " + message.text;
     if (message.kind == Kind::Stopped && !found->isAsked)
       report.text = "its action has stopped without being asked to";
-    if (!counts) report.text = "a result of a run that has ended; it is ignored";
+    if (!counts) report.text = "ignored a result of a run that has already ended";
     reports.push_back(std::move(report));
   }
 

@@ -199,7 +199,7 @@ TEST_CASE("where time is up before a kept violation is replayed, what needs no r
   std::size_t decided = 0;
   for (const auto& row : result->rows) decided += row.verdict != ide::Verdict::Inconclusive;
   CHECK(decided > 1);
-  CHECK(result->exploration.stopped == "the time limit was met");
+  CHECK(result->exploration.stopped == "the time limit was reached");
 }
 
 TEST_CASE("two processes add to what is kept of a model") {

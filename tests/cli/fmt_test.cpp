@@ -88,8 +88,7 @@ TEST_CASE("fmt says what it leaves as it is") {
   const Finished result = layOut({"-"}, "(defevent  e)\n(defsv  a :init (1\n(defevent  f)\n");
   CHECK(result.exitCode == 0);
   CHECK(result.out == "(defevent e)\n(defsv  a :init (1\n(defevent f)\n");
-  CHECK(result.err ==
-        "standard input:2: left as it is: run `proskill check` to see what is wrong with it\n");
+  CHECK(result.err == "standard input:2: not formatted; run `proskill check` to see its errors\n");
 }
 
 TEST_CASE("fmt lays out Fiacre, and leaves what it cannot read") {
@@ -107,8 +106,7 @@ TEST_CASE("fmt lays out Fiacre, and leaves what it cannot read") {
   const auto broken = directory.write("broken.fcr", "process   P is");
   const Finished result = layOut({broken});
   CHECK(result.exitCode == 0);
-  CHECK(result.err ==
-        broken + ": left as it is: run `proskill check` to see what is wrong with it\n");
+  CHECK(result.err == broken + ": not formatted; run `proskill check` to see its errors\n");
   CHECK(readFile(broken) == "process   P is");
 }
 

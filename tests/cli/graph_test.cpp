@@ -86,8 +86,7 @@ TEST_CASE("graph asks which one where there are several, and says what there is 
   CHECK(which.exitCode == 2);
   CHECK(contains(which.err, "--name"));
   CHECK(contains(which.err, "takeoff, goto_waypoint"));
-  CHECK(graph({"--name", "nothing"}).err ==
-        "error: nothing is called `nothing` that has a picture\n");
+  CHECK(graph({"--name", "nothing"}).err == "error: there is no picture of `nothing`\n");
   CHECK(graph({"--kind", "sv", "--name", "nothing"}).err ==
         "error: there is no state variable `nothing`\n");
   CHECK(graph({"--kind", "tree"}).exitCode == 2);

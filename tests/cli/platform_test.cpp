@@ -91,7 +91,7 @@ TEST_CASE("a second request does not wait for actions that do not stop") {
   CHECK(done.out.find("not every action has ended") != std::string::npos);
   const auto recorded = Json::parse(platform.text("run.json"));
   CHECK(recorded["steps"].back()["description"] ==
-        "fault: its action did not stop in time; it is left to the platform");
+        "fault: its action did not stop in time, and may still be running");
 }
 
 TEST_CASE("a program sees the end of its input when the executor is killed") {

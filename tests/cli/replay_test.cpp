@@ -29,7 +29,7 @@ Json stepsTo(const std::string& result) {
   return Json::array({{{"actor", "recharge"}, {"description", "starts"}},
                       {{"actor", "recharge"}, {"description", "calls `drive_onto_dock`"}},
                       {{"actor", "drive_onto_dock"}, {"description", "starts"}},
-                      {{"actor", "watchdog of recharge"}, {"description", "sees it start"}},
+                      {{"actor", "watchdog of recharge"}, {"description", "starts measuring"}},
                       {{"actor", "drive_onto_dock"}, {"description", result}}});
 }
 

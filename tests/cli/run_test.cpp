@@ -70,7 +70,8 @@ TEST_CASE("run follows a script") {
   const auto done = executed({"--script", script, kDockToRun});
   CHECK(done.exitCode == 1);
   CHECK(done.out.find("3 s  drive_onto_dock  succeeds with `docked`") != std::string::npos);
-  CHECK(done.out.find("5 s  charge           invariant `at_dock` fails") != std::string::npos);
+  CHECK(done.out.find("5 s  charge           finds its invariant `at_dock` violated") !=
+        std::string::npos);
   CHECK(done.out.find("5 s  recharge         fails with `gave_up`") != std::string::npos);
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("a run of a day is recorded whole, in as much memory as a short one") 
       test::run({"/bin/sh", "-c",
                  "ulimit -v 128000; exec " PROSKILL_PROGRAM " run --until 1d --record " + path +
                      " " + day + " | tail -n 1"});
-  CHECK(small.out.find("the time is over after 86400 s") == 0);
+  CHECK(small.out.find("the time limit was reached after 86400 s") == 0);
   CHECK(small.err.empty());
 }
 

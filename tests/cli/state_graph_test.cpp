@@ -55,7 +55,7 @@ TEST_CASE("a state graph that a limit cuts is an error, and leaves no file") {
   const auto path = files.path("lift.aut");
   const auto cut = graph({kLift, "--graph", path, "--class-limit", "1000"});
   CHECK(cut.exitCode == 3);
-  CHECK_THAT(cut.err, Catch::Contains("not complete: the limit of classes was met"));
+  CHECK_THAT(cut.err, Catch::Contains("not complete: the limit of classes was reached"));
   CHECK(std::filesystem::is_empty(files.path()));
 }
 

@@ -130,7 +130,7 @@ TEST_CASE("verify --backend tina ends at its limit, inconclusive") {
   scene.tools.replace("sift", "sleep 600");
   const auto result = scene.verify({"--backend", "tina", "--time-limit", "0.2"});
   CHECK(result.exitCode == 3);
-  CHECK_THAT(result.out, Catch::Contains("inconclusive (the time limit was met, in `"));
+  CHECK_THAT(result.out, Catch::Contains("inconclusive (the time limit was reached, in `"));
 }
 
 TEST_CASE("verify --backend tina, interrupted, leaves no process and no file behind") {

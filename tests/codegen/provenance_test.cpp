@@ -83,12 +83,12 @@ TEST_CASE("steps are told in words of the program, with the place that they come
   const auto model = test::modelOf(kProgram);
   const auto wave = toldIn(model, kProgram, "skill_wave");
   CHECK(tells(wave, {"wave", "starts", "wave"}));
-  CHECK(tells(wave, {"wave", "is refused: its precondition does not hold", "free (motion Free)"}));
+  CHECK(tells(wave, {"wave", "is refused because of its precondition", "free (motion Free)"}));
   CHECK(tells(wave, {"wave", "succeeds with `done`", "done"}));
   const auto mission = toldIn(model, kProgram, "skill_mission");
   CHECK(tells(mission, {"mission", "calls `wave`", "(wave)"}));
-  CHECK(tells(mission, {"mission", "`wave` returns", "(wave)"}));
-  CHECK(tells(mission, {"mission", "`wave` was refused", "(wave)"}));
+  CHECK(tells(mission, {"mission", "continues after `wave`", "(wave)"}));
+  CHECK(tells(mission, {"mission", "notices that `wave` was refused", "(wave)"}));
   CHECK(tells(mission, {"mission", "tests `(= wave.res done)`: true", "(= wave.res done)"}));
   CHECK(tells(mission, {"mission", "tests `(= wave.res done)`: false", "(= wave.res done)"}));
   CHECK(tells(mission, {"mission", "prints \"bye\"", "(printf \"bye\")"}));

@@ -210,7 +210,7 @@ TEST_CASE("what is no message is passed over, what is unknown is refused") {
   client.sendRaw(rpc::frame("[]"));
   client.sendRaw(rpc::frame(R"({"seq":1,"type":"request"})"));
   CHECK(client.ask("dance")["success"] == false);
-  CHECK(client.ask("next")["message"] == "nothing is launched yet");
+  CHECK(client.ask("next")["message"] == "no session is running");
   client.result("initialize", {{"adapterID", "proskill"}, {"linesStartAt1", false}});
   CHECK(client.ask("launch", {{"program", 3}})["success"] == false);
   client.result("disconnect");

@@ -30,7 +30,7 @@ TEST_CASE("a property says which runs without end count, whatever is asked for")
   for (const std::string property : {"(present (n Done)", "(leadsto (n Idle) (n Done)",
                                      "(infinitelyoften (n Done)", "(ltl (<> (n Done))"}) {
     INFO(property);
-    const std::string fair = "holds, unless `drive` takes for ever";
+    const std::string fair = "holds, unless `drive` never ends";
     const std::string all = "violated, of all runs, fair or not";
     CHECK(verdictOn(property + ")") == fair);
     CHECK(verdictOn(property + ")", false) == all);

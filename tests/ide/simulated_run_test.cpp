@@ -118,5 +118,5 @@ TEST_CASE("at the end nothing is offered, and nothing more can be taken") {
   steps.push_back({"light", "starts", {}});
   const auto missing = run.follow(steps);
   REQUIRE(missing);
-  CHECK(missing->why == "nothing is possible any more");
+  CHECK(missing->why == "no step is possible any more");
 }

@@ -8,7 +8,7 @@ using namespace proskill;
 namespace {
 
 constexpr std::string_view kStops =
-    "of runs in which time goes on: `program.time_progress` is violated";
+    "for runs in which time goes on: `program.time_progress` is violated";
 
 codegen::Model modelWhere(const std::string& door) {
   const auto program = test::programOfText("(defsv door :states (Open Closed) :init " + door + R"()
@@ -62,5 +62,5 @@ TEST_CASE("a verdict on bounds that came before a limit says whether it is about
     CHECK(std::ranges::none_of(report->rows, isOfAllRuns));
     for (const auto& row : report->rows) open += row.reason.ends_with("is not decided") ? 1 : 0;
   }
-  CHECK(open > 0); // the limit was met in between, too
+  CHECK(open > 0); // the limit was reached in between, too
 }

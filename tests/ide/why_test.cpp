@@ -51,9 +51,9 @@ TEST_CASE("a refusal is told with the condition that is false, and since when") 
               "mission.never_refused");
   const auto& refused = stepThat(trace, "is refused");
   // That `low` is true is not a reason.
-  CHECK(refused.why.starts_with("`at_dock (place Dock)` is false: `place` is Field since step "));
+  CHECK(refused.why.starts_with("`at_dock (place Dock)` is false (`place` is Field since step "));
   CHECK(refused.why.find("energy") == std::string::npos);
-  CHECK(trace.summary.find("`at_dock (place Dock)` is false: `place` is Field") !=
+  CHECK(trace.summary.find("`at_dock (place Dock)` is false (`place` is Field") !=
         std::string::npos);
 }
 
@@ -75,8 +75,8 @@ TEST_CASE("who is stopped is told by whom") {
                              "stopped");
   const auto& stopped = stepThat(trace, "is interrupted");
   CHECK(stopped.actor == "walk");
-  CHECK(stopped.why.find("mission invariant `calm` fails: `(alarm Off)` is false: "
-                         "`alarm` is On since step ") != std::string::npos);
+  CHECK(stopped.why.find("mission finds its invariant `calm` violated: `(alarm Off)` is "
+                         "false (`alarm` is On since step ") != std::string::npos);
 }
 
 TEST_CASE("what the mission does not need is said not to matter") {
@@ -99,7 +99,7 @@ TEST_CASE("where nothing is possible any more, it is said who waits for what") {
   CHECK(trace.summary.find("the mission has not ended: `mission branch 1` waits for `(lid Open)`; "
                            "`mission branch 2` waits for `(place Dock)`") != std::string::npos);
   CHECK(trace.summary.find("`guard` waits for `(energy 0)`") != std::string::npos);
-  CHECK(trace.summary.find("`mission` waits until all parallel branches have ended") !=
+  CHECK(trace.summary.find("`mission` waits for the end of its parallel branches") !=
         std::string::npos);
   CHECK(trace.summary.find("`close`") == std::string::npos); // nobody waits for it
 }
@@ -113,14 +113,15 @@ TEST_CASE("a property of runs is told with what does not come, and that nothing 
     return traceOf(lamp + "(defproperty p " + property + ")", "p").summary;
   };
   CHECK(summary("(present (lamp On))")
-            .ends_with("nothing happens any more: `(lamp On)` does not come."));
+            .ends_with("nothing happens any more: `(lamp On)` does not become true."));
   CHECK(summary("(leadsto (running light) (lamp On))")
             .ends_with("nothing happens any more: `(lamp On)` does not follow `(running light)`."));
   CHECK(summary("(leadsto (running light) (lamp On) :within [0,60])")
             .ends_with("nothing happens any more: `(lamp On)` does not follow `(running light)`."));
-  CHECK(summary("(infinitelyoften (lamp On))").ends_with("`(lamp On)` does not come again."));
+  CHECK(
+      summary("(infinitelyoften (lamp On))").ends_with("`(lamp On)` does not become true again."));
   CHECK(summary("(precedes (lamp On) (ended mission))")
-            .ends_with("`(ended mission)` comes without `(lamp On)` before it."));
+            .ends_with("`(ended mission)` becomes true without `(lamp On)` before it."));
   CHECK(summary("(ltl (<> (lamp On)))").find("nothing happens any more") != std::string::npos);
 }
 
@@ -131,5 +132,6 @@ TEST_CASE("where an event may still come, nothing has to happen any more") {
 (defproperty lit (present (lamp On)))
 )",
                              "lit");
-  CHECK(trace.summary.ends_with("nothing has to happen any more: `(lamp On)` does not come."));
+  CHECK(
+      trace.summary.ends_with("nothing has to happen any more: `(lamp On)` does not become true."));
 }

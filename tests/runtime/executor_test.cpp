@@ -99,7 +99,7 @@ TEST_CASE("a skill whose action is slow to stop keeps what it has until it has s
                          R"({"actions":{"fly":{"stops":[0.5,0.5]}}})");
   INFO(ran.text());
   CHECK(ran.when("fly", "asks its action to stop") == 1);
-  CHECK(ran.when("fly", "invariant `calm` fails") == 1.5);
+  CHECK(ran.when("fly", "finds its invariant `calm` violated") == 1.5);
   REQUIRE(ran.told(RemarkKind::GuardFailed));
   CHECK(ran.result.bad == 0);
 }
@@ -192,7 +192,7 @@ TEST_CASE("a request to end stops what runs; a second one does not wait for it")
   REQUIRE(once.told(RemarkKind::Asked));
   REQUIRE(once.told(RemarkKind::Fault));
   CHECK(once.told(RemarkKind::Fault)->text ==
-        "its action did not stop in time; it is left to the platform");
+        "its action did not stop in time, and may still be running");
   const auto twice = endedBy(1);
   CHECK(twice.result.end == End::Abandoned);
   CHECK(twice.result.date == 0);
@@ -210,7 +210,7 @@ TEST_CASE("after a clock has jumped, steps keep their own dates, and it is said"
   CHECK(ran.maxLag == 3599 * runtime::kSecond);
   REQUIRE(ran.told(RemarkKind::Note));
   CHECK(ran.told(RemarkKind::Note)->text ==
-        "this process was held up: steps are taken later than their dates");
+        "this process was suspended: steps are taken later than their dates");
   CHECK(std::ranges::count(ran.remarks, RemarkKind::Note, &test::Ran::Told::kind) == 1);
 }
 

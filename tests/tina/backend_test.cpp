@@ -139,7 +139,7 @@ TEST_CASE("a tool that fails is a failure with its words and how it ended") {
   SECTION("more output than anybody reads") {
     scene.programs.replace("selt", "exec yes TRUE");
     const auto failure = scene.failure();
-    CHECK(failure.message == "`selt` wrote too much output, and was ended");
+    CHECK(failure.message == "`selt` wrote too much output and was stopped");
     CHECK(tina::explain(failure).size() < 10'000);
   }
   SECTION("memory, where none is limited") {
@@ -172,18 +172,18 @@ TEST_CASE("a limit leaves verdicts open and says which") {
   SECTION("time") {
     options.limits.seconds = 0;
     scene.programs.replace("frac", "sleep 600");
-    reason = "the time limit was met, in `frac`";
+    reason = "the time limit was reached, in `frac`";
   }
   SECTION("memory") {
     options.limits.bytes = 512 << 20;
     scene.programs.replace("sift", "echo 'out of memory' >&2; exit 1");
-    reason = "the memory limit was met, in `sift`";
+    reason = "the memory limit was reached, in `sift`";
   }
   SECTION("classes") {
     options.limits.classes = 5;
     scene.programs.replace("sift", "echo \"$@\" | grep -q -- '-c 5' && : > model.ktz && cat "
                                    "\"$here/counts\"");
-    reason = "the limit of classes was met";
+    reason = "the limit of classes was reached";
   }
   SECTION("the user") {
     options.cancelled = &cancelled;

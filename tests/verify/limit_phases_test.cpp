@@ -75,7 +75,7 @@ TEST_CASE("Whenever the time limit is met, what is decided is right and the rest
         continue;
       }
       ++open;
-      CHECK(answer.reason == "the time limit was met");
+      CHECK(answer.reason == "the time limit was reached");
     }
     CHECK(open <= left); // what is decided stays decided
     left = open;
@@ -91,11 +91,11 @@ TEST_CASE("A limit that is met before anything is explored leaves all open") {
   std::string reason;
   SECTION("of time") {
     options.limits.seconds = 0;
-    reason = "the time limit was met";
+    reason = "the time limit was reached";
   }
   SECTION("of memory, which is that of the process") {
     options.limits.bytes = 1;
-    reason = "the memory limit was met";
+    reason = "the memory limit was reached";
   }
   const auto result = verify::verify(model.program, model.provenance, {{0}}, options);
   REQUIRE(result.has_value());
@@ -124,7 +124,7 @@ TEST_CASE("A verdict stands without its trace where the limit is met while that 
     const auto& answer = result->answers[0];
     if (answer.truth != Truth::False || answer.trace) continue;
     withoutTrace = true;
-    CHECK(answer.reason == "without a trace: the time limit was met");
+    CHECK(answer.reason == "without a trace: the time limit was reached");
   }
   CHECK(withoutTrace);
 }

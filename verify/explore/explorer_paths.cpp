@@ -27,7 +27,8 @@ const Steps& Explorer::legTo(NodeIndex index) const {
     walker.take(walk, node.transition);
   }
   walker.runAlone(walk);
-  return legs.emplace(index, std::move(walk.taken)).first->second;
+  return legs.emplace(index, std::move(walk.taken)).first->second; // complete, or a limit was
+                                                                   // reached
 }
 
 /// The path to a node, including the setters that lead to each choice of values and back, and to

@@ -34,7 +34,7 @@ struct StateGraph {
   Exploration counts;                   ///< the numbers of classes that sift prints
 };
 
-/// The whole graph, without reductions. If a limit was met, `counts.complete` is false and the
+/// The whole graph, without reductions. If a limit was reached, `counts.complete` is false and the
 /// graph has neither states nor edges.
 [[nodiscard]] std::expected<StateGraph, Unsupported>
 stateGraph(const fiacre::Program& program, GraphKind kind, const Options& options = {});

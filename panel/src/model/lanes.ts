@@ -20,18 +20,18 @@ export interface Lane {
   marks: number[];
 }
 
-const starts = /^starts$|^starts its action|^sees it start$/;
-const failing = /^fails|^undershoot|^overshoot/;
+const starts = /^starts$|^starts its action|^starts measuring$/;
+const failing = /^fails|^detects an (under|over)shoot|^(under|over)shoot/;
 
 /** The outcome of an actor, from the description of a step and its status after it. */
 function endOf(words: string, status: string | undefined, hasStatus: boolean): Tone | null {
   if (status === 'success') return 'success';
   if (status === 'failure' || status === 'failed_inv') return 'failure';
   if (status === 'interrupted') return 'interrupted';
-  if (/^succeeds|^ends$|^sees it end$/.test(words)) return 'success';
+  if (/^succeeds|^ends$|^stops measuring$/.test(words)) return 'success';
   if (failing.test(words)) return 'failure';
   if (hasStatus) return null; // it is only about to end
-  if (/^invariant /.test(words)) return 'failure';
+  if (/^finds its invariant /.test(words)) return 'failure';
   return /^is interrupted|^is stopped/.test(words) ? 'interrupted' : null;
 }
 

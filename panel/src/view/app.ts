@@ -281,7 +281,7 @@ class App {
         void this.automaton.load(true);
         return void this.simulation?.replay();
       case 'gone':
-        this.state.textContent = 'proskill view has ended; what is here stays';
+        this.state.textContent = 'proskill view has ended; this page keeps its last state';
         this.state.className = 'state failed';
     }
   }

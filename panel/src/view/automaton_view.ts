@@ -43,7 +43,7 @@ export class AutomatonView {
       oninput: () => this.search(), onkeydown: (event: KeyboardEvent) => this.searchKey(event),
     });
     this.follow = toggle({ icon: 'follow', title: 'Follow: mark what is at the caret or the current step', on: true, changed: () => this.markCaret(true) });
-    this.forbidden = toggle({ icon: 'forbidden', title: 'Show moves that are not allowed, too', on: false, changed: () => void this.load(true) });
+    this.forbidden = toggle({ icon: 'forbidden', title: 'Also show forbidden moves', on: false, changed: () => void this.load(true) });
     this.foldMenu = menu({ icon: 'fold', title: 'Fold branches', content: () => this.foldSections() });
     this.element = h('div', { class: 'automaton-view', onkeydown: (event: KeyboardEvent) => this.key(event) },
       h('div', { class: 'bar toolbar', role: 'toolbar', 'aria-label': 'Picture' }, this.chooser,

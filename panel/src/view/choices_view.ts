@@ -21,7 +21,7 @@ export class ChoicesView {
 
   constructor(private readonly events: ChoicesEvents) {
     this.list = h('div', {
-      class: 'choice-list', role: 'listbox', tabindex: 0, 'aria-label': 'Steps to choose from: Enter takes one, Shift+Enter as late as it can come',
+      class: 'choice-list', role: 'listbox', tabindex: 0, 'aria-label': 'Steps to choose from: Enter takes one, Shift+Enter takes it as late as possible',
       onkeydown: (event: KeyboardEvent) => this.key(event), onpointerleave: () => this.events.look(null),
     });
     this.element = h('section', { class: 'choices', 'aria-label': 'What may happen next' }, this.title, this.list);
@@ -58,7 +58,7 @@ export class ChoicesView {
     h('kbd', { class: 'faint' }, index < 9 ? String(index + 1) : ''), h('span', { class: 'date', title: windowWords(step) }, `${windowOf(step)} s`),
     h('span', { class: 'dot' }), h('span', { class: 'actor', title: step.actor }, step.actor), h('span', { class: 'words' }, prose(step.description)),
     ...step.changes.map((change) => h('span', { class: 'effect' }, `${change.variable}: ${change.before} → ${change.after}`)),
-    isLater && h('button', { type: 'button', class: 'button late', tabindex: -1, title: 'As late as it can come (Shift+Enter)',
+    isLater && h('button', { type: 'button', class: 'button late', tabindex: -1, title: 'As late as possible (Shift+Enter)',
       onclick: (event: MouseEvent) => { event.stopPropagation(); this.take(index, true); } },
     `${latest.strict ? 'just before' : 'at'} ${decimal(latest)} s`));
   }

@@ -20,19 +20,19 @@ export class Saver {
 
   async copy(text: string, what: string): Promise<void> {
     await navigator.clipboard.writeText(text);
-    this.say(`${what} is in the clipboard`);
+    this.say(`${what} was copied to the clipboard`);
   }
 
   async copyImage(blob: Blob): Promise<void> {
     await navigator.clipboard.write([new ClipboardItem({ [blob.type]: blob })]);
-    this.say('The picture is in the clipboard');
+    this.say('The picture was copied to the clipboard');
   }
 
   private download(name: string, blob: Blob): void {
     const url = URL.createObjectURL(blob);
     h('a', { href: url, download: name }).click();
     setTimeout(() => URL.revokeObjectURL(url), 60_000);
-    this.say(`${name} is saved`);
+    this.say(`${name} was saved`);
   }
 }
 

@@ -149,7 +149,7 @@ TEST_CASE("beyond its limits a verification is inconclusive") {
   params["limits"] = {{"classes", 1}};
   auto result = session.result("proskill/verify", params);
   CHECK(verdictOn(result, "lamp.no_forbidden_transition") == "inconclusive");
-  CHECK(result["verdicts"][0]["reason"] == "the limit of classes was met");
+  CHECK(result["verdicts"][0]["reason"] == "the limit of classes was reached");
 }
 
 TEST_CASE("a verdict that a limit left open names the setting that raises it") {
@@ -159,7 +159,7 @@ TEST_CASE("a verdict that a limit left open names the setting that raises it") {
   openLamp(session, kGood);
   const auto result = session.result("proskill/verify", verifying(kMain));
   CHECK(result["verdicts"][0]["reason"] ==
-        "the time limit was met; the setting `verify.requestSeconds` raises it");
+        "the time limit was reached; the setting `verify.requestSeconds` raises it");
 }
 
 TEST_CASE("in a workspace that is not trusted nothing is verified") {
