@@ -80,7 +80,7 @@ FAMILIES = [("skills in a row", row, (64, 128, 256, 512)), ("sensors", sensors, 
 
 
 def measure(program, file):
-    """Classes, user seconds and MiB; None where it does not end well."""
+    """Classes, user seconds and MiB; None if it fails."""
     with tempfile.TemporaryFile("w+") as out:
         process = subprocess.Popen([program, "verify", "--traces", "none", "--time-limit", str(SECONDS), file],
                                    stdout=out, stderr=subprocess.DEVNULL)

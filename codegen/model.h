@@ -13,8 +13,8 @@
 namespace proskill::codegen {
 
 /// Compact: as few states as possible. Expanded: every state is named. Tina: the expanded edition
-/// with the types that frac accepts, without anything that frac may refuse. Runtime: for Hippo.
-/// Executed: the compact edition whose actions somebody else performs (docs/runtime.md).
+/// with the types that frac accepts, without anything that frac may reject. Runtime: for Hippo.
+/// Executed: the compact edition, whose actions a platform performs (docs/runtime.md).
 enum class Edition : std::uint8_t { Compact, Expanded, Tina, Runtime, Executed };
 
 /// How automata of state variables notice forbidden moves. Exact: the transition that makes the
@@ -29,7 +29,7 @@ struct Options {
   bool fairRuns = true;
   std::int64_t ticksPerSecond = 100; ///< for the runtime edition
   /// Executed: the model includes the program's environment and the most general caller; otherwise
-  /// somebody else reports events and interrupts from outside.
+  /// the platform reports events and interrupts from outside.
   bool environment = false;
 };
 
@@ -63,7 +63,7 @@ struct ActionCall {
   friend bool operator==(const ActionCall&, const ActionCall&) = default;
 };
 
-/// Executed: a basic skill, for whoever performs its action.
+/// Executed: a basic skill, whose action a platform performs.
 struct Performed {
   /// An outcome of the action, and the port that reports it.
   struct Result {
@@ -115,7 +115,7 @@ struct Model {
   std::vector<ActionCall> actionCalls; ///< in the runtime and executed editions
   std::vector<Performed> performed;
   std::vector<Measured> measured;
-  std::vector<Signal> signals; ///< all of the program, whoever causes them
+  std::vector<Signal> signals; ///< all of the program, whatever causes them
   std::map<fiacre::OriginId, Alarm> alarms;
   std::string missionProcess; ///< executed edition; empty: no mission
   /// Executed: processes of the environment. Their waits have no time limit.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the manual page and the completions of the shells from what `--help` shows.
 
-usage: generate.py PROGRAM [--check]: writes the files, or names those that are not as they would be written.
+usage: generate.py PROGRAM [--check]: writes the files, or lists those that are outdated.
 """
 
 import json
@@ -26,7 +26,7 @@ class Option:
 
     @property
     def words(self):
-        """The values that may follow, where they are a list."""
+        """The allowed values of an option, if they are a list."""
         if "|" in self.value:
             return self.value.split("|")
         return ["counts"] if self.long == "--graph" else []

@@ -1,6 +1,6 @@
 """Lists commits that violate the rules of CONTRIBUTING.md.
 
-usage: commits.py [BASE]        those since BASE; without one, those that the upstream branch has not got
+usage: commits.py [BASE]        those since BASE; without one, those that are not on the upstream branch
 """
 
 import re

@@ -26,7 +26,7 @@ def need_node(major):
 
 
 def install(folder):
-    """The packages of a folder's package-lock.json, where they are not there yet. Only without the registry is the test
+    """Installs the packages of a folder's package-lock.json, unless they are installed. Only without the registry is the test
     skipped: what else fails is a failure."""
     need_node(20)
     lock, done = folder / "package-lock.json", folder / "node_modules/.package-lock.json"

@@ -28,7 +28,7 @@ public:
   /// \param last the end of the file until more is added; it lives as long as this
   /// \return why the recording has ended, once
   std::optional<std::string> add(std::string_view bytes, std::string_view last);
-  /// Writes what is left. \return why the recording ended before, where nobody has heard of it
+  /// Writes the rest. \return why the recording ended early, unless this was reported before
   std::optional<std::string> finish();
 
 private:

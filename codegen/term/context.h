@@ -37,7 +37,7 @@ struct Context {
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
   [[nodiscard]] bool isExecuted() const { return options.edition == Edition::Executed; }
-  /// Whether actions are performed by somebody, so that their arguments are needed.
+  /// Whether a platform performs the actions, so that their arguments are needed.
   [[nodiscard]] bool isPerformed() const { return isRuntime() || isExecuted(); }
   /// Whether events and interrupts from outside happen in the model itself.
   [[nodiscard]] bool hasEnvironment() const {
@@ -48,7 +48,7 @@ struct Context {
     return options.edition != Edition::Compact && !isExecuted();
   }
 
-  /// Some variable may be one or the other at the start.
+  /// Whether some variable has several initial values.
   [[nodiscard]] bool hasInitialChoice() const {
     const auto& all = program.stateVariables.all;
     return std::ranges::any_of(all, [](const auto& each) { return !each->otherInits.empty(); });

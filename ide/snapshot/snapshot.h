@@ -127,8 +127,7 @@ public:
   /// results of the others.
   [[nodiscard]] std::shared_ptr<const Snapshot>
   with(OpenTexts open, std::shared_ptr<const IncludeGraph> graph) const;
-  /// Earlier versions of programs, which were needed until the new versions were analysed.
-  /// Destroying them takes long, so do it where nobody waits. Each is returned once.
+  /// Destroying them takes long, so do it when no request waits.
   [[nodiscard]] std::vector<std::shared_ptr<const AnalysedProgram>> takeReplaced() const;
 
   /// Returns true once when the flow of a program with open texts that was missed has become known.

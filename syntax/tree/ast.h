@@ -28,7 +28,7 @@ struct Interval {
   Rational lower;
   std::optional<Rational> upper; ///< nothing: unbounded
   bool lowerOpen = false;
-  bool upperOpen = false; ///< true where unbounded
+  bool upperOpen = false; ///< true if unbounded
   Range range;
 };
 
@@ -111,7 +111,7 @@ struct StateVariable {
   Name name;
   List<FieldUse> fields;
   List<Name> states;
-  Expr init;             ///< the first where there are several
+  Expr init;             ///< the first of several
   List<Expr> otherInits; ///< `:init (A B)`: it may be any of these, too
   std::optional<Expr> min;
   std::optional<Expr> max;
@@ -328,7 +328,7 @@ struct ReadForm {
   /// A parenthesis or quote was inserted or removed, so the form is a guess.
   bool recovered = false;
   FormNode node;
-  BodyIndex bodyIndex; ///< of its body, where it has one
+  BodyIndex bodyIndex; ///< of its body, if it has one
 };
 
 } // namespace proskill::syntax

@@ -47,7 +47,7 @@ def complaints(command):
 
 
 def made():
-    """The manual page and the completions are those that the help makes."""
+    """Whether the manual page and the completions match the help."""
     done = subprocess.run([sys.executable, "-B", ROOT / "completions/generate.py", PROGRAM, "--check"],
                           capture_output=True, text=True)
     return (done.stdout + done.stderr).splitlines()

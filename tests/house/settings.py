@@ -2,7 +2,7 @@
 
 usage: settings.py PROGRAM
 
-PROSKILL_UPDATE=1 writes the codes into the schema anew.
+PROSKILL_UPDATE=1 updates the codes in the schema.
 """
 
 import json
@@ -32,7 +32,7 @@ BAD = ["[]", "3", "null", '"style"', '{"style": 1}', '{"style": null}', '{"style
 
 
 def codes():
-    """Each code as the schema has it, with what is said of it when an editor completes it."""
+    """Each code in the form of the schema, with the text that editors show when they complete it."""
     listed = subprocess.run([PROGRAM, "explain", "--list"], capture_output=True, text=True, check=True)
     rows = (line.split(maxsplit=2) for line in listed.stdout.splitlines())
     return {code: {"$ref": "#/$defs/severity", "description": f"{title} ({usual})"}

@@ -55,7 +55,7 @@ const std::vector<ProgressCheck::Thresholds>& ProgressCheck::thresholds(Signatur
 
 std::optional<StuckMoment> ProgressCheck::find() {
   if (isEmpty(recurrent)) return std::nullopt;
-  // In an urgent state it is plain to see that time has stopped; elsewhere it does so at a bound.
+  // in an urgent state time has certainly stopped; elsewhere it may stop at a bound
   if (auto found = findAmong(true)) return found;
   return findAmong(false);
 }
@@ -84,8 +84,8 @@ void ProgressCheck::loadNode(StateId state, Moment& moment) {
   moment.signature = graph.signatureOf[state];
 }
 
-/// Goes through the kinds of moments of a zone, clock by clock. True when a bad one was found; it
-/// is then in `moment`.
+/// Enumerates the kinds of moments of a zone, clock by clock. \return true if a bad one was found,
+/// which is then in `moment`
 bool ProgressCheck::split(const Dbm& zone, std::size_t clock, Moment& moment) {
   if (clock == moment.levels.size()) return hasStuckChoice(moment);
   const auto at = static_cast<std::uint32_t>(clock + 1);
@@ -116,7 +116,7 @@ bool ProgressCheck::isStopped() {
   return !stoppedBy.empty();
 }
 
-/// Whether time has stopped for some values of the free inputs; these are then set in `moment`.
+/// Whether time has stopped for some values of the free inputs; sets these values in `moment`.
 bool ProgressCheck::hasStuckChoice(Moment& moment) {
   const Found found = search(moment);
   if (found.verdict != Verdict::Unknown) return found.verdict == Verdict::Bad;
@@ -165,8 +165,8 @@ bool ProgressCheck::isAtUpperBound(const Moment& moment, TransitionId transition
          upperBound(of.interval) == signature.invariants[at];
 }
 
-/// Whether time waits for the transition, or for one that has to let it go first. Whether somebody
-/// watches the step makes no difference to that.
+/// Whether time waits for the transition, or for one over which it has priority. Observers make no
+/// difference.
 bool ProgressCheck::isAwaited(const Moment& moment, TransitionId transition) {
   const auto waits = [&](TransitionId id) {
     return system.transitions[id].urgent || isAtUpperBound(moment, id);
@@ -196,7 +196,7 @@ bool ProgressCheck::canFire(const Moment& moment, TransitionId transition) {
   return moment.levels[at] > 0 && reached[moment.levels[at] - 1U] <= limit;
 }
 
-/// Whether something that has priority can fire.
+/// Whether a transition with priority can fire.
 bool ProgressCheck::isBlocked(const Moment& moment, TransitionId transition) {
   const auto canGo = [&](TransitionId id) {
     return contains(moment.enabled, id) && canFire(moment, id);
@@ -258,9 +258,9 @@ void ProgressCheck::load(StateId id, Moment& moment) {
                                                  (i % kLevelsPerWord * 8));
 }
 
-/// Whether due steps lead from the moment to one where time passes, whatever the unknown free
-/// inputs are; where that depends on one, it says which. What lies on the way to a good moment is
-/// good, and where there is no way all that was seen is bad.
+/// Whether due steps lead from the moment to one where time passes, for all values of the unknown
+/// free inputs. If that depends on an input, names it. All moments on a path to a good one are
+/// good; if there is no path, all visited moments are bad.
 ProgressCheck::Found ProgressCheck::search(const Moment& first) {
   Moment moment = first;
   struct Seen {

@@ -46,7 +46,7 @@ def framed(body):
 
 
 class Note:
-    """A notification. It is parsed when somebody looks at it: a long one would delay the answer after it."""
+    """A notification. It is parsed when a test reads it: a long one would delay the answer after it."""
 
     BEGIN = b'{"jsonrpc":"2.0","method":'  # both servers that are driven here sort their keys, so that requests begin with "id"
 

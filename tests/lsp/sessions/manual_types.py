@@ -110,7 +110,7 @@ class Types:
         assert not wrong, wrong
 
     def wrong(self, value, kind, place):
-        """What is wrong with a value; empty where nothing is."""
+        """The errors in a value; empty if there are none."""
         form, of = kind
         if form == 'either':
             found = [self.wrong(value, each, place) for each in of]

@@ -1,4 +1,4 @@
-// Somebody who is new here, and how long things take from a click. Figures are printed, and nothing is asserted of them.
+// A new user, and how long things take after a click. Figures are printed, and nothing is asserted of them.
 // PROSKILL_TYPE_DELAY=200 types as a person does, for the stopwatch: milliseconds a key.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
