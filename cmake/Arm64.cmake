@@ -5,7 +5,7 @@ set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES PROSKILL_SYSROOT)
 
-# Headers and libraries come from there, programs that run while it is built from here.
+# Headers and libraries come from there; programs that run during the build come from this system.
 set(CMAKE_FIND_ROOT_PATH "${PROSKILL_SYSROOT}")
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)

@@ -1,7 +1,7 @@
-# What `cmake --install` copies beside the program, and the Debian package of it.
+# The files that `cmake --install` copies with the program, and its Debian package.
 include(GNUInstallDirs)
 
-# To install is to copy what is built: only the program, not the tests and benchmarks.
+# Installs the program only, not the tests and benchmarks.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 install(FILES man/proskill.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
@@ -11,13 +11,13 @@ install(FILES completions/_proskill DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/ven
 install(FILES completions/proskill.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
-# The grammar, as editors want it: they compile src/ and read queries/ themselves.
+# The grammar for editors, which compile src/ and read queries/ themselves.
 install(DIRECTORY tree-sitter-proskill/ DESTINATION ${CMAKE_INSTALL_DATADIR}/proskill/tree-sitter-proskill
         FILES_MATCHING PATTERN "*.scm" PATTERN "*.js" PATTERN "*.json" PATTERN "*.c" PATTERN "*.h"
         PATTERN "bindings" EXCLUDE PATTERN "test" EXCLUDE PATTERN "node_modules" EXCLUDE
         PATTERN "build" EXCLUDE)
 
-# Neovim finds plugins of the system below share/nvim/site; its copy of the queries is a link.
+# Neovim finds the system's plugins below share/nvim/site; its copy of the queries is a link.
 set(nvim_site ${CMAKE_INSTALL_DATADIR}/nvim/site/pack/proskill/start/proskill)
 install(DIRECTORY editors/nvim/ DESTINATION ${nvim_site}
         PATTERN "queries" EXCLUDE PATTERN "setup.lua" EXCLUDE PATTERN "parser" EXCLUDE

@@ -2,7 +2,7 @@
 
 find_program(PROSKILL_CCACHE ccache)
 if(PROSKILL_CCACHE)
-  # Without these liberties nothing is kept that was compiled with a precompiled header.
+  # Without this, ccache does not cache objects compiled with a precompiled header.
   set(launcher env CCACHE_SLOPPINESS=pch_defines,time_macros ${PROSKILL_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
@@ -19,7 +19,7 @@ if(PROSKILL_SANITIZE)
   target_link_options(proskill_flags INTERFACE -fsanitize=${PROSKILL_SANITIZE})
 endif()
 if(PROSKILL_FUZZ)
-  # It counts the edges of others, and has none itself.
+  # It counts edges of other code, and is not instrumented itself.
   add_library(proskill_fuzz_coverage STATIC ${CMAKE_SOURCE_DIR}/fuzz/coverage.cpp)
   target_compile_options(proskill_flags INTERFACE -fsanitize-coverage=trace-pc,trace-cmp)
   target_link_libraries(proskill_flags INTERFACE proskill_fuzz_coverage)
@@ -41,26 +41,26 @@ endfunction()
 
 function(proskill_use_precompiled target name)
   target_precompile_headers(${target} REUSE_FROM proskill_precompiled_${name})
-  # In what a precompiled header inlines GCC 12 sees overruns of std::string that are none (its bug 105651).
+  # GCC 12 reports false overruns of std::string in inlined code of precompiled headers (its bug 105651).
   target_compile_options(${target} PRIVATE
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endfunction()
 
-# proskill_alone(FILE…): compiled by themselves where others of the folder are compiled together (the presets' unity
-# builds), as their own short names would meet those of others there.
+# proskill_alone(FILE…): excludes files from unity builds, because their short names would clash with those of other
+# files in the folder.
 function(proskill_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# proskill_uses_asio(FILE): the thread sanitizer knows no fences; asio's memory is ordered by its mutexes without them.
+# proskill_uses_asio(FILE): the thread sanitizer does not support fences; mutexes order asio's memory without them.
 function(proskill_uses_asio file)
   if(PROSKILL_SANITIZE STREQUAL "thread")
     set_source_files_properties(${file} PROPERTIES COMPILE_DEFINITIONS ASIO_DISABLE_FENCED_BLOCK)
   endif()
 endfunction()
 
-# proskill_optimise_less(TARGET): for what runs once for a command or an answer, and never for each state: it compiles in
-# two thirds of the time.
+# proskill_optimise_less(TARGET): for code that runs once per command or answer, not for each state. It compiles in two
+# thirds of the time.
 function(proskill_optimise_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
