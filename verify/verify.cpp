@@ -164,6 +164,7 @@ private:
     bool isPaused = false;
     const Pause pause{options.classesBeforeSlices, [&] {
                         isPaused = exploreSlices(which);
+                        isPaused = exploreLed(which) || isPaused;
                         return !isPaused;
                       }};
     auto failure = exploreWhole(which, pause);
@@ -175,22 +176,27 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Unsupported> exploreWhole(const std::vector<std::size_t>& which,
-                                          const Pause& pause) {
+  /// \param isLed whether the search begins with the states next to the goal, which is the only one
+  std::optional<Unsupported> exploreWhole(const std::vector<std::size_t>& which, const Pause& pause,
+                                          bool isLed = false) {
     std::vector<Goal> goals;
     for (auto i : which) goals.push_back(compiled.goals[i]);
     const Prepared prepared(compiled.system, goals, may(), limits);
     const Witness witness(whole, prepared.reductions, provenance, limits);
+    std::optional<GoalDistance> distance;
+    if (isLed)
+      distance.emplace(compiled.system, prepared.system, goals[0], prepared.reductions.dropped,
+                       limits);
     auto found = search(
         prepared.system, goals, prepared.reductions, prepared.extrapolation, limits,
         [&](std::size_t i, const Evidence& evidence) { answerBy(which[i], evidence, witness); },
-        pause);
+        pause, distance ? &*distance : nullptr);
     if (found.failure) return found.failure;
-    if (found.paused) {
+    if (isLed || found.paused)
       addCounts(result.exploration, found.statistics);
-      return std::nullopt;
-    }
-    add(result.exploration, found.statistics);
+    else
+      add(result.exploration, found.statistics);
+    if (found.paused) return std::nullopt;
     for (std::size_t i = 0; i < goals.size(); ++i)
       if (!found.goals[i]) answerWithout(which[i], found.statistics, found.progressStopped);
     return std::nullopt;
@@ -222,6 +228,20 @@ private:
                                        });
     result.exploration.sliced += decided.count();
     return !decided.empty();
+  }
+
+  /// Looks for what is reached late, by a short search for each question that begins with the
+  /// states next to the goal. \return whether any of the questions was answered
+  bool exploreLed(const std::vector<std::size_t>& which) {
+    const auto before = answered.size();
+    std::vector<std::size_t> left;
+    for (auto i : which)
+      if (!answered.contains(i) && GoalDistance::isFor(compiled.goals[i])) left.push_back(i);
+    for (auto i : left) {
+      const auto share = options.classesOfLedSearches / static_cast<NodeIndex>(left.size());
+      exploreWhole({i}, {share, [] { return false; }}, true);
+    }
+    return answered.size() > before;
   }
 
   bool isShownBySlice(std::size_t index, const Evidence* evidence, const Witness& witness) {

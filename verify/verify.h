@@ -141,8 +141,10 @@ struct Options {
                                  Reduction::FreeInputs,    Reduction::PrivateMoves,
                                  Reduction::StubbornSets,  Reduction::Slices,
                                  Reduction::Inclusion,     Reduction::Extrapolation};
-  /// A system with so few classes is explored as a whole: slices are for what is larger.
+  /// A system with so few classes is explored as a whole: slices are for what is larger, and so are
+  /// searches that are led to one goal.
   std::uint32_t classesBeforeSlices = 30'000;
+  std::uint32_t classesOfLedSearches = 30'000; ///< in total; 0: no such searches
   Limits limits;
   unsigned jobs = 1;
   std::set<std::string> obliged; ///< names of processes; see Question::fair

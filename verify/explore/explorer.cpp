@@ -10,7 +10,8 @@
 namespace proskill::verify {
 
 Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reductions& with,
-                   Extrapolation extrapolation, LimitWatch& watch, OnFound tell, Pause until)
+                   Extrapolation extrapolation, LimitWatch& watch, OnFound tell, Pause until,
+                   GoalDistance* distance)
     : system(of),
       goals(asked),
       reductions(with),
@@ -18,7 +19,8 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
       onFound(std::move(tell)),
       pause(std::move(until)),
       graph(of, with, extrapolation),
-      walker(of, graph.enabling, with) {
+      walker(of, graph.enabling, with),
+      frontier(distance) {
   goalsOfEvent.resize(system.eventCount);
   hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
   result.goals.resize(goals.size());
@@ -45,15 +47,14 @@ std::uint64_t ZoneGraph::growth() const {
 }
 
 Progress Explorer::progress() const {
-  return {graph.nodes.size(), graph.states.size(), graph.nodes.size() - next,
-          graph.bytes(),      limits.seconds(),    goals.size() - open,
-          goals.size()};
+  return {graph.nodes.size(), graph.states.size(), frontier.left(), graph.bytes(),
+          limits.seconds(),   goals.size() - open, goals.size()};
 }
 
 Explored Explorer::run() {
   auto& statistics = result.statistics;
   exploreWithinLimits(statistics, [this] { explore(); });
-  conclude(statistics, next == graph.nodes.size(), result.failure, "all questions decided");
+  conclude(statistics, frontier.left() == 0, result.failure, "all questions decided");
   statistics.classes = graph.nodes.size();
   statistics.markings = graph.states.size();
   statistics.domains = graph.timing.zones().size();
@@ -66,14 +67,18 @@ Explored Explorer::run() {
 void Explorer::explore() {
   start();
   constexpr NodeIndex kBetweenChecks = 8;
-  for (; next < graph.nodes.size() && result.failure.empty() && !allDecided(); ++next) {
-    if (next % kBetweenChecks == 0)
+  while (frontier.left() > 0 && result.failure.empty() && !allDecided()) {
+    if (frontier.takenCount() % kBetweenChecks == 0)
       if (auto limit = limits.met(progress(), graph.growth()); !limit.empty())
         throw LimitMet{std::move(limit)};
-    if (next == pause.after && !pause.goesOn()) {
-      result.paused = true;
-      return;
+    if (graph.nodes.size() >= pause.after) {
+      pause.after = kNone;
+      if (!pause.goesOn()) {
+        result.paused = true;
+        return;
+      }
     }
+    const NodeIndex next = frontier.take();
     if (!graph.nodes[next].covered) expand(next);
   }
 }
@@ -110,6 +115,7 @@ void Explorer::load(NodeIndex index) {
 void Explorer::expand(NodeIndex index) {
   load(index);
   expanding = index;
+  frontier.expand(loaded.state.data());
   passed.clear();
   if (reductions.freeInputs) return expandOpen(index);
   bool stopped = true;
@@ -237,6 +243,7 @@ void Explorer::add(Current& current, NodeIndex parent, TransitionId transition,
   const auto index = static_cast<NodeIndex>(graph.nodes.size());
   graph.nodes.push_back({state, current.zone, parent, transition, choice, graph.headOf[state]});
   graph.headOf[state] = index;
+  frontier.add(current.state.data(), transition);
 }
 
 /// Whether stored zones of the state include the new one. Removes those that the new one includes.

@@ -2,6 +2,7 @@
 
 #include "verify/explore/walker.h"
 #include "verify/explore/zone_cover.h"
+#include "verify/guide/frontier.h"
 #include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/reduce/reductions.h"
@@ -29,7 +30,7 @@ using NodeIndex = std::uint32_t;
 
 /// A moment at which an exploration that turns out to be long asks whether to go on.
 struct Pause {
-  NodeIndex after = kNone;      ///< number of expanded classes
+  NodeIndex after = kNone;      ///< number of classes found
   std::function<bool()> goesOn; ///< called once
 };
 
@@ -65,13 +66,15 @@ struct ZoneGraph {
   [[nodiscard]] std::uint64_t growth() const;
 };
 
-/// Breadth-first search of the zone graph.
+/// Search of the zone graph: breadth-first, or led by the distance to a goal.
 class Explorer {
 public:
   /// \pre the arguments outlive this
   /// \param onFound called for each goal as soon as it is reached
+  /// \param distance leads the search, if it is not null
   Explorer(const System& system, const std::vector<Goal>& goals, const Reductions& reductions,
-           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {}, Pause pause = {});
+           Extrapolation extrapolation, LimitWatch& limits, OnFound onFound = {}, Pause pause = {},
+           GoalDistance* distance = nullptr);
 
   /// Call this once.
   Explored run();
@@ -125,7 +128,7 @@ private:
   ZoneGraph graph;
   Walker walker;
   Explored result;
-  NodeIndex next = 0; ///< to be expanded next
+  Frontier frontier;
 
   bool hasErrors = false; ///< some transition is an error
   std::size_t open = 0;   ///< number of undecided goals

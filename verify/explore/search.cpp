@@ -112,7 +112,7 @@ void add(Exploration& to, const Exploration& more) {
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
                     const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits,
-                    const OnEvidence& onFound, const Pause& pause) {
+                    const OnEvidence& onFound, const Pause& pause, GoalDistance* distance) {
   SearchResult result;
   result.goals.resize(goals.size());
   const auto note = [&](std::size_t goal, const Evidence& evidence) {
@@ -124,7 +124,7 @@ SearchResult search(const System& system, const std::vector<Goal>& goals,
       [&](std::size_t goal, const Steps& steps) {
         note(goal, Evidence{steps, {}});
       },
-      pause);
+      pause, distance);
   Explored explored = explorer.run();
   result.statistics = explored.statistics;
   if (!explored.failure.empty())

@@ -47,9 +47,10 @@ using OnEvidence = std::function<void(std::size_t, const Evidence&)>;
 
 /// Searches for all goals in one exploration. A second exploration with finer zones follows if the
 /// first one could not decide whether time can stop.
+/// \param distance leads the search, if it is not null: to one goal, which is not about time
 [[nodiscard]] SearchResult search(const System& system, const std::vector<Goal>& goals,
                                   const Reductions& reductions, Extrapolation extrapolation,
                                   LimitWatch& limits, const OnEvidence& onFound,
-                                  const Pause& pause = {});
+                                  const Pause& pause = {}, GoalDistance* distance = nullptr);
 
 } // namespace proskill::verify

@@ -13,7 +13,7 @@ namespace proskill::verify {
 
 namespace {
 
-constexpr std::int64_t kMostValues = 64;
+constexpr std::int64_t kMostInputValues = 64;
 
 /// Cells that may not be open: a goal's condition reads them, a clock depends on them, or a run may
 /// end because of them.
@@ -103,7 +103,7 @@ private:
 
   [[nodiscard]] std::optional<Mover> moverOf(TransitionId id, CellId cell) const {
     const Cell& place = system.cells[cell];
-    if (place.high - place.low >= kMostValues) return std::nullopt;
+    if (place.high - place.low >= kMostInputValues) return std::nullopt;
     if (auto value = constantOf(system.transitions[id], cell))
       return Mover{id, std::vector(static_cast<std::size_t>(place.high - place.low + 1), value)};
     return readsOnly(system.transitions[id], cell) ? tried(id, cell) : std::nullopt;

@@ -1,0 +1,273 @@
+#include "verify/guide/goal_distance.h"
+
+#include "verify/model/nodes.h"
+#include "verify/state/evaluate.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+namespace {
+
+constexpr std::int64_t kMostTracked = 256;      ///< of a cell; larger ones count as known
+constexpr std::int64_t kMostCombinations = 256; ///< of a comparison
+constexpr std::uint32_t kMostCost = 1U << 16U;
+constexpr std::size_t kMostWays = 64;     ///< through the code of a path
+constexpr std::size_t kLongestWay = 1000; ///< in instructions
+
+std::int64_t sizeOf(const Cell& cell) { return cell.high - cell.low + 1; }
+
+bool isTracked(const Cell& cell) { return sizeOf(cell) <= kMostTracked; }
+
+} // namespace
+
+bool GoalDistance::isFor(const Goal& goal) {
+  switch (goal.kind) {
+  case GoalKind::Events: return true;
+  case GoalKind::Condition: return !goal.ofSteps;
+  case GoalKind::Deadlock:
+  case GoalKind::Stuck:
+  case GoalKind::Error:
+  case GoalKind::Run:
+  case GoalKind::Unsupported: return false;
+  }
+  std::unreachable();
+}
+
+GoalDistance::GoalDistance(const System& of, const System& withLayout, const Goal& goal,
+                           const Bits& dropped, LimitWatch& watch)
+    : system(of), laidOut(withLayout), limits(watch) {
+  wanted = goal.kind == GoalKind::Condition ? condition(goal.condition, false) : newFact();
+  for (TransitionId i = 0; i < system.transitions.size(); ++i)
+    if (!dropped.contains(i)) addTransition(i, goal);
+  for (RuleId i = 0; i < rules.size(); ++i)
+    if (rules[i].needs.empty()) always.push_back(i);
+  costs.resize(uses.size());
+  makers.resize(uses.size());
+  open.resize(rules.size());
+  sums.resize(rules.size());
+}
+
+GoalDistance::FactId GoalDistance::newFact() {
+  uses.emplace_back();
+  return static_cast<FactId>(uses.size() - 1);
+}
+
+void GoalDistance::addRule(std::vector<FactId> needs, std::vector<FactId> makes,
+                           TransitionId step) {
+  for (auto fact : needs) uses[fact].push_back(static_cast<RuleId>(rules.size()));
+  rules.push_back({std::move(needs), std::move(makes), step});
+}
+
+/// \pre the cell is tracked
+GoalDistance::FactId GoalDistance::factOf(CellId cell, std::int64_t value) {
+  const auto [entry, isNew] = firstOf.try_emplace(cell, static_cast<FactId>(uses.size()));
+  if (isNew) {
+    uses.resize(uses.size() + static_cast<std::size_t>(sizeOf(system.cells[cell])));
+    tracked.push_back({cell, entry->second});
+  }
+  return entry->second + static_cast<FactId>(value - system.cells[cell].low);
+}
+
+std::vector<GoalDistance::FactId> GoalDistance::factsOf(CellId cell) {
+  std::vector<FactId> all;
+  for (auto value = system.cells[cell].low; value <= system.cells[cell].high; ++value)
+    all.push_back(factOf(cell, value));
+  return all;
+}
+
+GoalDistance::FactId GoalDistance::condition(NodeId node, bool isNegated) {
+  if (const auto known = conditions.find({node, isNegated}); known != conditions.end())
+    return known->second;
+  limits.check();
+  const FactId made = madeCondition(node, isNegated);
+  conditions.emplace(std::pair{node, isNegated}, made);
+  return made;
+}
+
+GoalDistance::FactId GoalDistance::madeCondition(NodeId id, bool isNegated) {
+  const Node& node = system.nodes[id];
+  if (node.op == NodeOp::Not) return condition(node.a, !isNegated);
+  if (node.op != NodeOp::And && node.op != NodeOp::Or) return comparison(id, isNegated);
+  const FactId left = condition(node.a, isNegated);
+  const FactId right = condition(node.b, isNegated);
+  const FactId made = newFact();
+  if ((node.op == NodeOp::And) != isNegated) {
+    addRule({left, right}, {made});
+  } else {
+    addRule({left}, {made});
+    addRule({right}, {made});
+  }
+  return made;
+}
+
+/// Tries a condition with all values of its cells. One with too many of them counts as true.
+GoalDistance::FactId GoalDistance::comparison(NodeId node, bool isNegated) {
+  Bits read;
+  addReads(system, node, read);
+  std::vector<CellId> cells;
+  std::int64_t combinations = 1;
+  read.each([&](CellId cell) {
+    cells.push_back(cell);
+    combinations *= std::min(sizeOf(system.cells[cell]), kMostCombinations + 1);
+    combinations = std::min(combinations, kMostCombinations + 1);
+  });
+  const FactId made = newFact();
+  if (combinations > kMostCombinations) {
+    addRule({}, {made});
+    return made;
+  }
+  std::vector<std::int64_t> values;
+  for (const auto& cell : system.cells) values.push_back(cell.initial);
+  for (std::int64_t i = 0; i < combinations; ++i) {
+    auto rest = i;
+    for (auto cell : cells) {
+      values[cell] = system.cells[cell].low + rest % sizeOf(system.cells[cell]);
+      rest /= sizeOf(system.cells[cell]);
+    }
+    const auto result = evaluateUnpacked(system, node, values);
+    if (!result || (*result != 0) == isNegated) continue;
+    std::vector<FactId> needs;
+    for (auto cell : cells) needs.push_back(factOf(cell, values[cell]));
+    addRule(std::move(needs), {made});
+  }
+  return made;
+}
+
+void GoalDistance::addTransition(TransitionId id, const Goal& goal) {
+  const Transition& transition = system.transitions[id];
+  const FactId taken = newFact();
+  std::vector<FactId> makes{taken};
+  if (std::ranges::any_of(transition.events, [&](EventId it) { return goal.events.contains(it); }))
+    makes.push_back(wanted);
+  addRule({condition(transition.guard, false)}, std::move(makes), id);
+  for (auto part : transition.parts) {
+    Way way{0, {taken}, {}, {}};
+    std::size_t left = kMostWays;
+    addWays(system.paths[part], goal, std::move(way), left);
+  }
+}
+
+/// Adds a rule for each way through the code of a path, from an instruction on. Conditions on what
+/// the way itself assigns count as true.
+/// \param left number of ways that may be added yet
+void GoalDistance::addWays(const Path& path, const Goal& goal, Way way, std::size_t& left) {
+  for (std::size_t length = 0; length < kLongestWay && way.at < path.code.size(); ++length) {
+    limits.check();
+    const auto& instruction = path.code[way.at++];
+    if (instruction.event != kNone && goal.events.contains(instruction.event))
+      way.makes.push_back(wanted);
+    switch (instruction.kind) {
+    case InstructionKind::On: require(instruction.node, false, way); break;
+    case InstructionKind::JumpUnless: {
+      Way other = way;
+      other.at = instruction.last;
+      require(instruction.node, true, other);
+      addWays(path, goal, std::move(other), left);
+      require(instruction.node, false, way);
+      break;
+    }
+    case InstructionKind::Assign:
+    case InstructionKind::Store:
+      for (auto i = instruction.first; i < instruction.last; ++i) assign(path.assignments[i], way);
+      break;
+    case InstructionKind::Jump: way.at = instruction.last; break;
+    case InstructionKind::To: {
+      const CellId location = system.instances[path.instance].location;
+      if (isTracked(system.cells[location]))
+        way.makes.push_back(factOf(location, instruction.last));
+      return addWay(std::move(way), left);
+    }
+    case InstructionKind::Loop: return addWay(std::move(way), left);
+    case InstructionKind::Fail: return;
+    case InstructionKind::Tag:
+    case InstructionKind::Origin: break;
+    }
+  }
+}
+
+void GoalDistance::addWay(Way way, std::size_t& left) {
+  if (left == 0 || way.makes.empty()) return;
+  --left;
+  addRule(std::move(way.needs), std::move(way.makes));
+}
+
+void GoalDistance::require(NodeId node, bool isNegated, Way& way) {
+  Bits read;
+  addReads(system, node, read);
+  if (!read.meets(way.assigned)) way.needs.push_back(condition(node, isNegated));
+}
+
+void GoalDistance::assign(const Assignment& assignment, Way& way) {
+  way.assigned.insert(assignment.target);
+  const Node& value = system.nodes[assignment.value];
+  const Cell& cell = system.cells[assignment.target];
+  if (!isTracked(cell)) return;
+  if (value.op != NodeOp::Number)
+    for (auto fact : factsOf(assignment.target)) way.makes.push_back(fact);
+  else if (value.number >= cell.low && value.number <= cell.high)
+    way.makes.push_back(factOf(assignment.target, value.number));
+}
+
+void GoalDistance::reach(FactId fact, std::uint32_t cost, RuleId by) {
+  if (costs[fact] <= cost || cost > kMostCost) return;
+  costs[fact] = cost;
+  makers[fact] = by;
+  if (byCost.size() <= cost) byCost.resize(cost + 1);
+  byCost[cost].push_back(fact);
+}
+
+void GoalDistance::reachInitial(const Word* state) {
+  for (const auto& [cell, first] : tracked) {
+    const Cell& of = laidOut.cells[cell];
+    if (of.mask != 0 || of.low == of.high)
+      reach(first + static_cast<FactId>(readCell(laidOut, cell, state) - of.low), 0, kNone);
+    else // not part of the state
+      for (FactId i = 0; i < static_cast<FactId>(sizeOf(of)); ++i) reach(first + i, 0, kNone);
+  }
+}
+
+/// Dijkstra's algorithm: facts in the order of their costs.
+std::uint32_t GoalDistance::from(const Word* state) {
+  std::ranges::fill(costs, kFar);
+  std::ranges::fill(sums, 0);
+  for (auto& some : byCost) some.clear();
+  for (RuleId i = 0; i < rules.size(); ++i)
+    open[i] = static_cast<std::uint32_t>(rules[i].needs.size());
+  reachInitial(state);
+  const auto apply = [&](RuleId id) {
+    const auto cost = sums[id] + (rules[id].step == kNone ? 0 : 1);
+    for (auto fact : rules[id].makes) reach(fact, cost, id);
+  };
+  std::ranges::for_each(always, apply);
+  for (std::uint32_t cost = 0; cost < byCost.size(); ++cost)
+    for (std::size_t i = 0; i < byCost[cost].size(); ++i) { // both grow
+      const FactId fact = byCost[cost][i];
+      if (costs[fact] != cost) continue; // reached at a lower cost
+      if (fact == wanted) return cost;
+      for (auto rule : uses[fact]) {
+        sums[rule] += cost;
+        if (--open[rule] == 0) apply(rule);
+      }
+    }
+  return kFar;
+}
+
+Bits GoalDistance::usefulSteps(const Word* state) {
+  Bits steps;
+  if (from(state) == kFar) return steps;
+  Bits seen;
+  std::vector<FactId> todo{wanted};
+  while (!todo.empty()) {
+    const FactId fact = todo.back();
+    todo.pop_back();
+    if (seen.contains(fact) || makers[fact] == kNone) continue;
+    seen.insert(fact);
+    const Rule& rule = rules[makers[fact]];
+    if (rule.step != kNone) steps.insert(rule.step);
+    todo.insert(todo.end(), rule.needs.begin(), rule.needs.end());
+  }
+  return steps;
+}
+
+} // namespace proskill::verify
