@@ -20,6 +20,9 @@ namespace {
 
 /// Questions times transitions: beyond that it takes seconds to find out which slices there are.
 constexpr std::size_t kMostWork = 1'000'000;
+/// The same for led searches, each of which prepares the whole system.
+constexpr std::size_t kMostLedWork = 100'000;
+constexpr NodeIndex kFewestLedClasses = 100; ///< a search of fewer is not worth its preparation
 
 Answer unknown(std::string reason) { return {Truth::Unknown, std::nullopt, std::move(reason)}; }
 
@@ -237,10 +240,10 @@ private:
     std::vector<std::size_t> left;
     for (auto i : which)
       if (!answered.contains(i) && GoalDistance::isFor(compiled.goals[i])) left.push_back(i);
-    for (auto i : left) {
-      const auto share = options.classesOfLedSearches / static_cast<NodeIndex>(left.size());
-      exploreWhole({i}, {share, [] { return false; }}, true);
-    }
+    if (left.empty() || left.size() * whole.transitions.size() > kMostLedWork) return false;
+    const auto share = options.classesOfLedSearches / static_cast<NodeIndex>(left.size());
+    if (share < kFewestLedClasses) return false;
+    for (auto i : left) exploreWhole({i}, {share, [] { return false; }}, true);
     return answered.size() > before;
   }
 

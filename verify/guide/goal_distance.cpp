@@ -36,7 +36,7 @@ bool GoalDistance::isFor(const Goal& goal) {
 
 GoalDistance::GoalDistance(const System& of, const System& withLayout, const Goal& goal,
                            const Bits& dropped, LimitWatch& watch)
-    : system(of), laidOut(withLayout), limits(watch) {
+    : system(of), laidOut(withLayout), limits(watch), values(of.cells.size()) {
   wanted = goal.kind == GoalKind::Condition ? condition(goal.condition, false) : newFact();
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
     if (!dropped.contains(i)) addTransition(i, goal);
@@ -117,8 +117,6 @@ GoalDistance::FactId GoalDistance::comparison(NodeId node, bool isNegated) {
     addRule({}, {made});
     return made;
   }
-  std::vector<std::int64_t> values;
-  for (const auto& cell : system.cells) values.push_back(cell.initial);
   for (std::int64_t i = 0; i < combinations; ++i) {
     auto rest = i;
     for (auto cell : cells) {

@@ -71,6 +71,7 @@ private:
   const System& system;
   const System& laidOut;
   LimitWatch& limits;
+  std::vector<std::int64_t> values;      ///< by cell: those with which a comparison is tried
   std::vector<std::vector<RuleId>> uses; ///< by fact: the rules that need it
   std::vector<Rule> rules;
   std::vector<RuleId> always; ///< rules that need nothing
