@@ -31,14 +31,18 @@ std::string takeReduction(std::string& word) {
 }
 
 void addSubject(CLI::App& command, VerifyArguments& arguments) {
-  show(command.add_option("--property", arguments.properties,
-                          "Verify only this property, or all whose names begin with this word and "
-                          "a dot; may be repeated"),
+  show(command
+           .add_option("--property", arguments.properties,
+                       "Verify only this property, or all whose names begin with this word and "
+                       "a dot; may be repeated")
+           ->allow_extra_args(false), // the next word is the program
        group::kSubject, "PROPERTY");
   show(command.add_flag("--list", arguments.list, "List the names of the properties, and stop"),
        group::kSubject);
-  show(command.add_option("--properties", arguments.added,
-                          "Verify the properties of this file too: Fiacre, or one formula (.ltl)"),
+  show(command
+           .add_option("--properties", arguments.added,
+                       "Verify the properties of this file too: Fiacre, or one formula (.ltl)")
+           ->allow_extra_args(false),
        group::kSubject, "FILE");
   show(command.add_option("--environment", arguments.environment,
                           "Replace the environment by the Fiacre process in this file"),
@@ -107,6 +111,7 @@ void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
                        "Reductions of the state space, separated by commas; verdicts do not depend "
                        "on them")
            ->delimiter(',')
+           ->allow_extra_args(false)
            ->transform(CLI::Validator(takeReduction, "")),
        group::kAdvanced, reductionNames());
   addChoice<bool>(

@@ -139,6 +139,8 @@ TEST_CASE("only the properties that are named are asked") {
   auto report = Json::parse(verify({path, "--property", "kick", "--format", "json"}).out);
   CHECK(!report["properties"].empty());
   for (const auto& row : report["properties"]) CHECK(row["subject"] == "kick");
+  CHECK(Json::parse(verify({"--property", "kick", path, "--format", "json"}).out)["properties"] ==
+        report["properties"]);
   auto wrong = verify({path, "--property", "kik"});
   CHECK(wrong.exitCode == 2);
   CHECK(wrong.err.find("`kik`") != std::string::npos);
