@@ -4,7 +4,7 @@
 #include "syntax/recovery/recover.h"
 #include "syntax/text/scan.h"
 #include "syntax/tree/build.h"
-#include "syntax/tree/statements.h"
+#include "syntax/tree/form.h"
 #include "syntax/tree/words.h"
 
 #include <algorithm>
@@ -37,24 +37,6 @@ ReadForm unreadForm(std::string_view text) {
   ReadForm form;
   form.range = {0, static_cast<Offset>(text.size())};
   return form;
-}
-
-const Block* bodyOf(const FormNode& node) {
-  if (const auto* skill = std::get_if<Skill>(&node)) return skill->body ? &*skill->body : nullptr;
-  if (const auto* environment = std::get_if<Environment>(&node)) return &environment->body;
-  return nullptr;
-}
-
-BodyIndex bodyIndexOf(const FormNode& node) {
-  BodyIndex found;
-  const Block* body = bodyOf(node);
-  if (!body) return found;
-  forEachStatement(*body, [&](const Statement& statement) {
-    if (statement.kind == StatementKind::Call) found.calls.push_back(&statement);
-    if (statement.kind == StatementKind::Label) found.labels.push_back(&statement);
-    if (runsBranches(statement)) found.parallels.push_back(&statement);
-  });
-  return found;
 }
 
 void blank(std::string& text, const std::vector<Range>& ranges) {

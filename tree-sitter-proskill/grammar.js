@@ -181,13 +181,13 @@ module.exports = grammar({
     string_content: _ => token.immediate(prec(1, /[^"\\\r\n]+/)),
     escape_sequence: _ => token.immediate(prec(1, /\\[^\r\n]?/)),
 
-    /** `[1,3]`, `]0,1]`, `[1,...[`. */
+    /** `[1,3]`, `]0,1]`, `[1,...[`, `[SHORT,LONG]`. */
     interval: $ =>
       prec.right(
         seq(
           field('left', choice('[', ']')),
-          optional(field('lower', $.number)),
-          optional(seq(',', optional(field('upper', choice($.number, $.unbounded))))),
+          optional(field('lower', choice($.number, $.symbol))),
+          optional(seq(',', optional(field('upper', choice($.number, $.symbol, $.unbounded))))),
           optional(field('right', choice('[', ']'))),
         ),
       ),
@@ -211,6 +211,7 @@ module.exports = grammar({
     _definition: $ =>
       choice(
         $.include,
+        $.constant,
         $.state_variable,
         $.event,
         $.skill,
@@ -236,6 +237,8 @@ module.exports = grammar({
           ),
         ),
       ),
+
+    constant: $ => named($, 'defconst'),
 
     state_variable: $ =>
       definition(

@@ -14,11 +14,11 @@ struct Check {
 };
 
 constexpr Check kChecks[] = {
-    {checkStateVariables, true}, {checkEvents, true},      {checkResources, true},
-    {checkSkills, true},         {checkBodies, true},      {checkControl, true},
-    {checkProperties, true},     {checkDuplicates, false}, {checkFields, true},
-    {checkIntervals, true},      {checkRecursion, false},  {checkParallel, false},
-    {checkStart, false},         {checkReserved, true}};
+    {checkConstants, true}, {checkStateVariables, true}, {checkEvents, true},
+    {checkResources, true}, {checkSkills, true},         {checkBodies, true},
+    {checkControl, true},   {checkProperties, true},     {checkDuplicates, false},
+    {checkFields, true},    {checkIntervals, true},      {checkRecursion, false},
+    {checkParallel, false}, {checkStart, false},         {checkReserved, true}};
 
 Analysis analyse(const Program& program, const Earlier* earlier) {
   SymbolTable symbols =

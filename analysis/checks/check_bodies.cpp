@@ -73,11 +73,22 @@ private:
     return false;
   }
 
+  /// `(^ word)`: a word is not a condition, so a constant was meant.
+  [[nodiscard]] bool isLoneWord(const Statement& statement) const {
+    const auto& condition = statement.condition;
+    return condition.kind == syntax::ExprKind::Symbol && statement.branches.empty() &&
+           context.symbols.find(SymbolKind::StateVariable, condition.name.text) == kNoSymbol;
+  }
+
+  void useConstant(const syntax::Name& name) { names.use(SymbolKind::Constant, name, Role::Read); }
+
   void resolve(const Statement& statement) {
     switch (statement.kind) {
     case StatementKind::Call: return call(statement);
     case StatementKind::Interrupt: return interrupt(statement.name);
     case StatementKind::WaitCondition:
+      if (isLoneWord(statement)) return useConstant(statement.condition.name);
+      [[fallthrough]];
     case StatementKind::While:
     case StatementKind::DoUntil:
     case StatementKind::Set:

@@ -1,6 +1,8 @@
 #include "analysis/checks/checks.h"
 #include "syntax/diagnostics/codes.h"
 
+#include <set>
+
 namespace proskill::analysis {
 
 using syntax::Code;
@@ -20,6 +22,27 @@ void checkNames(Context& context) {
   }
 }
 
+/// A word that may be a constant may also be one of these.
+bool meansSomethingElse(SymbolKind kind) {
+  return kind == SymbolKind::StateVariable || kind == SymbolKind::Value ||
+         kind == SymbolKind::SuccessTag || kind == SymbolKind::FailureTag ||
+         kind == SymbolKind::InvariantTag;
+}
+
+void checkConstantNames(Context& context) {
+  if (context.program.constants.all.empty()) return;
+  std::set<SymbolId> told;
+  for (const Symbol& other : context.symbols.all()) {
+    if (!meansSomethingElse(other.kind)) continue;
+    const SymbolId constant = context.symbols.find(SymbolKind::Constant, other.name);
+    if (constant == kNoSymbol || !told.insert(constant).second) continue;
+    context.findings
+        .report(Code::ConstantNameTaken, context.symbols[constant].at, other.name,
+                words(other.kind))
+        .related(other.at, "defined here");
+  }
+}
+
 /// A program has one environment, whatever its name.
 void checkEnvironments(Context& context) {
   const auto& all = context.program.environments.all;
@@ -32,6 +55,7 @@ void checkEnvironments(Context& context) {
 
 void checkDuplicates(Context& context) {
   checkNames(context);
+  checkConstantNames(context);
   checkEnvironments(context);
 }
 

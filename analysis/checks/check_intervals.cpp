@@ -11,6 +11,10 @@ using syntax::Interval;
 
 namespace {
 
+std::string asWritten(const syntax::Name& constant, const syntax::Rational& bound) {
+  return constant ? std::string(constant.text) : toString(bound);
+}
+
 void checkInterval(Context& context, FileId file, const Interval& interval) {
   if (!interval.upper || interval.range.empty()) return;
   const Location at{file, interval.range};
@@ -18,15 +22,16 @@ void checkInterval(Context& context, FileId file, const Interval& interval) {
     const auto bracket = [](bool open, char outward, char inward) {
       return std::string(1, open ? outward : inward);
     };
-    const std::string swapped = bracket(interval.upperOpen, ']', '[') + toString(*interval.upper) +
-                                "," + toString(interval.lower) +
-                                bracket(interval.lowerOpen, '[', ']');
+    const std::string swapped =
+        bracket(interval.upperOpen, ']', '[') + asWritten(interval.upperName, *interval.upper) +
+        "," + asWritten(interval.lowerName, interval.lower) + bracket(interval.lowerOpen, '[', ']');
     context.findings
         .report(Code::ReversedInterval, at, toString(*interval.upper), toString(interval.lower))
         .fix("swap the bounds: `" + swapped + "`", at, swapped);
   } else if (*interval.upper == interval.lower && (interval.lowerOpen || interval.upperOpen)) {
     const std::string bound = toString(interval.lower);
-    const std::string closed = "[" + bound + "," + bound + "]";
+    const std::string closed = "[" + asWritten(interval.lowerName, interval.lower) + "," +
+                               asWritten(interval.upperName, *interval.upper) + "]";
     context.findings.report(Code::EmptyInterval, at, bound)
         .fix("include the bounds: `" + closed + "`", at, closed);
   }

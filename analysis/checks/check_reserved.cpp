@@ -2,6 +2,8 @@
 #include "analysis/names/walk.h"
 #include "syntax/diagnostics/codes.h"
 
+#include <algorithm>
+
 namespace proskill::analysis {
 
 using syntax::Code;
@@ -31,6 +33,13 @@ void checkVariable(Context& context, const Definition<syntax::StateVariable>& va
     if (isTruth(value.text)) refuse(context, "value", value, variable.at(value.range));
 }
 
+/// Next to `skill.status` or `skill.res`, these words are not numbers.
+void checkConstant(Context& context, const Definition<syntax::Constant>& constant) {
+  const std::string_view name = constant.name();
+  if (isTruth(name) || name == kNoResult || std::ranges::count(statusWords(), name) > 0)
+    refuse(context, "constant", constant->name, constant.at(constant->name.range));
+}
+
 void checkTags(Context& context, const Definition<syntax::Skill>& skill) {
   for (const auto& outcome : skill->successes) checkTag(context, skill, outcome.tag);
   for (const auto& outcome : skill->failures) checkTag(context, skill, outcome.tag);
@@ -45,6 +54,8 @@ void checkTags(Context& context, const Definition<syntax::Skill>& skill) {
 } // namespace
 
 void checkReserved(Context& context) {
+  context.each(context.program.constants,
+               [&](const auto& constant) { checkConstant(context, constant); });
   context.each(context.program.stateVariables,
                [&](const auto& variable) { checkVariable(context, variable); });
   context.each(context.program.skills, [&](const auto& skill) { checkTags(context, skill); });

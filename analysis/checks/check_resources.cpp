@@ -12,6 +12,10 @@ namespace {
 void checkCapacity(Context& context, const Definition<syntax::Resource>& resource) {
   const auto& capacity = resource->capacity;
   if (!capacity || capacity->kind == syntax::ExprKind::Missing) return;
+  if (capacity->kind == syntax::ExprKind::Symbol) {
+    Names(context, resource.file).use(SymbolKind::Constant, capacity->name, Role::Read);
+    return;
+  }
   const bool positive = capacity->kind == syntax::ExprKind::Number && !capacity->decimal &&
                         capacity->number.numerator >= 1;
   if (!positive)

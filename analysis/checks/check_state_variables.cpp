@@ -87,6 +87,10 @@ private:
 
   /// Whether it is a natural; reports it otherwise.
   bool isNatural(const Expr& expr) {
+    if (expr.kind == ExprKind::Symbol) {
+      names.use(SymbolKind::Constant, expr.name, Role::Read);
+      return false;
+    }
     const bool natural =
         expr.kind == ExprKind::Number && typeOfNumber(expr).kind == TypeKind::Natural;
     if (!natural && expr.kind != ExprKind::Missing)

@@ -6,6 +6,7 @@
 /// The checks of the first group also record each name that they read in the index.
 namespace proskill::analysis {
 
+void checkConstants(Context& context);
 void checkStateVariables(Context& context);
 void checkEvents(Context& context);
 void checkResources(Context& context);

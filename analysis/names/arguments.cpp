@@ -37,9 +37,13 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::False: return {TypeKind::Boolean, kNoSymbol};
   case ExprKind::Parameter: return parameter(argument.name);
   case ExprKind::Symbol:
-    if (wanted.kind != TypeKind::Value) break;
-    names.use(SymbolKind::Value, argument.name, Role::Mention, wanted.of);
-    return wanted;
+    if (wanted.kind == TypeKind::Value) {
+      names.use(SymbolKind::Value, argument.name, Role::Mention, wanted.of);
+      return wanted;
+    }
+    if (!mayBeConstant(argument.name, wanted)) break;
+    names.use(SymbolKind::Constant, argument.name, Role::Read);
+    return {};
   case ExprKind::Access:
   case ExprKind::Test:
   case ExprKind::Equal:
@@ -68,6 +72,13 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   }
   context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
   return {};
+}
+
+/// Whether an unknown word may have been meant as a constant. Known constants have their numbers
+/// already, unless the program is a fragment.
+bool Arguments::mayBeConstant(const syntax::Name& word, Type wanted) const {
+  if (context.symbols.find(SymbolKind::StateVariable, word.text) != kNoSymbol) return false;
+  return isNumber(wanted.kind) || (!wanted.known() && context.program.extent == Extent::Fragment);
 }
 
 /// A natural may be a value of a state variable; this checks whether it is.

@@ -22,6 +22,7 @@ public:
 
 private:
   Type number(const syntax::Expr& argument, Type wanted);
+  [[nodiscard]] bool mayBeConstant(const syntax::Name& word, Type wanted) const;
   void checkNames(const syntax::Statement& call, SymbolId callee);
   void checkTypes(const syntax::Statement& call, SymbolId callee);
   void missing(const syntax::Statement& call, SymbolId callee);

@@ -90,6 +90,11 @@ Type Expressions::variable(const Name& name, Role role) {
   return symbol == kNoSymbol ? Type{} : context.typeOfVariable(symbol);
 }
 
+Type Expressions::readVariable(const Name& name) {
+  const SymbolId symbol = names.useOperand(name);
+  return symbol == kNoSymbol ? Type{} : context.typeOfVariable(symbol);
+}
+
 /// `value` is compared with the variable `name`, or assigned to it.
 void Expressions::valueOf(const Name& name, const Expr& value, Role role) {
   const Type wanted = variable(name, role);
@@ -127,7 +132,7 @@ void Expressions::equality(const Expr& expr) {
 }
 
 Type Expressions::value(const Expr& expr) {
-  return expr.kind == ExprKind::Symbol ? variable(expr.name, Role::Read) : operand(expr, {});
+  return expr.kind == ExprKind::Symbol ? readVariable(expr.name) : operand(expr, {});
 }
 
 Type Expressions::operand(const Expr& expr, Type expected) {
@@ -175,10 +180,10 @@ Type Expressions::word(const Expr& expr, Type expected) {
   const bool isValue = expected.kind == TypeKind::Value &&
                        context.symbols.find(SymbolKind::Value, name.text, expected.of) != kNoSymbol;
   const SymbolId other = context.symbols.find(SymbolKind::StateVariable, name.text);
-  if (!isValue && other != kNoSymbol) return variable(name, Role::Read);
+  if (!isValue && other != kNoSymbol) return readVariable(name);
   if (expected.kind == TypeKind::Value)
     return names.use(SymbolKind::Value, name, Role::Mention, expected.of), expected;
-  if (expected.known()) variable(name, Role::Read);
+  if (expected.known()) readVariable(name);
   return {};
 }
 

@@ -28,6 +28,7 @@ private:
   Type number(const syntax::Expr& expr, Type expected);
   Type access(const syntax::Expr& expr);
   Type variable(const syntax::Name& name, Role role);
+  Type readVariable(const syntax::Name& name);
   void natural(const syntax::Expr& expr);
   void naturals(const syntax::List<syntax::Expr>& operands);
   void equality(const syntax::Expr& expr);

@@ -16,6 +16,7 @@ syntax::CodeFor<2> unknownCode(SymbolKind kind) {
   case SymbolKind::StateVariable: return Code::UnknownStateVariable;
   case SymbolKind::Event: return Code::UnknownEvent;
   case SymbolKind::Resource: return Code::UnknownResource;
+  case SymbolKind::Constant: return Code::UnknownConstant;
   case SymbolKind::Value: return Code::UnknownValue;
   case SymbolKind::Parameter: return Code::UnknownParameter;
   case SymbolKind::Label: return Code::UnknownLabel;
@@ -49,6 +50,20 @@ SymbolId Names::use(SymbolKind kind, const Name& name, Role role, SymbolId owner
   else
     note(symbol, name, role);
   return symbol;
+}
+
+SymbolId Names::useOperand(const Name& name) {
+  if (!name) return kNoSymbol;
+  const SymbolId symbol = context.symbols.find(SymbolKind::StateVariable, name.text);
+  if (symbol != kNoSymbol) {
+    note(symbol, name, Role::Read);
+    return symbol;
+  }
+  context.findings.unknown({.code = Code::UnknownStateVariable,
+                            .text = std::string(name.text),
+                            .at = {file, name.range},
+                            .kinds = {SymbolKind::StateVariable, SymbolKind::Constant}});
+  return kNoSymbol;
 }
 
 SymbolId Names::useParameter(const Name& name, Role role, SymbolId skill) {

@@ -67,6 +67,7 @@ struct Context {
 /// | `(goto NAME)`, `(at NAME)` | a label of the same body, of any body |
 /// | `(emit NAME)`, `(occurs NAME)` | an event |
 /// | in `:resources` | a resource |
+/// | where a number may be | a constant; the program has its number already |
 class Names {
 public:
   Names(Context& context, FileId file) : context(context), file(file) {}
@@ -74,6 +75,9 @@ public:
   /// The symbol of this kind and owner; kNoSymbol, with a diagnostic, if it does not exist. A
   /// missing name gives kNoSymbol without a diagnostic, because the parser has reported it.
   SymbolId use(SymbolKind kind, const syntax::Name& name, Role role, SymbolId owner = kNoSymbol);
+  /// Resolves the state variable that a word of a comparison or a sum is; it may have been meant as
+  /// a constant. The words that are constants have their numbers already.
+  SymbolId useOperand(const syntax::Name& name);
   /// Resolves the tag of an outcome or an invariant, after `skill.res`.
   void useResult(const syntax::Name& tag, SymbolId skill);
   /// Resolves the word of a status, one of `allowed`.

@@ -1,5 +1,6 @@
 #include "analysis/names/reuse.h"
 
+#include "analysis/program/constants.h"
 #include "analysis/program/outcomes.h"
 #include "syntax/diagnostics/codes.h"
 #include "syntax/text/characters.h"
@@ -80,7 +81,7 @@ std::vector<const Form*> definitionsIn(const syntax::Document& document, Range r
 
 bool isSameNumber(const std::optional<syntax::Expr>& a, const std::optional<syntax::Expr>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
-  return a->kind == b->kind && a->number == b->number;
+  return a->kind == b->kind && a->number == b->number && a->name.text == b->name.text;
 }
 
 /// Whether the two have the same type; names are compared elsewhere.
@@ -211,7 +212,7 @@ std::optional<std::vector<Diagnostic>> movedByLayout(const std::vector<Diagnosti
 std::optional<Reuse> Reuse::find(const Earlier& earlier, const Program& now,
                                  const SymbolTable& symbols) {
   const auto edit = changeBetween(earlier.program, now);
-  if (!edit) return std::nullopt;
+  if (!edit || !haveSameConstants(earlier.program, now)) return std::nullopt;
   const auto& [file, change] = *edit;
   const auto& index = earlier.analysis.index;
   const auto& found = earlier.analysis.ofDefinitions;

@@ -17,7 +17,7 @@ public:
   SymbolChange matched() && {
     for (const SymbolKind kind :
          {SymbolKind::StateVariable, SymbolKind::Event, SymbolKind::Skill, SymbolKind::Resource,
-          SymbolKind::Property, SymbolKind::Environment})
+          SymbolKind::Property, SymbolKind::Environment, SymbolKind::Constant})
       matchDefinitions(before.members(kind, kNoSymbol), now.members(kind, kNoSymbol));
     return std::move(change);
   }

@@ -17,6 +17,7 @@ std::string_view words(SymbolKind kind) {
   case SymbolKind::Resource: return "resource";
   case SymbolKind::Property: return "property";
   case SymbolKind::Environment: return "environment";
+  case SymbolKind::Constant: return "constant";
   case SymbolKind::Value: return "value";
   case SymbolKind::Parameter: return "input";
   case SymbolKind::Label: return "label";
@@ -50,6 +51,7 @@ SymbolTable::SymbolTable(const Program& program, const std::optional<Before>& be
   defineAll(SymbolKind::Resource, program.resources);
   defineAll(SymbolKind::Property, program.properties);
   defineAll(SymbolKind::Environment, program.environments);
+  defineAll(SymbolKind::Constant, program.constants);
   ofDefinitions.resize(symbols.size());
   byName.resize(symbols.size());
   defineAllParts(SymbolKind::StateVariable, &Program::stateVariables, program, before);

@@ -20,6 +20,7 @@ enum class SymbolKind : std::uint8_t {
   Resource,
   Property,
   Environment,
+  Constant,
   // Parts of a state variable.
   Value,
   // Parts of a skill; labels also of an environment.
@@ -123,7 +124,7 @@ private:
   }
   [[nodiscard]] std::span<const SymbolId> partsByName(SymbolId owner) const;
 
-  static constexpr std::size_t kTopLevelKinds = 6;
+  static constexpr std::size_t kTopLevelKinds = 7;
 
   std::vector<Symbol> symbols; ///< the top level by kind, then the parts of each definition
   Ids ofKinds[kTopLevelKinds];

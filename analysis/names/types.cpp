@@ -27,10 +27,6 @@ constexpr auto kBasicTypeWords = [] {
 constexpr std::array<std::string_view, 5> kStatusWords = {"no_status", "success", "failure",
                                                           "failed_inv", "interrupted"};
 
-bool isNumber(TypeKind kind) {
-  return kind == TypeKind::Natural || kind == TypeKind::Integer || kind == TypeKind::Float;
-}
-
 } // namespace
 
 std::span<const std::string_view> statusWords() { return kStatusWords; }
@@ -52,6 +48,10 @@ Type typeNamed(const Program& program, const SymbolTable& symbols, std::string_v
 Type typeOfNumber(const syntax::Expr& number) {
   if (number.decimal) return {TypeKind::Float, kNoSymbol};
   return {number.number.numerator < 0 ? TypeKind::Integer : TypeKind::Natural, kNoSymbol};
+}
+
+bool isNumber(TypeKind kind) {
+  return kind == TypeKind::Natural || kind == TypeKind::Integer || kind == TypeKind::Float;
 }
 
 bool fits(Type given, Type wanted) {

@@ -43,6 +43,7 @@ constexpr std::string_view kNoResult = "no_result";
 /// The narrowest type of a number as written.
 [[nodiscard]] Type typeOfNumber(const syntax::Expr& number);
 
+[[nodiscard]] bool isNumber(TypeKind kind);
 /// Whether a value of type `given` can be passed as `wanted`: naturals are integers, integers are
 /// floats.
 [[nodiscard]] bool fits(Type given, Type wanted);

@@ -1,3 +1,4 @@
+#include "analysis/program/constants.h"
 #include "analysis/program/program.h"
 #include "syntax/diagnostics/codes.h"
 
@@ -48,8 +49,8 @@ private:
     if (const auto* include = form.as<syntax::Include>(); include && include->path)
       follow(include->path, id);
     std::apply([&](auto&... tables) { (enter(tables, form, id), ...); },
-               std::tie(program.stateVariables, program.events, program.skills, program.resources,
-                        program.properties, program.environments));
+               std::tie(program.constants, program.stateVariables, program.events, program.skills,
+                        program.resources, program.properties, program.environments));
   }
 
   template <class Node> static void enter(Table<Node>& table, const syntax::Form& form, FileId id) {
@@ -117,6 +118,7 @@ Program load(const FileSystem& files, const fs::path& root, syntax::Document doc
   Program program;
   program.extent = extent;
   Loader(files, program).add(root, files.canonical(root), std::move(document));
+  fillInConstants(program);
   return program;
 }
 

@@ -2,7 +2,9 @@
 
 #include "analysis/program/file_system.h"
 #include "syntax/document.h"
+#include "syntax/tree/constants.h"
 
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -57,6 +59,7 @@ enum class Extent : std::uint8_t { Whole, Fragment };
 struct Program {
   Extent extent = Extent::Whole;
   std::vector<File> files; ///< files[0] is the root
+  Table<syntax::Constant> constants;
   Table<syntax::StateVariable> stateVariables;
   Table<syntax::Event> events;
   Table<syntax::Skill> skills;
@@ -64,6 +67,9 @@ struct Program {
   Table<syntax::Property> properties;
   Table<syntax::Environment> environments;
   std::vector<syntax::Diagnostic> diagnostics; ///< of loading and parsing
+  /// Those of `constants` that can be used. The definitions in the tables have their numbers.
+  syntax::ConstantValues constantValues;
+  std::deque<syntax::Form> filled; ///< forms of the files with the numbers of their constants
 
   Program() = default;
   Program(Program&&) = default;

@@ -54,7 +54,7 @@ CallTable::Values CallTable::argumentsOf(const Statement& call, const SkillPlan&
   return values;
 }
 
-/// A literal as written, or the value of the calling skill's own parameter.
+/// A literal as written, also for a constant, or the value of the calling skill's own parameter.
 std::string CallTable::valueOf(const syntax::Expr& expr, const SkillPlan& skill,
                                const Values& given) const {
   if (expr.kind == syntax::ExprKind::Parameter) {
@@ -63,8 +63,11 @@ std::string CallTable::valueOf(const syntax::Expr& expr, const SkillPlan& skill,
       if (inputs[i].name.text == expr.name.text) return given[i];
     return "";
   }
-  const auto& text = program->files[skill.file()].document.text();
-  return std::string(text.substr(expr.range.begin, expr.range.end - expr.range.begin));
+  const bool isConstant = expr.kind == syntax::ExprKind::Number && expr.name;
+  const auto* constant = isConstant ? program->constants.find(expr.name.text) : nullptr;
+  const auto range = constant ? (*constant)->value.range : expr.range;
+  const auto& text = program->files[constant ? constant->file : skill.file()].document.text();
+  return text.substr(range.begin, range.length());
 }
 
 const std::map<std::int64_t, std::int64_t>& CallTable::numbersOf(const Statement& call) const {

@@ -146,7 +146,7 @@ fiacre::Pattern patternOf(Context& context, Observer& observer, const syntax::Pr
   if (property.before) pattern.before = observer.condition(*property.before);
   if (property.within) pattern.within = context.times.interval(*property.within);
   if (property.forDuration) pattern.forInterval = context.times.interval(*property.forDuration);
-  if (property.lasting) pattern.lasting = context.times.units(*property.lasting);
+  if (property.lasting) pattern.lasting = context.times.units(property.lasting->number);
   if (const auto begun = observer.begun()) beginWhere(*begun, pattern);
   return pattern;
 }

@@ -54,8 +54,8 @@ private:
     if (property->forDuration)
       all.push_back({*property->forDuration, property.file, Use::Property});
     if (property->lasting) {
-      const Interval lasting{.lower = *property->lasting,
-                             .upper = property->lasting,
+      const Interval lasting{.lower = property->lasting->number,
+                             .upper = property->lasting->number,
                              .lowerOpen = false,
                              .upperOpen = false,
                              .range = property->bodyRange};

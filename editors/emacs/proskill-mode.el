@@ -48,7 +48,7 @@
     table))
 
 (defconst proskill--definitions
-  '("defsv" "defevent" "defskill" "defresource" "defproperty" "defenvironment"))
+  '("defconst" "defsv" "defevent" "defskill" "defresource" "defproperty" "defenvironment"))
 
 (defconst proskill--top-level
   (concat "(" (regexp-opt (cons "include" proskill--definitions)) "\\_>"))
@@ -63,7 +63,7 @@
     (,(concat "(" (regexp-opt '("defevent" "defenvironment") t)
               "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
      (1 font-lock-keyword-face) (2 font-lock-type-face))
-    (,(concat "(" (regexp-opt '("defsv" "defresource" "defproperty") t)
+    (,(concat "(" (regexp-opt '("defconst" "defsv" "defresource" "defproperty") t)
               "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
      (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
     ("(\\(include\\)\\_>" 1 font-lock-preprocessor-face)

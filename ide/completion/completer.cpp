@@ -168,7 +168,9 @@ void Completer::conditions() {
   if (place.slot == Slot::Temporal) forms(WordKind::Temporal);
   forms(WordKind::Connective);
   forms(WordKind::Comparison);
-  if (!place.isHead) words(WordKind::Constant);
+  if (place.isHead) return;
+  words(WordKind::Constant);
+  if (place.slot == Slot::WaitCondition) constants();
 }
 
 void Completer::statements() {

@@ -44,6 +44,7 @@ private:
   void variables(bool numbersOnly);
   void operands();
   void numbers();
+  void constants();
   void results(std::string_view skill);
   void accesses();
   void access();

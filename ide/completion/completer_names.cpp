@@ -27,6 +27,10 @@ std::string_view placeholderOf(std::string_view type) {
   return "0";
 }
 
+bool takesNumbers(std::string_view type) {
+  return type == "int" || type == "nat" || type == "float";
+}
+
 } // namespace
 
 /// Completes where names of the program are allowed.
@@ -38,12 +42,13 @@ void Completer::fillNames() {
   case Slot::Transition: return values(place.subject);
   case Slot::InputType: return types();
   case Slot::Command: return command();
-  case Slot::CommandArgument: return parameters();
+  case Slot::CommandArgument: parameters(); return constants();
   case Slot::Resource: return resources();
   case Slot::Effects:
   case Slot::EffectItem: return variables(false);
   case Slot::Operand: return operands();
   case Slot::Number: return numbers();
+  case Slot::Constant: return constants();
   case Slot::Label: return members(SymbolKind::Label, owner(), CompletionKind::Label);
   case Slot::AnyLabel: return anyLabels();
   case Slot::SuccessTag: return members(SymbolKind::SuccessTag, owner(), CompletionKind::Tag);
@@ -81,6 +86,7 @@ void Completer::values(std::string_view variableName) {
   const auto id = find(SymbolKind::StateVariable, variableName);
   if (id == kNoSymbol) return;
   if (!variable(id).isNatural()) return members(SymbolKind::Value, id, CompletionKind::Value);
+  if (place.slot != Slot::Operand) constants();
   if (place.slot != Slot::EffectValue || place.isHead) return;
   for (const char sign : {'+', '-'}) {
     Completion& item = add(fmt::format("({} {} 1)", sign, variableName), CompletionKind::Operator);
@@ -123,13 +129,23 @@ void Completer::operands() {
   const bool beside = !items.empty();
   variables(false);
   if (beside) return;
+  constants();
   accesses();
   forms(WordKind::Arithmetic);
 }
 
 void Completer::numbers() {
   if (!place.isHead) variables(true);
+  constants();
   forms(WordKind::Arithmetic);
+}
+
+void Completer::constants() {
+  if (place.isHead) return;
+  for (auto id : symbols.members(SymbolKind::Constant, kNoSymbol))
+    if (!symbols[id].name.empty() && find(SymbolKind::Constant, symbols[id].name) == id)
+      name(id, CompletionKind::Value).detail = signature(view, id);
+  ++rank;
 }
 
 void Completer::results(std::string_view skillName) {
@@ -251,6 +267,7 @@ void Completer::argumentValues() {
     if (analysis::withoutDollar(input.name).text != place.argument) continue;
     values(input.type.text);
     if (input.type.text == "bool") words(WordKind::Constant);
+    if (takesNumbers(input.type.text)) constants();
   }
   parameters();
 }

@@ -35,6 +35,12 @@ const syntax::Skill& skillOf(const View& view, const Symbol& symbol) {
   return view.program().skills.all[symbol.definition].node();
 }
 
+/// As written.
+std::string_view numberOf(const View& view, const Symbol& symbol) {
+  const auto& constant = view.program().constants.all[symbol.definition];
+  return textOf(view, symbol.at.file, constant->value.range);
+}
+
 std::string listed(const auto& parts, auto&& text) {
   std::string result;
   for (const auto& part : parts) {
@@ -114,6 +120,7 @@ void describeUsers(Markup& text, const View& view, SymbolId id) {
   case SymbolKind::Value: return say("Set by", isSetting);
   case SymbolKind::Skill: return say("Called by", calls);
   case SymbolKind::Event:
+  case SymbolKind::Constant:
   case SymbolKind::Resource: return say("Used by", uses);
   default: return;
   }
@@ -165,6 +172,7 @@ std::string signature(const View& view, SymbolId id) {
     return fmt::format("{}: {}", symbol.name, valuesOf(variableOf(view, symbol)));
   case SymbolKind::Skill:
     return fmt::format("({}{})", symbol.name, inputsOf(skillOf(view, symbol)));
+  case SymbolKind::Constant: return fmt::format("{} = {}", symbol.name, numberOf(view, symbol));
   case SymbolKind::Event:
   case SymbolKind::Resource:
   case SymbolKind::Property:

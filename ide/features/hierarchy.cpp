@@ -79,7 +79,7 @@ std::vector<Link> outgoingCalls(const View& view, SymbolId skill) {
 
 std::optional<SymbolId> userOrVariableAt(const View& view, syntax::Offset at) {
   return symbolAt(view, at, [](SymbolKind kind) {
-    return kind < SymbolKind::Value && kind != SymbolKind::Resource;
+    return kind < SymbolKind::Value && kind != SymbolKind::Resource && kind != SymbolKind::Constant;
   });
 }
 

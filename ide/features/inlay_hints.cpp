@@ -36,10 +36,8 @@ public:
   Hints(const View& view, syntax::Range range) : view(view), range(range), flow(quickFlow(view)) {}
 
   std::vector<InlayHint> gather() && {
-    for (const auto& form : view.document().forms()) {
-      if (!form.range.touches(range)) continue;
-      if (const auto* skill = form.as<syntax::Skill>()) ofSkill(*skill);
-    }
+    for (const auto& skill : view.program().skills.all)
+      if (skill.file == view.file && skill.form->range.touches(range)) ofSkill(skill.node());
     if (flow) values();
     std::ranges::stable_sort(hints, {}, &InlayHint::at);
     return std::move(hints);

@@ -61,7 +61,8 @@ OutlineEntry ofDefinition(const View& view, const syntax::Form& form, SymbolId i
   const auto& symbol = view.index().symbols()[id];
   OutlineEntry entry{std::string(symbol.name), std::string(form.keyword.text), symbol.kind};
   if (symbol.name.empty()) entry.name = form.keyword.text;
-  if (symbol.kind == SymbolKind::StateVariable) entry.detail = signature(view, id);
+  if (symbol.kind == SymbolKind::StateVariable || symbol.kind == SymbolKind::Constant)
+    entry.detail = signature(view, id);
   entry.range = form.range;
   entry.selection = within(symbol.at.range, form.range);
   addChildren(entry, view, id);

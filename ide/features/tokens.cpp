@@ -24,6 +24,7 @@ TokenType typeOf(SymbolKind kind) {
   case SymbolKind::Resource: return TokenType::Resource;
   case SymbolKind::Property: return TokenType::Property;
   case SymbolKind::Environment: return TokenType::Environment;
+  case SymbolKind::Constant:
   case SymbolKind::Value: return TokenType::Value;
   case SymbolKind::Parameter: return TokenType::Parameter;
   case SymbolKind::PreconditionTag:
@@ -41,6 +42,7 @@ bool isForOthers(SymbolKind kind) {
   case SymbolKind::StateVariable:
   case SymbolKind::Event:
   case SymbolKind::Resource:
+  case SymbolKind::Constant:
   case SymbolKind::Parameter:
   case SymbolKind::Label: return true;
   default: return false;

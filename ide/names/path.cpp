@@ -12,6 +12,7 @@ namespace {
 using syntax::Offset;
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool isBracket(char c) { return c == '[' || c == ']'; }
 bool endsWord(char c) { return isSpace(c) || c == '(' || c == ')' || c == '"' || c == ';'; }
 
 /// Keywords that occur directly in a definition only, even if parentheses before them are missing.
@@ -32,6 +33,7 @@ public:
   Path read() {
     while (at < cursor && !found) step();
     if (!found) path.word = {cursor, wordEnd(cursor)};
+    if (path.surrounding == Surrounding::Code) enterInterval();
     path.prefix = text.substr(path.word.begin, cursor - path.word.begin);
     return std::move(path);
   }
@@ -117,6 +119,21 @@ private:
     lineHasToken = true;
     if (item.startsLine && isFieldOfDefinition(item.text)) path.lists.resize(1);
     path.lists.back().items.push_back(item);
+  }
+
+  /// Between brackets the word is a bound alone.
+  void enterInterval() {
+    const auto before = text.substr(0, cursor);
+    const auto start = before.find_last_of("\n();\"");
+    const auto line = before.substr(start == std::string_view::npos ? 0 : start);
+    const bool isOperator = line.starts_with("([");
+    if (isOperator || std::ranges::count_if(line, isBracket) % 2 == 0) return;
+    path.isInInterval = true;
+    constexpr std::string_view kSigns = "[],";
+    const auto last = static_cast<Offset>(before.find_last_of(kSigns)) + 1;
+    path.word.begin = std::max(path.word.begin, last);
+    const auto next = text.substr(cursor, path.word.end - cursor).find_first_of(kSigns);
+    if (next != std::string_view::npos) path.word.end = cursor + static_cast<Offset>(next);
   }
 
   void stopIn(Surrounding surrounding, syntax::Range word) {

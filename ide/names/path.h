@@ -35,6 +35,7 @@ struct Path {
   syntax::Range word;
   std::string_view prefix; ///< the word up to the cursor
   Surrounding surrounding = Surrounding::Code;
+  bool isInInterval = false; ///< the word is a bound of an interval
 };
 
 /// \pre `at` is at most the text's length

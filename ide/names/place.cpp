@@ -41,10 +41,10 @@ struct FieldValue {
 constexpr std::array kFieldValues{
     FieldValue{":init", Slot::InitialValue},
     FieldValue{":states", Slot::Nothing},
-    FieldValue{":min", Slot::Nothing},
-    FieldValue{":max", Slot::Nothing},
+    FieldValue{":min", Slot::Constant},
+    FieldValue{":max", Slot::Constant},
     FieldValue{":transitions", Slot::Transitions},
-    FieldValue{":capacity", Slot::Nothing},
+    FieldValue{":capacity", Slot::Constant},
     FieldValue{":every", Slot::Interval},
     FieldValue{":effects", Slot::Effects},
     FieldValue{":guard", Slot::Condition},
@@ -66,7 +66,7 @@ constexpr std::array kFieldValues{
     FieldValue{":before", Slot::Proposition},
     FieldValue{":within", Slot::Interval},
     FieldValue{":for", Slot::Interval},
-    FieldValue{":lasting", Slot::Nothing},
+    FieldValue{":lasting", Slot::Constant},
     FieldValue{":fair", Slot::Interruptible},
 };
 
@@ -147,7 +147,7 @@ Place inWait(Items items) {
   std::size_t after = 0;
   const Item* keyword = lastKeyword(items, after);
   if (keyword && keyword->text == ":timeout")
-    return just(after == 0 ? Slot::Nothing : Slot::TimeoutStatement);
+    return just(after == 0 ? Slot::Constant : Slot::TimeoutStatement);
   if (keyword) return amongFields(items, WordKind::WaitField);
   return field(WordKind::WaitField);
 }
@@ -321,6 +321,10 @@ Place placeOf(const Path& path, std::size_t depth) {
   return place;
 }
 
-Place placeOf(const Path& path) { return placeOf(path, path.lists.size()); }
+Place placeOf(const Path& path) {
+  Place place = placeOf(path, path.lists.size());
+  if (path.isInInterval) place.slot = Slot::Constant;
+  return place;
+}
 
 } // namespace proskill::ide

@@ -39,6 +39,7 @@ enum class Slot : std::uint8_t {
   Temporal,    ///< a formula of linear temporal logic
   Operand,     ///< a value compared with `subject`, which may be empty
   Number,      ///< a value that is a number
+  Constant,    ///< a number, or a constant
   Body,        ///< a list of statements
   Statement,
   IfStatement,      ///< or `elseif`, `else`

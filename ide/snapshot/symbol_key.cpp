@@ -23,6 +23,7 @@ std::vector<SymbolKind> ownersOf(SymbolKind kind) {
 
 /// The kind that the form defines, if any.
 std::optional<SymbolKind> kindOf(const syntax::Form& form) {
+  if (form.is<syntax::Constant>()) return SymbolKind::Constant;
   if (form.is<syntax::StateVariable>()) return SymbolKind::StateVariable;
   if (form.is<syntax::Event>()) return SymbolKind::Event;
   if (form.is<syntax::Skill>()) return SymbolKind::Skill;

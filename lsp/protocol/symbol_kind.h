@@ -14,6 +14,7 @@ namespace proskill::lsp {
   case analysis::SymbolKind::Resource: return protocol::SymbolKind::Object;
   case analysis::SymbolKind::Property: return protocol::SymbolKind::Property;
   case analysis::SymbolKind::Environment: return protocol::SymbolKind::Namespace;
+  case analysis::SymbolKind::Constant: return protocol::SymbolKind::Constant;
   case analysis::SymbolKind::Value: return protocol::SymbolKind::EnumMember;
   case analysis::SymbolKind::Parameter: return protocol::SymbolKind::Variable;
   case analysis::SymbolKind::PreconditionTag:

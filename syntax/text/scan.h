@@ -49,8 +49,9 @@ struct Scan {
 };
 
 /// The words that begin a definition.
-inline constexpr std::array<std::string_view, 7> kDefinitionWords = {
-    "defsv", "defevent", "defskill", "defresource", "defproperty", "defenvironment", "include",
+inline constexpr std::array<std::string_view, 8> kDefinitionWords = {
+    "defconst",    "defsv",       "defevent",       "defskill",
+    "defresource", "defproperty", "defenvironment", "include",
 };
 
 [[nodiscard]] Scan scan(std::string_view text);

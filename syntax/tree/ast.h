@@ -30,14 +30,18 @@ struct Interval {
   bool lowerOpen = false;
   bool upperOpen = false; ///< true if unbounded
   Range range;
+  /// The constants that the bounds are written as. In a document their values are not known: the
+  /// bounds are 0 and unbounded.
+  Name lowerName{};
+  Name upperName{};
 };
 
 enum class ExprKind : std::uint8_t {
   Missing, // missing or not understood
   True,
   False,
-  Number,    // number
-  Symbol,    // name: a state variable, a value of one, a status, or an outcome's tag
+  Number,    // number; name: the constant that it is written as
+  Symbol,    // name: a state variable, a value of one, a status, an outcome's tag, or a constant
   String,    // text, without its quotes
   Parameter, // name, with its `$`
   Access,    // name.member
@@ -103,6 +107,12 @@ struct Transition {
   Name from;
   Name to;
   Range range;
+};
+
+/// `(defconst NAME NUMBER)`.
+struct Constant {
+  Name name;
+  Expr value; ///< a Number, or Missing
 };
 
 enum class Transitions : std::uint8_t { Unstated, All, Listed };
@@ -290,8 +300,8 @@ struct Property {
   std::optional<Expr> before;
   std::optional<Interval> within;
   std::optional<Interval> forDuration;
-  std::optional<Rational> lasting; ///< seconds
-  std::optional<bool> fair;        ///< whether only fair runs count; absent: the default
+  std::optional<Expr> lasting; ///< seconds
+  std::optional<bool> fair;    ///< whether only fair runs count; absent: the default
 };
 
 struct Environment {
@@ -310,8 +320,8 @@ struct UnknownForm {
   Name name; ///< the word after it: what it would have defined
 };
 
-using FormNode = std::variant<UnknownForm, Include, StateVariable, Event, Skill, Resource, Property,
-                              Environment>;
+using FormNode = std::variant<UnknownForm, Include, Constant, StateVariable, Event, Skill, Resource,
+                              Property, Environment>;
 
 /// The statements of a body that are needed in all bodies after each edit, outer before inner, in
 /// the order of the text.

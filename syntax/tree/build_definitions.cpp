@@ -123,6 +123,25 @@ void readInit(Builder& builder, Field& field, StateVariable& variable) {
     variable.otherInits.push_back(expressionOf(builder, *next));
 }
 
+/// `(defconst NAME NUMBER)`
+Constant constantOf(Builder& builder, const Node& node) {
+  Parts parts(node);
+  const Name head = builder.nameOf(*parts.take());
+  Constant constant{takeName(builder, parts, head), {}};
+  constexpr auto kNeeds = "a number, such as `(defconst speed 2)`";
+  const Node* value = parts.take();
+  const Offset end = constant.name.range.end;
+  constant.value.range = value ? value->range : Range{end, end};
+  if (value && value->kind == NodeKind::Number)
+    constant.value = expressionOf(builder, *value);
+  else if (value && !isDamaged(*value))
+    builder.report(Code::MalformedValue, value->range, head.text, kNeeds);
+  else if (!value && constant.name)
+    builder.report(Code::MissingValue, head.range, head.text, kNeeds);
+  builder.reportSurplus(parts, "the number");
+  return constant;
+}
+
 StateVariable stateVariableOf(Builder& builder, Definition& definition) {
   StateVariable variable;
   variable.name = definition.name;
@@ -214,6 +233,7 @@ ReadForm formOf(Builder& builder, const Node& node) {
   switch (node.kind) {
   case NodeKind::List: form.node = unknownFormOf(builder, node); return form;
   case NodeKind::Include: form.node = includeOf(builder, node); return form;
+  case NodeKind::Constant: form.node = constantOf(builder, node); return form;
   case NodeKind::Property: form.node = propertyOf(builder, node); return form;
   default: break;
   }
@@ -232,6 +252,7 @@ bool isForm(const Node& node) {
   switch (node.kind) {
   case NodeKind::List:
   case NodeKind::Include:
+  case NodeKind::Constant:
   case NodeKind::StateVariable:
   case NodeKind::Event:
   case NodeKind::Skill:

@@ -38,10 +38,11 @@ std::optional<Interval> intervalField(Builder& builder, Field& field) {
   return std::nullopt;
 }
 
-std::optional<Rational> secondsField(Builder& builder, Field& field) {
+std::optional<Expr> secondsField(Builder& builder, Field& field) {
   constexpr auto kNeeds = "a number of seconds";
   const Node* value = onlyValue(builder, field, kNeeds);
-  if (value && value->kind == NodeKind::Number) return numberOf(builder, *value);
+  if (value && (value->kind == NodeKind::Number || value->kind == NodeKind::Symbol))
+    return expressionOf(builder, *value);
   if (value) reportMalformed(builder, field, *value, kNeeds);
   return std::nullopt;
 }

@@ -116,12 +116,15 @@ Interval instant(const Builder& builder, const Node& number) {
   return {seconds, seconds, false, false, number.range};
 }
 
-/// Reads a number of seconds or an interval.
+/// Reads a number of seconds, a constant or an interval.
 void readDuration(Builder& builder, Parts& parts, Statement& statement) {
   if (const Node* number = parts.take(NodeKind::Number)) {
     statement.duration = instant(builder, *number);
     if (statement.duration.lower < Rational{})
       builder.report(Code::MalformedInterval, number->range, "a duration cannot be negative");
+  } else if (const Node* constant = parts.take(NodeKind::Symbol)) {
+    statement.duration.range = constant->range;
+    statement.duration.lowerName = statement.duration.upperName = builder.nameOf(*constant);
   } else if (auto interval = takeInterval(builder, parts)) {
     statement.duration = *interval;
   }
@@ -130,7 +133,8 @@ void readDuration(Builder& builder, Parts& parts, Statement& statement) {
 /// Reads `:timeout 5`, and the statements after the timeout.
 void readTimeout(Builder& builder, Field& field, Statement& statement) {
   const Node* first = field.values.peek();
-  if (first && (first->kind == NodeKind::Number || first->kind == NodeKind::Interval))
+  if (first && (first->kind == NodeKind::Number || first->kind == NodeKind::Symbol ||
+                first->kind == NodeKind::Interval))
     readDuration(builder, field.values, statement);
   else
     builder.report(Code::MissingValue, field.use.keyword.range, field.use.keyword.text,

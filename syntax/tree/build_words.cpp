@@ -92,25 +92,33 @@ Name contentOf(const Builder& builder, const Node& string) {
 
 namespace {
 
+/// A number, or the name of a constant, whose value is not known here.
+bool takeBound(const Builder& builder, Parts& parts, std::optional<Rational>& bound, Name& name) {
+  if (const Node* number = parts.take(NodeKind::Number)) {
+    bound = numberOf(builder, *number);
+    return true;
+  }
+  const Node* symbol = parts.take(NodeKind::Symbol);
+  if (symbol) name = builder.nameOf(*symbol);
+  return symbol != nullptr;
+}
+
 /// What is missing from an interval, for a diagnostic; empty if it is complete.
 std::string_view readInterval(const Builder& builder, const Node& node, Interval& interval) {
   Parts parts(node);
   interval.lowerOpen = builder.textOf(*parts.take()) == "]";
-  const Node* lower = parts.take(NodeKind::Number);
-  if (!lower) return "the first bound is missing";
-  interval.lower = numberOf(builder, *lower);
+  std::optional<Rational> lower;
+  if (!takeBound(builder, parts, lower, interval.lowerName)) return "the first bound is missing";
+  interval.lower = lower.value_or(Rational{});
   const Node* comma = parts.peek();
   if (!comma || builder.textOf(*comma) != ",") return "the comma is missing";
   parts.take();
-  const Node* upper = parts.take(NodeKind::Number);
-  if (upper)
-    interval.upper = numberOf(builder, *upper);
-  else if (!parts.take(NodeKind::Unbounded))
-    return "the second bound is missing";
+  const bool isBounded = takeBound(builder, parts, interval.upper, interval.upperName);
+  if (!isBounded && !parts.take(NodeKind::Unbounded)) return "the second bound is missing";
   const Node* right = parts.take();
   if (!right) return "the closing bracket is missing";
-  interval.upperOpen = !upper || builder.textOf(*right) == "[";
-  if (interval.lower < Rational{} || (upper && *interval.upper < Rational{}))
+  interval.upperOpen = !isBounded || builder.textOf(*right) == "[";
+  if (interval.lower < Rational{} || (interval.upper && *interval.upper < Rational{}))
     return "a duration cannot be negative";
   return {};
 }

@@ -1,6 +1,7 @@
 #include "syntax/tree/form.h"
 
 #include "syntax/tree/shift.h"
+#include "syntax/tree/statements.h"
 
 #include <memory_resource>
 #include <mutex>
@@ -21,7 +22,25 @@ Name nameOf(const ReadForm& form) {
       form.node);
 }
 
+const Block* bodyOf(const FormNode& node) {
+  if (const auto* skill = std::get_if<Skill>(&node)) return skill->body ? &*skill->body : nullptr;
+  if (const auto* environment = std::get_if<Environment>(&node)) return &environment->body;
+  return nullptr;
+}
+
 } // namespace
+
+BodyIndex bodyIndexOf(const FormNode& node) {
+  BodyIndex found;
+  const Block* body = bodyOf(node);
+  if (!body) return found;
+  forEachStatement(*body, [&](const Statement& statement) {
+    if (statement.kind == StatementKind::Call) found.calls.push_back(&statement);
+    if (statement.kind == StatementKind::Label) found.labels.push_back(&statement);
+    if (runsBranches(statement)) found.parallels.push_back(&statement);
+  });
+  return found;
+}
 
 class PlacedNode {
 public:

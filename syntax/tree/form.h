@@ -62,4 +62,7 @@ private:
   std::shared_ptr<const PlacedNode> placed; ///< shared by forms at the same place
 };
 
+/// \pre the node stays where it is as long as the index is used
+[[nodiscard]] BodyIndex bodyIndexOf(const FormNode& node);
+
 } // namespace proskill::syntax

@@ -124,3 +124,11 @@ TEST_CASE("no name stands between names") {
   CHECK(indexed.index().at(0, 18) == nullptr);
   CHECK(indexed.index().at(7, 13) == nullptr);
 }
+
+TEST_CASE("the uses of a constant") {
+  const std::string text = "(defconst two 2)(defsv n :init two :min 0 :max two)"
+                           "(defskill m :body ((^ two) (^ [two,two]) (^ (= n two) :timeout two)))";
+  const Indexed indexed(text);
+  const auto two = indexed.index().symbols().find(analysis::SymbolKind::Constant, "two");
+  CHECK(indexed.index().occurrencesOf(two).size() == 8);
+}

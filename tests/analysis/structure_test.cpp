@@ -71,7 +71,7 @@ TEST_CASE("a resource can be held, and is taken once") {
   CHECK(findings("(defresource r :capacity 2)") == "");
   CHECK(findings("(defresource r :capacity 0)") == "PS0412 0");
   CHECK(findings("(defresource r :capacity 1.5)") == "PS0412 1.5");
-  CHECK(findings("(defresource r :capacity many)") == "PS0412 many");
+  CHECK(findings("(defresource r :capacity many)") == "PS0212 many");
   CHECK(findings(kWorld + "(defskill s :resources (arm arm) :action (s))") == "PS0413 arm");
 }
 

@@ -9,7 +9,7 @@ using proskill::test::mission;
 TEST_CASE("a condition is true or false") {
   CHECK(findings(mission("(^ true) (while false (survey))")) == "");
   CHECK(findings(mission("(^ battery)")) == "PS0301 battery");
-  CHECK(findings(mission("(^ ready)")) == "PS0301 ready");
+  CHECK(findings(mission("(^ ready)")) == "PS0212 ready");
   CHECK(findings(mission("(if takeoff.status (survey))")) == "PS0301 takeoff.status");
   CHECK(findings(mission("(while (+ level 1) (survey))")) == "PS0301 (+ level 1)");
   CHECK(findings(mission("(^ (and (level 1) level))")) == "PS0301 level");
@@ -62,7 +62,7 @@ TEST_CASE("a natural has the numbers of its domain") {
         "PS0308 9223372036854775807");
   CHECK(findings("(defsv n :init 1.5 :min 0 :max 3)") == "PS0304 1.5");
   CHECK(findings("(defsv n :init 1 :min -1 :max 3)") == "PS0304 -1");
-  CHECK(findings("(defsv n :init Low :min 0 :max 3)") == "PS0304 Low");
+  CHECK(findings("(defsv n :init Low :min 0 :max 3)") == "PS0212 Low");
   CHECK(findings(mission("(^ (level 0))")) == "PS0305 0");
   CHECK(findings(mission("(^ (= level 4))")) == "PS0305 4");
   CHECK(findings(mission("(^ (< level 4))")) == "");

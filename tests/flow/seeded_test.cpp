@@ -52,6 +52,8 @@ const Seed kSeeds[] = {
      "(defskill hover :action (hover))\n(defskill shutdown_drone", "PS0610", "hover"},
     {"arm/arm.proskill", "cell.proskill", "(defresource joints)",
      "(defresource joints)\n(defresource gripper)", "PS0613", "gripper"},
+    {"rover/rover.proskill", "world.proskill", "(defconst full_charge 4)",
+     "(defconst full_charge 4)\n(defconst half_charge 2)", "PS0616", "half_charge"},
     // Waits and tests.
     {"drone/drone.proskill", "drone.proskill", "(printf \"Mission Accomplished\")",
      "(^ (mission_status Succeeded))", "PS0701", "(mission_status Succeeded)"},
@@ -169,7 +171,7 @@ const Seed kMistakes[] = {
     {"drone/drone.proskill", "drone.proskill", "(battery Critical))", "(battery Critcal))",
      "PS0203", "Critcal"},
     {"drone/drone.proskill", "drone.proskill", ":init Unknown", ":init Unknwn", "PS0203", "Unknwn"},
-    {"drone/drone.proskill", "drone.proskill", "(^ 2)", "(^ two)", "PS0301", "two"},
+    {"drone/drone.proskill", "drone.proskill", "(^ 2)", "(^ two)", "PS0212", "two"},
     {"drone/drone.proskill", "drone.proskill", "(printf \"Mission Accomplished\")",
      "(printf \"Mission %d\")", "PS0330", "Mission %d"},
     {"drone/drone.proskill", "drone.proskill", "status success)", "status succes)", "PS0211",
@@ -193,7 +195,7 @@ const Seed kMistakes[] = {
     {"arm/arm.proskill", "cell.proskill", "(failure lost)", "(failure los)", "PS0205", "los"},
     {"arm/arm.proskill", "cell.proskill", "pick.status", "pick.stats", "PS0210", "stats"},
     {"arm/arm.proskill", "cell.proskill", "(place)", "(place speed 1)", "PS0208", "speed"},
-    {"arm/arm.proskill", "cell.proskill", ":capacity 2", ":capacity two", "PS0412", "two"},
+    {"arm/arm.proskill", "cell.proskill", ":capacity 2", ":capacity two", "PS0212", "two"},
     {"arm/arm.proskill", "cell.proskill", "(defenvironment", "(defenviroment", "PS0109",
      "defenviroment"},
 };

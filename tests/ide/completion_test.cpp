@@ -314,3 +314,20 @@ TEST_CASE("the word that the cursor stands in is replaced") {
   CHECK(found.insert.begin == found.replace.begin);
   CHECK(found.insert.end == program.at());
 }
+
+TEST_CASE("constants where a number is expected, with their values") {
+  const std::string constants = "(defconst patience 60)(defconst half 0.5)";
+  const Labels kBoth{"patience", "half"};
+  const auto offered = [&](const std::string& text) { return labelsIn(constants + text); };
+  CHECK(offered("(defsv n :init 0 :min 0 :max ^)") == kBoth);
+  CHECK(offered("(defresource r :capacity p^)") == kBoth);
+  CHECK(offered("(defskill m :time_interval [p^") == kBoth);
+  CHECK(offered("(defskill m :time_interval [1,p^])") == kBoth);
+  CHECK(offered("(defskill m :body ((^ (level 1) :timeout p^") == kBoth);
+  CHECK(contains(offered("(defskill m :body ((^ p^"), "patience"));
+  CHECK(contains(offered("(defskill m :body ((takeoff height ^"), "half"));
+  CHECK_FALSE(contains(offered("(defskill m :body ((takeoff mode ^"), "half"));
+  CHECK(contains(offered("(defskill m :body ((set (level ^"), "patience"));
+  CHECK(contains(offered("(defskill m :precondition (a (< level ^"), "patience"));
+  CHECK(itemIn(constants + "(defresource r :capacity ^)", "half").detail == "half = 0.5");
+}

@@ -68,6 +68,12 @@ TEST_CASE("values, inputs, tags and labels say what they belong to") {
   CHECK(hoverText("(defskill m :body ((label ag^ain) (goto again)))").contains("A label of `m`"));
 }
 
+TEST_CASE("a constant with its number, its comment and who uses it") {
+  CHECK(
+      hoverText("; Seconds.\n(defconst patience 60)\n(defskill m :body ((^ [1,[[pat^ience]]])))") ==
+      "```proskill\n(defconst patience 60)\n```\n\nSeconds.\n\nUsed by `m`.");
+}
+
 TEST_CASE("words of the language, by the meaning that they have in their place") {
   CHECK(hoverText("(defs^v lamp :states (On) :init On)").contains("which the program knows"));
   CHECK(hoverText("(defskill f [[:st^art]] (lamp On) :action (x))")

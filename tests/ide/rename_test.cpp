@@ -154,3 +154,10 @@ TEST_CASE("labels and tags are edited as one, other names are not") {
        {"lib.proskill", "(defskill go :action (x) :success done)"}});
   CHECK(ide::linkedPlaces(far.view(), far.at()).empty());
 }
+
+TEST_CASE("a constant is renamed in conditions, fields, waits and intervals") {
+  checkPlaces(MarkedProgram("(defconst [[^few]] 2)(defsv n :init [[few]] :min 0 :max [[few]])"
+                            "(defskill m :time_interval [ [[few]],[[few]] ]"
+                            " :body ((^ [[few]]) (^ (< n [[few]]) :timeout [[few]])))"),
+              "many");
+}

@@ -50,9 +50,9 @@ TEST_CASE("the outline has every definition with what is inside of it, in the or
       "(defskill go :input ($x int) :precondition (ok true) :invariant (safe (:guard true))\n"
       "  :success done :failure (bad worse) :body ((label again) (goto again)))\n"
       "(defevent e :effects (lamp On)) (defresource arm) (defproperty p (deadlockfree))\n"
-      "(defenvironment world :body ((label w)))");
+      "(defconst two 2) (defenvironment world :body ((label w)))");
   CHECK(written(ide::outline(program.view())) ==
-        "other.proskill lamp(On Off) go(x ok safe done bad worse again) e arm p world(w)");
+        "other.proskill lamp(On Off) go(x ok safe done bad worse again) e arm p two world(w)");
   checkRanges(ide::outline(program.view()),
               {0, static_cast<syntax::Offset>(program.view().text().size())});
 }

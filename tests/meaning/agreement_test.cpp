@@ -1,4 +1,5 @@
 #include "tests/meaning/agreement.h"
+#include "tests/support/random/random_constants.h"
 #include "tests/support/random/random_program.h"
 #include "tests/support/random/seeds.h"
 
@@ -31,11 +32,17 @@ void note(Tally& tally, std::uint64_t seed, const std::string& kind,
   UNSCOPED_INFO("seed " << seed << ", " << kind << "\n" << meaning::smallest(program, kLimit));
 }
 
+/// Every tenth program has constants in place of its numbers.
+std::vector<test::Form> programOf(std::uint64_t seed, const test::ProgramSize& size) {
+  const auto program = test::randomProgram(seed, size);
+  return seed % 10 == 0 ? test::withConstants(program) : program;
+}
+
 Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSize& size) {
   Tally tally;
   const auto [begin, end] = test::seedsOr(first, count);
   for (auto seed = begin; seed < end; ++seed) {
-    const auto program = test::randomProgram(seed, size);
+    const auto program = programOf(seed, size);
     const auto comparison = meaning::compare(program, kLimit);
     if (comparison.refusal) FAIL("seed " << seed << ": " << *comparison.refusal);
     if (comparison.disagreement) note(tally, seed, comparison.kind, program);

@@ -182,7 +182,7 @@ private:
     for (const auto& property : program.properties.all) {
       for (const auto& interval : {property->within, property->forDuration})
         if (interval) note(*interval);
-      if (property->lasting) note(*property->lasting);
+      if (property->lasting) note(property->lasting->number);
     }
   }
 

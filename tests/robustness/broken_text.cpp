@@ -73,6 +73,7 @@ std::string randomWords(std::uint64_t seed, std::size_t count) {
                                               "1.5",
                                               "99999999999999999999",
                                               "defskill",
+                                              "defconst",
                                               "defsv",
                                               "defevent",
                                               "defproperty",

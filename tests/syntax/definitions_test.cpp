@@ -4,6 +4,7 @@
 
 using namespace proskill;
 using syntax::Document;
+using test::codesOf;
 using test::Parsed;
 
 TEST_CASE("a natural") {
@@ -38,6 +39,16 @@ TEST_CASE("a resource with a capacity, and without") {
   Parsed<syntax::Resource> slots("(defresource slots :capacity 3)");
   CHECK(slots->capacity->number == syntax::Rational{3});
   CHECK_FALSE(Parsed<syntax::Resource>("(defresource arm)")->capacity);
+}
+
+TEST_CASE("a constant is a name and a number") {
+  Parsed<syntax::Constant> home("(defconst home -0.5)");
+  CHECK(home->name.text == "home");
+  CHECK(home->value.number == syntax::Rational{-1, 2});
+  CHECK(codesOf(Document::parse("(defconst home)")) == "PS0114");
+  CHECK(codesOf(Document::parse("(defconst home far)")) == "PS0115");
+  CHECK(codesOf(Document::parse("(defconst home 1 2)")) == "PS0112");
+  CHECK(codesOf(Document::parse("(defconst)")) == "PS0111");
 }
 
 TEST_CASE("an environment") {

@@ -51,7 +51,7 @@ TEST_CASE("the fields of a pattern") {
   Parsed<Property> present("(defproperty p (present (a B) :after (occurs e) :lasting 1.5))");
   CHECK(present->after->name.text == "e");
   CHECK_FALSE(present->before);
-  CHECK(present->lasting == syntax::Rational{3, 2});
+  CHECK(present->lasting->number == syntax::Rational{3, 2});
   CHECK(present->fields.size() == 2);
 }
 

@@ -73,7 +73,7 @@ TEST_CASE("intervals of seconds") {
 
 TEST_CASE("malformed intervals are one diagnostic each") {
   for (std::string text : {"[", "[]", "[1", "[1]", "[1 3]", "[1,", "[1,]", "[,3]", "[1,3", "[-1,3]",
-                           "]1,,3]", "[a,b]"}) {
+                           "]1,,3]", "[a,$b]"}) {
     INFO(text);
     CHECK(codes(":time_interval " + text).find("PS0116") == 0);
   }

@@ -19,6 +19,7 @@
 
 ; Definitions.
 [
+  "defconst"
   "defsv"
   "defevent"
   "defskill"
@@ -28,6 +29,7 @@
 ] @keyword
 "include" @keyword.import
 
+(constant name: (symbol) @constant)
 (state_variable name: (symbol) @variable)
 (event name: (symbol) @type)
 (skill name: (symbol) @function)
@@ -71,6 +73,14 @@
 (states_field value: (name_list (symbol) @constant))
 (init_field value: (symbol) @constant)
 (init_field value: (name_list (symbol) @constant))
+(min_field value: (symbol) @constant)
+(max_field value: (symbol) @constant)
+(capacity_field value: (symbol) @constant)
+(lasting_field value: (symbol) @constant)
+(timeout_field value: (symbol) @constant)
+(wait condition: (symbol) @constant)
+(interval lower: (symbol) @constant)
+(interval upper: (symbol) @constant)
 (transition from: (symbol) @constant)
 (transition to: (symbol) @constant)
 (effect variable: (symbol) @variable)

@@ -3,6 +3,7 @@
 (skill) @local.scope
 (environment) @local.scope
 
+(constant name: (symbol) @local.definition.constant)
 (state_variable name: (symbol) @local.definition.var)
 (event name: (symbol) @local.definition.type)
 (skill name: (symbol) @local.definition.function)
@@ -22,6 +23,16 @@
 (test value: (symbol) @local.reference)
 (effect variable: (symbol) @local.reference)
 (effect value: (symbol) @local.reference)
+(min_field value: (symbol) @local.reference)
+(max_field value: (symbol) @local.reference)
+(capacity_field value: (symbol) @local.reference)
+(lasting_field value: (symbol) @local.reference)
+(timeout_field value: (symbol) @local.reference)
+(wait condition: (symbol) @local.reference)
+(interval lower: (symbol) @local.reference)
+(interval upper: (symbol) @local.reference)
+(argument value: (symbol) @local.reference)
+(arithmetic (symbol) @local.reference)
 (transition from: (symbol) @local.reference)
 (transition to: (symbol) @local.reference)
 (init_field value: (symbol) @local.reference)

@@ -5,6 +5,7 @@
   (#strip! @doc "^;+\\s*")
   (#select-adjacent! @doc @definition.function)
 )
+(constant name: (symbol) @name) @definition.constant
 (state_variable name: (symbol) @name) @definition.variable
 (event name: (symbol) @name) @definition.type
 (resource name: (symbol) @name) @definition.variable

@@ -8,8 +8,8 @@
 enum Token { IMPLICIT_CLOSE, ERROR_SENTINEL };
 
 static const char *const kHeads[] = {
-    "defsv",       "defevent",       "defskill", "defresource",
-    "defproperty", "defenvironment", "include",
+    "defconst",    "defsv",       "defevent",       "defskill",
+    "defresource", "defproperty", "defenvironment", "include",
 };
 
 void *tree_sitter_proskill_external_scanner_create(void) { return NULL; }

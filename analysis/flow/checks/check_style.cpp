@@ -47,14 +47,15 @@ std::set<const Symbol*> checkSimilarNames(Report& report) {
   return told;
 }
 
-/// Values are capitalised, all other names are not.
+/// Values are capitalised, constants may be, all other names are not.
 void checkNaming(Report& report, const std::set<const Symbol*>& told) {
   for (const Symbol& symbol : report.index.symbols().all()) {
     if (symbol.name.empty() || told.contains(&symbol)) continue;
     const bool isValue = symbol.kind == SymbolKind::Value;
     if (isValue && std::islower(static_cast<unsigned char>(symbol.name.front())) != 0)
       report.findings.report(Code::ValueWithoutCapital, symbol.at, symbol.name);
-    if (!isValue && lowered(symbol.name) != symbol.name)
+    const bool mayHave = isValue || symbol.kind == SymbolKind::Constant;
+    if (!mayHave && lowered(symbol.name) != symbol.name)
       report.findings.report(Code::NameNotLowerCase, symbol.at, symbol.name);
   }
 }

@@ -23,6 +23,9 @@ public:
       case SymbolKind::Resource:
         if (!isNamed(id)) reportRemovable(Code::UnusedResource, symbol);
         break;
+      case SymbolKind::Constant:
+        if (!isNamed(id)) reportRemovable(Code::UnusedConstant, symbol);
+        break;
       case SymbolKind::Label:
         if (!isNamed(id)) reportRemovable(Code::UnusedLabel, symbol);
         break;

@@ -172,7 +172,7 @@ private:
 
   /// Whether it is never true, or not for long enough from the first time on.
   [[nodiscard]] bool stopsTooSoon(const Points& from) const {
-    const auto soon = tooEarly({.lower = script.units(*property.lasting)});
+    const auto soon = tooEarly({.lower = script.units(property.lasting->number)});
     const auto first = restarted(reached(from, no(wish), wish));
     return canGoOn(from, no(wish)) || !reached(first, soon, both(soon, no(wish))).empty();
   }
@@ -201,7 +201,7 @@ private:
 };
 
 std::int64_t longestOf(const syntax::Property& property, const Script& script) {
-  std::int64_t longest = property.lasting ? script.units(*property.lasting) : 0;
+  std::int64_t longest = property.lasting ? script.units(property.lasting->number) : 0;
   for (const auto& interval : {property.within, property.forDuration}) {
     if (!interval) continue;
     longest = std::max(longest, script.units(interval->lower));

@@ -20,6 +20,7 @@
 
 ; Definitions.
 [
+  "defconst"
   "defsv"
   "defevent"
   "defskill"
@@ -29,6 +30,7 @@
 ] @keyword
 "include" @keyword.control.import
 
+(constant name: (symbol) @constant)
 (state_variable name: (symbol) @variable)
 (event name: (symbol) @type)
 (skill name: (symbol) @function)
@@ -72,6 +74,14 @@
 (states_field value: (name_list (symbol) @constant))
 (init_field value: (symbol) @constant)
 (init_field value: (name_list (symbol) @constant))
+(min_field value: (symbol) @constant)
+(max_field value: (symbol) @constant)
+(capacity_field value: (symbol) @constant)
+(lasting_field value: (symbol) @constant)
+(timeout_field value: (symbol) @constant)
+(wait condition: (symbol) @constant)
+(interval lower: (symbol) @constant)
+(interval upper: (symbol) @constant)
 (transition from: (symbol) @constant)
 (transition to: (symbol) @constant)
 (effect variable: (symbol) @variable)

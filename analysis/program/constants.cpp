@@ -1,0 +1,74 @@
+#include "analysis/program/constants.h"
+
+#include "syntax/text/characters.h"
+
+#include <algorithm>
+
+namespace proskill::analysis {
+
+namespace {
+
+using syntax::ConstantValues;
+
+/// The constants with a number, but those whose names are also values, tags and the like.
+ConstantValues valuesOf(const Program& program) {
+  ConstantValues values;
+  for (const auto& constant : program.constants.all)
+    if (constant.form->name && constant->value.kind == syntax::ExprKind::Number)
+      values.try_emplace(constant.name(), &constant->value);
+  if (values.empty()) return values;
+  for (const auto& variable : program.stateVariables.all) {
+    values.erase(variable.name());
+    for (const auto& value : variable.nodeAsRead().states) values.erase(value.text);
+  }
+  for (const auto& definition : program.skills.all) {
+    const auto& skill = definition.nodeAsRead();
+    for (const auto& outcome : skill.successes) values.erase(outcome.tag.text);
+    for (const auto& outcome : skill.failures) values.erase(outcome.tag.text);
+    for (const auto& invariant : skill.invariants) values.erase(invariant.tag.text);
+  }
+  return values;
+}
+
+bool mentionsAny(std::string_view text, const ConstantValues& values) {
+  for (auto begin = text.begin(); begin != text.end();) {
+    const auto end = std::find_if_not(begin, text.end(), syntax::isWordCharacter);
+    if (begin != end && values.contains(std::string_view(begin, end))) return true;
+    begin = std::find_if(end, text.end(), syntax::isWordCharacter);
+  }
+  return false;
+}
+
+template <class Node> void fillIn(Program& program, Table<Node>& table) {
+  for (Definition<Node>& it : table.all) {
+    const auto range = it.form->range;
+    const std::string_view text = program.files[it.file].document.text();
+    if (mentionsAny(text.substr(range.begin, range.length()), program.constantValues))
+      it.form =
+          &program.filled.emplace_back(syntax::withConstants(*it.form, program.constantValues));
+  }
+}
+
+} // namespace
+
+void fillInConstants(Program& program) {
+  program.constantValues = valuesOf(program);
+  if (program.constantValues.empty()) return;
+  fillIn(program, program.stateVariables);
+  fillIn(program, program.events);
+  fillIn(program, program.skills);
+  fillIn(program, program.resources);
+  fillIn(program, program.properties);
+  fillIn(program, program.environments);
+}
+
+bool haveSameConstants(const Program& a, const Program& b) {
+  return a.constantValues.size() == b.constantValues.size() &&
+         std::ranges::all_of(a.constantValues, [&](const auto& each) {
+           const auto other = b.constantValues.find(each.first);
+           return other != b.constantValues.end() && other->second->number == each.second->number &&
+                  other->second->decimal == each.second->decimal;
+         });
+}
+
+} // namespace proskill::analysis
