@@ -1,7 +1,5 @@
 #include "analysis/program/constants.h"
 
-#include "syntax/text/characters.h"
-
 #include <algorithm>
 
 namespace proskill::analysis {
@@ -30,22 +28,13 @@ ConstantValues valuesOf(const Program& program) {
   return values;
 }
 
-bool mentionsAny(std::string_view text, const ConstantValues& values) {
-  for (auto begin = text.begin(); begin != text.end();) {
-    const auto end = std::find_if_not(begin, text.end(), syntax::isWordCharacter);
-    if (begin != end && values.contains(std::string_view(begin, end))) return true;
-    begin = std::find_if(end, text.end(), syntax::isWordCharacter);
-  }
-  return false;
-}
-
-template <class Node> void fillIn(Program& program, Table<Node>& table) {
+template <class Node>
+void fillIn(const syntax::ConstantFiller& filler, Program& program, Table<Node>& table) {
   for (Definition<Node>& it : table.all) {
-    const auto range = it.form->range;
     const std::string_view text = program.files[it.file].document.text();
-    if (mentionsAny(text.substr(range.begin, range.length()), program.constantValues))
-      it.form =
-          &program.filled.emplace_back(syntax::withConstants(*it.form, program.constantValues));
+    const auto range = it.form->range;
+    if (auto filled = filler.filled(*it.form, text.substr(range.begin, range.length())))
+      it.form = &program.filled.emplace_back(*std::move(filled));
   }
 }
 
@@ -54,12 +43,13 @@ template <class Node> void fillIn(Program& program, Table<Node>& table) {
 void fillInConstants(Program& program) {
   program.constantValues = valuesOf(program);
   if (program.constantValues.empty()) return;
-  fillIn(program, program.stateVariables);
-  fillIn(program, program.events);
-  fillIn(program, program.skills);
-  fillIn(program, program.resources);
-  fillIn(program, program.properties);
-  fillIn(program, program.environments);
+  const syntax::ConstantFiller filler(program.constantValues);
+  fillIn(filler, program, program.stateVariables);
+  fillIn(filler, program, program.events);
+  fillIn(filler, program, program.skills);
+  fillIn(filler, program, program.resources);
+  fillIn(filler, program, program.properties);
+  fillIn(filler, program, program.environments);
 }
 
 bool haveSameConstants(const Program& a, const Program& b) {

@@ -4,7 +4,10 @@
 #include "syntax/text/source.h"
 #include "syntax/tree/arena.h"
 
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -26,7 +29,7 @@ struct Name {
 /// An interval of seconds as written: `[1,3]`, `]0,0.5[`, `[2,...[`.
 struct Interval {
   Rational lower;
-  std::optional<Rational> upper; ///< nothing: unbounded
+  std::optional<Rational> upper; ///< nullopt: unbounded
   bool lowerOpen = false;
   bool upperOpen = false; ///< true if unbounded
   Range range;
@@ -331,6 +334,36 @@ struct BodyIndex {
   List<const Statement*> parallels;
 };
 
+struct ReadForm;
+
+/// A form with the numbers in place of a program's constants, see constants.h.
+struct FilledForm {
+  std::shared_ptr<const std::string> constants; ///< what identifies their names and numbers
+  std::shared_ptr<const ReadForm> form;         ///< null: the form mentions no constant
+};
+
+/// The filled form that was made last: most edits leave both the form and the constants as they
+/// were. Thread-safe. Copies begin empty.
+class LastFilled {
+public:
+  LastFilled() = default;
+  LastFilled(const LastFilled&) noexcept {}
+  LastFilled& operator=(const LastFilled&) = delete;
+
+  [[nodiscard]] FilledForm get() const {
+    const std::scoped_lock lock(mutex);
+    return last;
+  }
+  void set(FilledForm filled) const {
+    const std::scoped_lock lock(mutex);
+    last = std::move(filled);
+  }
+
+private:
+  mutable std::mutex mutex;
+  mutable FilledForm last;
+};
+
 /// A form at the top level, with ranges as parsed.
 struct ReadForm {
   Range range;  ///< from its opening to its closing parenthesis
@@ -339,6 +372,7 @@ struct ReadForm {
   bool recovered = false;
   FormNode node;
   BodyIndex bodyIndex; ///< of its body, if it has one
+  LastFilled lastFilled{};
 };
 
 } // namespace proskill::syntax

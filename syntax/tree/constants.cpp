@@ -1,6 +1,12 @@
 #include "syntax/tree/constants.h"
 
+#include "syntax/text/characters.h"
 #include "syntax/tree/parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
 
 namespace proskill::syntax {
 namespace {
@@ -44,19 +50,51 @@ private:
   const ConstantValues& values;
 };
 
-} // namespace
+/// The names and numbers in an order that depends on nothing else.
+std::string keyOf(const ConstantValues& values) {
+  std::map<std::string_view, const Expr*> sorted(values.begin(), values.end());
+  std::string key;
+  for (const auto& [name, value] : sorted)
+    key += fmt::format("{} {}{}\n", name, toString(value->number), value->decimal ? "." : "");
+  return key;
+}
 
-Form withConstants(const Form& form, const ConstantValues& values) {
+std::shared_ptr<const ReadForm> fill(const Form& form, const ConstantValues& values) {
   auto filled = std::make_shared<ReadForm>();
-  filled->range = form.range;
-  filled->keyword = form.keyword;
+  const Offset back = -form.offset();
+  filled->range = form.range.moved(back);
+  filled->keyword = {form.keyword.text, form.keyword.range.moved(back)};
   filled->recovered = form.recovered;
-  filled->node = form.node();
+  filled->node = form.nodeAsRead();
   forEachPart(filled->node, Fill(values));
   filled->bodyIndex = bodyIndexOf(filled->node);
-  Form result(std::move(filled));
+  return filled;
+}
+
+} // namespace
+
+ConstantFiller::ConstantFiller(const ConstantValues& values)
+    : values(values), key(std::make_shared<const std::string>(keyOf(values))) {}
+
+std::optional<Form> ConstantFiller::filled(const Form& form, std::string_view text) const {
+  FilledForm last = form.lastFilled().get();
+  if (!last.constants || *last.constants != *key) {
+    last = {key, mentionsAny(text) ? fill(form, values) : nullptr};
+    form.lastFilled().set(last);
+  }
+  if (!last.form) return std::nullopt;
+  Form result = Form(last.form).moved(form.offset());
   result.comment = form.comment;
   return result;
+}
+
+bool ConstantFiller::mentionsAny(std::string_view text) const {
+  for (auto begin = text.begin(); begin != text.end();) {
+    const auto end = std::find_if_not(begin, text.end(), isWordCharacter);
+    if (begin != end && values.contains(std::string_view(begin, end))) return true;
+    begin = std::find_if(end, text.end(), isWordCharacter);
+  }
+  return false;
 }
 
 } // namespace proskill::syntax

@@ -43,6 +43,7 @@ public:
   }
   [[nodiscard]] const FormNode& nodeAsRead() const { return read->node; }
   [[nodiscard]] const BodyIndex& bodyIndexAsRead() const { return read->bodyIndex; }
+  [[nodiscard]] const LastFilled& lastFilled() const { return read->lastFilled; }
   [[nodiscard]] Offset offset() const { return by; }
   /// Whether both come from the same parse, possibly moved by edits elsewhere.
   [[nodiscard]] bool isSameRead(const Form& other) const { return read == other.read; }

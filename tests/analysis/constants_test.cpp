@@ -1,4 +1,6 @@
+#include "analysis/program/program.h"
 #include "tests/analysis/findings.h"
+#include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>
 
@@ -71,4 +73,47 @@ TEST_CASE("a name has one meaning") {
   CHECK(findings("(defconst a 1)(defskill s :action (s a))") == "");
   CHECK(findings("(defconst success 1)") == "PS0222 success");
   CHECK(findings("(defconst no_result 1)") == "PS0222 no_result");
+}
+
+namespace {
+
+namespace analysis = proskill::analysis;
+using proskill::syntax::Document;
+
+analysis::Program programOf(const Document& document) {
+  return analysis::load(proskill::test::MemoryFiles(), "main.proskill", document);
+}
+
+proskill::syntax::Rational capacityOf(const analysis::Program& program, std::size_t resource) {
+  return program.resources.all.at(resource).nodeAsRead().capacity->number;
+}
+
+} // namespace
+
+TEST_CASE("an edit elsewhere leaves a definition with a constant as it was") {
+  const Document before =
+      Document::parse("(defconst few 2)\n(defresource r :capacity few)(defresource s)\n");
+  const auto first = programOf(before);
+  const auto second = programOf(before.edit({0, 0}, "; more\n"));
+  const auto& there = *first.resources.all.at(0).form;
+  const auto& here = *second.resources.all.at(0).form;
+  CHECK(here.isSameRead(there));
+  CHECK(here.range == there.range.moved(7));
+  CHECK(here.name.range == there.name.range.moved(7));
+}
+
+TEST_CASE("an edit of a constant reaches the definitions with it") {
+  const std::string text = "(defconst few 2)\n(defresource r :capacity few)\n";
+  const Document two = Document::parse(text);
+  const auto at = static_cast<proskill::syntax::Offset>(text.find('2'));
+  const Document three = two.edit({at, at + 1}, "3");
+  const Document none = two.edit({0, at + 3}, "");
+  CHECK(capacityOf(programOf(two), 0) == proskill::syntax::Rational(2));
+  CHECK(capacityOf(programOf(three), 0) == proskill::syntax::Rational(3));
+  CHECK(capacityOf(programOf(two), 0) == proskill::syntax::Rational(2));
+  CHECK(programOf(none).resources.all.at(0).nodeAsRead().capacity->kind ==
+        proskill::syntax::ExprKind::Symbol);
+  const Document other = two.edit({0, 0}, "(defresource q :capacity many)(defconst many 5)\n");
+  CHECK(capacityOf(programOf(other), 0) == proskill::syntax::Rational(5));
+  CHECK(capacityOf(programOf(other), 1) == proskill::syntax::Rational(2));
 }
