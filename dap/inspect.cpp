@@ -155,7 +155,7 @@ Adapter::Answer Adapter::variables(const Json& arguments) {
     all.push_back(variable("possible", windowOf(*shown)));
     if (!shown->why.empty()) all.push_back(variable("why", ide::withoutBackticks(shown->why)));
     if (!player->trace().summary.empty())
-      all.push_back(variable("matters", shown->relevant ? "yes" : "no"));
+      all.push_back(variable("relevant", shown->relevant ? "yes" : "no"));
     for (const auto& transition : shown->transitions)
       all.push_back(variable("transition", transition));
     return Json{{"variables", all}};

@@ -29,7 +29,7 @@ struct Step {
   std::string delay;          ///< since the step before
   std::string earliest;       ///< over all runs with these steps
   bool afterEarliest = false; ///< `earliest` itself is excluded
-  std::optional<std::string> latest; ///< nothing: no latest date
+  std::optional<std::string> latest; ///< nullopt: no latest date
   bool beforeLatest = false;         ///< `latest` itself is excluded
   std::vector<verify::Change> changes;
   std::vector<std::string> transitions; ///< of the Fiacre model

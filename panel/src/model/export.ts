@@ -1,5 +1,5 @@
 import type { Trace } from '../api.ts';
-import { matters, tellsWhatMatters } from './filter.ts';
+import { isRelevant, marksRelevance } from './filter.ts';
 import { windowOf } from './time.ts';
 
 /** The form that `open` reads. */
@@ -11,13 +11,13 @@ export function traceJson(trace: Trace): string {
 export function traceText(trace: Trace): string {
   const width = Math.max(0, ...trace.steps.map((step) => windowOf(step).length));
   const lines = [`${trace.description}: ${trace.verdict}`, ...(trace.summary ? [trace.summary] : []), ''];
-  const marks = tellsWhatMatters(trace);
+  const marks = marksRelevance(trace);
   for (const [name, value] of Object.entries(trace.initial)) lines.push(`    ${name} ${value}`);
   lines.push('');
   trace.steps.forEach((step, index) => {
     if (trace.loop === index) lines.push('    -- from here on for ever --');
     const place = step.location ? `  (${step.location.uri}:${step.location.range.start.line + 1})` : '';
-    lines.push(`${marks && matters(step) ? '*' : ' '}${String(index + 1).padStart(4)}  ${windowOf(step).padStart(width)} s  ${step.actor}: ${step.description}${place}`);
+    lines.push(`${marks && isRelevant(step) ? '*' : ' '}${String(index + 1).padStart(4)}  ${windowOf(step).padStart(width)} s  ${step.actor}: ${step.description}${place}`);
     if (step.why) lines.push(`${' '.repeat(width + 11)}why: ${step.why}`);
     for (const change of step.changes)
       lines.push(`${' '.repeat(width + 11)}${change.variable}: ${change.before} -> ${change.after}`);

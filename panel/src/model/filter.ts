@@ -15,13 +15,13 @@ export const everything: Filter = { actors: new Set(), variables: new Set(), cha
 export const isFiltering = (filter: Filter): boolean =>
   filter.actors.size > 0 || filter.variables.size > 0 || filter.changing || filter.relevant;
 
-export const matters = (step: Step): boolean => step.relevant !== false;
+export const isRelevant = (step: Step): boolean => step.relevant !== false;
 /** Whether some steps of a trace are relevant and others are not. */
-export const tellsWhatMatters = (trace: Trace): boolean => trace.steps.some((step) => !matters(step));
+export const marksRelevance = (trace: Trace): boolean => trace.steps.some((step) => !isRelevant(step));
 
 export function passes(step: Step, filter: Filter): boolean {
   if (filter.actors.size > 0 && !filter.actors.has(step.actor)) return false;
-  if (filter.relevant && !matters(step)) return false;
+  if (filter.relevant && !isRelevant(step)) return false;
   if (filter.changing && step.changes.length === 0) return false;
   return filter.variables.size === 0 || step.changes.some((change) => filter.variables.has(change.variable));
 }

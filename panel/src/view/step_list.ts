@@ -2,7 +2,7 @@ import type { Change, Location, Trace } from '../api.ts';
 import { actorHues, actorsOf, hue, hues } from '../model/actors.ts';
 import { isDifferent, type Pair } from '../model/compare.ts';
 import { difference, type Part } from '../model/diff.ts';
-import { groups, matters } from '../model/filter.ts';
+import { groups, isRelevant } from '../model/filter.ts';
 import { sameMoment, windowOf, windowWords } from '../model/time.ts';
 import { Rows } from '../model/virtual.ts';
 import { h, onceAFrame, prose } from './dom.ts';
@@ -192,12 +192,12 @@ export class StepList {
     const before = trace.steps[index - 1];
     const sameDate = before && at > 0 && sameMoment(before.earliest, step.earliest) && sameMoment(before.latest, step.latest);
     const only = this.onlyLeft.has(index);
-    const classes = ['row', 'step', !matters(step) && 'aside', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
+    const classes = ['row', 'step', !isRelevant(step) && 'aside', index === this.current && 'current', found.has(index) && 'found', only && 'only-left',
       this.inLoop(index) && 'in-loop', trace.loop === index && 'loop-start', `hue-${this.hueOf(step.actor)}`];
     return h('div', {
       class: classes.filter(Boolean).join(' '), id: `${this.prefix}-${index}`, role: 'option', 'aria-selected': String(index === this.current),
       'aria-posinset': this.positions.get(index) ?? 1, 'aria-setsize': steps.length,
-      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.description}${step.why ? `, why: ${step.why}` : ''}${matters(step) ? '' : '; it does not matter here'}`,
+      'aria-label': `Step ${index + 1}, ${windowWords(step)}: ${step.actor} ${step.description}${step.why ? `, why: ${step.why}` : ''}${isRelevant(step) ? '' : '; not relevant here'}`,
       onclick: () => this.choose(index), ondblclick: () => this.events.enter(index),
     }, h('span', { class: 'number' }, String(index + 1)),
     h('span', { class: `date${sameDate ? ' same' : ''}`, title: windowWords(step) }, `${windowOf(step)} s`),
@@ -215,7 +215,7 @@ export class StepList {
   }
 
   private sideClasses(index: number): string {
-    return `${index === this.current ? ' of-current' : ''}${this.inLoop(index) ? ' in-loop' : ''}${matters(this.shown!.trace.steps[index]!) ? '' : ' aside'}`;
+    return `${index === this.current ? ' of-current' : ''}${this.inLoop(index) ? ' in-loop' : ''}${isRelevant(this.shown!.trace.steps[index]!) ? '' : ' aside'}`;
   }
 
   private changeElement(index: number, change: Change): HTMLElement {

@@ -1,7 +1,7 @@
 import type { Host, Trace, Verdict } from '../api.ts';
 import { actorHues, actorsOf } from '../model/actors.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
-import { search, select, tellsWhatMatters } from '../model/filter.ts';
+import { search, select, marksRelevance } from '../model/filter.ts';
 import { continuation, tellsTheSame } from '../model/renew.ts';
 import { Values } from '../model/values.ts';
 import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
@@ -73,7 +73,7 @@ export class TraceView {
     });
     this.follow = toggle({ icon: 'follow', title: 'Follow: the source goes with the steps', on: true, changed: (on) => on && this.reveal(this.current, false) });
     this.grouped = toggle({ text: 'By actor', title: 'Steps in a row by the same actor under its name', on: true, changed: () => this.refresh() });
-    this.relevant = toggle({ text: 'What matters', title: 'Only the steps that matter to what the trace shows (m)', on: false, changed: (on) => { this.filter.relevant = on; this.refresh(); } });
+    this.relevant = toggle({ text: 'Relevant steps', title: 'Only the steps that are relevant to what the trace shows (m)', on: false, changed: (on) => { this.filter.relevant = on; this.refresh(); } });
     this.buttons = {
       previous: button({ icon: 'previous', title: 'Previous step (↑)', onclick: () => this.list.move(-1) }),
       next: button({ icon: 'next', title: 'Next step (↓)', onclick: () => this.list.move(1) }),
@@ -220,7 +220,7 @@ export class TraceView {
     const trace = this.trace!;
     this.head.draw(trace);
     const count = trace.steps.filter((step) => step.relevant !== false).length;
-    enable(this.relevant.element, tellsWhatMatters(trace) ? null : 'Every step matters', `Only the ${plural(count, 'step')} that matter to what the trace shows (m)`);
+    enable(this.relevant.element, marksRelevance(trace) ? null : 'Every step is relevant', `Only the ${plural(count, 'step')} relevant to what the trace shows (m)`);
   }
 
   private toolbar(): HTMLElement {

@@ -71,7 +71,7 @@ return {
     expect.contains(list.items[7].text, 'start_drone.status: no_status → failure')
     expect.contains(list.items[10].text, '>120 s …')
 
-    expect.equal(child:lua('return told'), { 'proskill: 9 steps; :cnext and :cprevious step, in the list ] and [; m: only what matters, q ends' })
+    expect.equal(child:lua('return told'), { 'proskill: 9 steps; :cnext and :cprevious step, in the list ] and [; m: only the relevant steps, q ends' })
     child:lua("require('proskill.trace').next()")
     child:wait(step_at(1))
     local note = child:lua(notes)

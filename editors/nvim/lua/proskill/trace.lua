@@ -259,7 +259,7 @@ local function open(verdict, trace)
   values.open(shown)
   watch()
   M.go(0)
-  message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; m: only what matters, q ends'):format(#trace.steps))
+  message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; m: only the relevant steps, q ends'):format(#trace.steps))
   if trace.stale then
     message.warn('the program has changed since: places may have moved')
   end
