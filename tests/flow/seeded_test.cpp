@@ -91,7 +91,8 @@ const Seed kSeeds[] = {
      "     (while (= energy 0)\n        (charge percent 40))\n     (do-until (= "
      "send_report",
      "PS1007", "while"},
-    {"rover/rover.proskill", "mission.proskill", "; Runs beside the mission for ever.",
+    {"rover/rover.proskill", "mission.proskill",
+     "; Runs in parallel with the mission and never ends.",
      "(defskill stop\n  :monitor t\n  :body ((while true\n           (^ (path Blocked))\n          "
      " "
      "(drive_to.interrupt))))",
