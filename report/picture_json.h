@@ -14,7 +14,7 @@
 /// Pictures for the language server and the panel's hosts: `Automaton` in docs/lsp.md.
 namespace proskill::report {
 
-/// Keys of clusters to draw as one node each; nothing: chosen by the size of the picture.
+/// Keys of clusters to draw as one node each; nullopt: chosen by the size of the picture.
 using FoldKeys = std::optional<std::vector<std::string>>;
 
 /// A picture and its folded clusters.

@@ -14,7 +14,7 @@ struct Progress {
 
 struct Options {
   Tools tools;
-  /// A directory for all files; nothing: a temporary directory.
+  /// A directory for all files; nullopt: a temporary directory.
   std::optional<std::filesystem::path> keep;
   /// Time is for all tools together, memory for each tool; the limit of classes applies to the
   /// explorer.

@@ -46,7 +46,7 @@ private:
   };
   [[nodiscard]] std::optional<Prefix> partAt(std::string_view name, std::size_t mark) const;
 
-  Table<verify::InstanceId> instances; ///< nothing: the spelling is ambiguous
+  Table<verify::InstanceId> instances; ///< nullopt: the spelling is ambiguous
   Table<Place> places;
   Table<verify::CellId> variables;
 };

@@ -11,7 +11,7 @@ namespace proskill::tina {
 /// A new directory in which the tools run. The destructor removes it, unless it must be kept.
 class Workspace {
 public:
-  /// \param keep a directory that does not exist yet or is empty; nothing: a temporary one. The
+  /// \param keep a directory that does not exist yet or is empty; nullopt: a temporary one. The
   /// error is a message.
   [[nodiscard]] static std::expected<Workspace, std::string>
   make(const std::optional<std::filesystem::path>& keep);

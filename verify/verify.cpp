@@ -18,15 +18,15 @@ namespace proskill::verify {
 
 namespace {
 
-/// Questions times transitions: beyond that it takes seconds to find out which slices there are.
+/// Limit of questions times transitions; beyond it, determining the slices takes seconds.
 constexpr std::size_t kMostWork = 1'000'000;
-/// The same for led searches, each of which prepares the whole system.
+/// The same limit for led searches, each of which prepares the whole system.
 constexpr std::size_t kMostLedWork = 100'000;
 constexpr NodeIndex kFewestLedClasses = 100; ///< a search of fewer is not worth its preparation
 
 Answer unknown(std::string reason) { return {Truth::Unknown, std::nullopt, std::move(reason)}; }
 
-/// Whether a kept mark is one of the monitor's, on a run of so many steps.
+/// Whether a stored mark belongs to the monitor and to a run with this number of steps.
 bool fits(const MonitorMove& mark, const Monitor& monitor, std::size_t steps) {
   if (mark.location >= monitor.locations.size()) return false;
   const auto& edges = monitor.locations[mark.location].edges;
@@ -34,7 +34,7 @@ bool fits(const MonitorMove& mark, const Monitor& monitor, std::size_t steps) {
          mark.after <= mark.until && mark.until <= steps;
 }
 
-/// Whether what was kept can be replayed at all: anybody may have written it.
+/// Whether stored evidence can be replayed. It may come from anywhere, so nothing is assumed of it.
 bool fits(const Evidence& evidence, const Goal& goal, const System& system) {
   const auto& marks = evidence.marks;
   const auto& monitor = goal.monitor;
@@ -51,7 +51,7 @@ bool fits(const Evidence& evidence, const Goal& goal, const System& system) {
          evidence.rest.value_or(0) <= marks.size();
 }
 
-/// The answer where nothing was found.
+/// The answer if the search has found no witness.
 Answer answerWithoutEvidence(const Goal& goal, const Exploration& exploration,
                              const std::string& progressStopped) {
   if (goal.kind == GoalKind::Unsupported) return unknown(goal.reason);
@@ -60,7 +60,7 @@ Answer answerWithoutEvidence(const Goal& goal, const Exploration& exploration,
   return {Truth::True, std::nullopt, {}};
 }
 
-/// Whether a reduction keeps all that a monitor sees.
+/// Whether a reduction preserves everything that a monitor observes.
 bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
   switch (reduction) {
   case Reduction::DeadVariables: return monitor.ofPoints || watchesStates(monitor, system);
@@ -106,7 +106,8 @@ public:
   }
 
 private:
-  /// Argued without priorities: steps that a reduction drops or puts off might go before others.
+  /// Most reductions are sound only without priorities: a step that is dropped or delayed might
+  /// have priority over others.
   [[nodiscard]] bool takes(Reduction reduction) const {
     const std::set<Reduction> withPriorities{Reduction::Inclusion, Reduction::Extrapolation};
     return options.reductions.contains(reduction) &&
@@ -117,7 +118,7 @@ private:
     return [this](Reduction reduction) { return takes(reduction); };
   }
 
-  /// Answers what was decided before: first what needs no replay, which takes time.
+  /// Answers what was decided before. Replays take time, so answers that need none come first.
   void findKnown() {
     if (!options.answers) return;
     std::map<std::size_t, Evidence> violations;
@@ -144,7 +145,8 @@ private:
     result.exploration.known = known.size();
   }
 
-  /// The answer that steps of the whole system show, or why they show none. \throw LimitMet
+  /// Replays evidence on the whole system.
+  /// \return the answer that it shows, or why it shows none \throw LimitMet
   [[nodiscard]] std::expected<Answer, std::string>
   shown(std::size_t index, const Evidence& evidence, const Witness& witness) const {
     const auto& goal = compiled.goals[index];
@@ -158,8 +160,9 @@ private:
     return Answer{Truth::False, std::move(*trace), {}};
   }
 
-  /// Answers questions about states and steps. If the exploration turns out to be long, slices
-  /// answer what they can, and it begins anew with what is left: fewer questions are less work.
+  /// Answers questions about states and steps. A long exploration is interrupted: slices answer
+  /// what they can, and the exploration starts again with the remaining questions, which is less
+  /// work.
   std::optional<Unsupported> explore(std::vector<std::size_t> which) {
     if (which.empty() || !usesSlices()) return exploreWhole(which, {});
     std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); });
@@ -179,7 +182,7 @@ private:
     return std::nullopt;
   }
 
-  /// \param isLed whether the search begins with the states next to the goal, which is the only one
+  /// \param isLed whether to search for the only goal, states closest to it first
   std::optional<Unsupported> exploreWhole(const std::vector<std::size_t>& which, const Pause& pause,
                                           bool isLed = false) {
     std::vector<Goal> goals;
@@ -205,7 +208,7 @@ private:
     return std::nullopt;
   }
 
-  /// An error that nobody asks for has to be met.
+  /// Slices omit errors, so they are used only if errors are asked for or cannot happen.
   [[nodiscard]] bool usesSlices() {
     return takes(Reduction::Slices) && !compiled.system.hasPriorities &&
            (errorsAreAsked() || isPlainlyNever(whole, Goal{.kind = GoalKind::Error}, limits));
@@ -233,8 +236,8 @@ private:
     return !decided.empty();
   }
 
-  /// Looks for what is reached late, by a short search for each question that begins with the
-  /// states next to the goal. \return whether any of the questions was answered
+  /// Looks for goals that lie deep, by a short search for each question, states closest to the goal
+  /// first. \return whether any of the questions was answered
   bool exploreLed(const std::vector<std::size_t>& which) {
     const auto before = answered.size();
     std::vector<std::size_t> left;
@@ -280,8 +283,7 @@ private:
     return std::nullopt;
   }
 
-  /// Answers by evidence, with its trace. If a limit is reached first there is none, but the
-  /// verdict remains.
+  /// Answers by evidence, with its trace. If a limit is met before, the verdict has no trace.
   void answerBy(std::size_t index, const Evidence& evidence, const Witness& witness) {
     const auto& goal = compiled.goals[index];
     try {
@@ -331,7 +333,7 @@ private:
   std::set<std::size_t> known; ///< goals that Options::answers had the answers to
 };
 
-/// Leaves open what is not decided when a limit is met.
+/// Makes the undecided questions inconclusive when a limit is met.
 void giveUp(const LimitMet& limit, Result& result) {
   result.exploration.complete = false;
   result.exploration.stopped = limit.which;

@@ -67,7 +67,7 @@ struct Step {
   std::vector<std::string> transitions;  ///< the Fiacre transitions: `skill_takeoff_1_t3`
   std::vector<std::string> instances;    ///< the process instances that move: `skill_takeoff_1`
   Date earliest;                         ///< since the start, over all runs with these steps
-  std::optional<Date> latest;            ///< nothing: unbounded
+  std::optional<Date> latest;            ///< nullopt: unbounded
   std::int64_t date = 0; ///< in the concrete run that was replayed, in units of 1/Trace::scale
   std::vector<Change> changes;
   /// The error that this step causes; the run ends with it. Empty if there is none.

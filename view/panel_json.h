@@ -19,7 +19,7 @@ struct PictureParams {
   viz::Request request;
   viz::Format format = viz::Format::Svg;
   bool dark = false;
-  /// Keys of clusters; nothing: chosen by the size of the picture.
+  /// Keys of clusters; nullopt: chosen by the size of the picture.
   std::optional<std::vector<std::string>> fold;
 };
 

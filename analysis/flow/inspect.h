@@ -10,7 +10,7 @@ namespace proskill::analysis::flow {
 
 /// The severities of findings.
 struct Settings {
-  /// Replaces the severity of the table; nothing: the diagnostic is not reported. Errors of form,
+  /// Replaces the severity of the table; nullopt: the diagnostic is not reported. Errors of form,
   /// names and types keep their severity.
   std::map<syntax::Code, std::optional<syntax::Severity>> severities;
   bool style = false; ///< also report the hints of PS11xx, unless `severities` says otherwise

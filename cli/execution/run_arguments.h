@@ -29,7 +29,7 @@ struct RunArguments {
 
 void addRunOptions(CLI::App& command, RunArguments& arguments);
 
-/// The speed of a real clock: 1, or 10 for `10x`; nothing: simulated.
+/// The speed of a real clock: 1, or 10 for `10x`; nullopt: simulated.
 [[nodiscard]] std::optional<double> clockFactor(const std::string& clock);
 
 } // namespace proskill::cli

@@ -12,7 +12,7 @@ public:
   Observer(Context& context, const fiacre::Program& program);
 
   [[nodiscard]] fiacre::Observable state(std::string_view process, std::string_view state) const;
-  /// The initial values have been chosen; nothing: there are none to choose.
+  /// The initial values have been chosen; nullopt: there are none to choose.
   [[nodiscard]] std::optional<fiacre::Observable> begun() const;
   /// A tag of any process. A tag that no process has never occurs.
   [[nodiscard]] fiacre::Observable tag(const std::string& tag) const;

@@ -118,7 +118,7 @@ private:
   std::vector<Priority> priorities();
   Instance instance();
   std::vector<Instance> composition();
-  using PortSet = std::optional<std::vector<std::string>>; ///< nothing: `*`
+  using PortSet = std::optional<std::vector<std::string>>; ///< nullopt: `*`
   bool acceptPortSet(std::string_view closing, PortSet& ports);
 
   // Properties: parse_properties.cpp

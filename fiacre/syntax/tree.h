@@ -14,7 +14,7 @@ namespace proskill::fiacre {
 
 struct Interval {
   std::int64_t lower = 0;
-  std::optional<std::int64_t> upper; ///< nothing: unbounded
+  std::optional<std::int64_t> upper; ///< nullopt: unbounded
   bool lowerOpen = false;
   bool upperOpen = false; ///< if bounded
   friend bool operator==(const Interval&, const Interval&) = default;
@@ -171,7 +171,7 @@ struct Port {
   std::vector<Type> values;
   bool in = false;
   bool out = false;
-  std::optional<Interval> interval; ///< in components; nothing: [0,...[
+  std::optional<Interval> interval; ///< in components; nullopt: [0,...[
   std::optional<Observable> probe; ///< in components: the condition under which the port is enabled
   OriginId origin = 0;             ///< of the probe
   std::string comment;
@@ -230,7 +230,7 @@ struct Instance {
   std::vector<std::string> ports;
   std::vector<Expr> arguments;
   std::vector<bool> references; ///< which arguments are passed by reference
-  /// The component's ports on which it synchronises; nothing: all of its ports.
+  /// The component's ports on which it synchronises; nullopt: all of its ports.
   std::optional<std::vector<std::string>> synchronised;
   std::vector<Instance> parts; ///< of a nested composition, which has no process
   friend bool operator==(const Instance&, const Instance&) = default;

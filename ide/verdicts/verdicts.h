@@ -33,7 +33,7 @@ struct PropertyVerdict {
   std::string reason;                         ///< if inconclusive
   std::string summary;                        ///< what its trace shows; empty without a trace
   bool pending = false; ///< verification is running, and the property is not decided yet
-  std::optional<std::size_t> steps; ///< number of steps of its trace; nothing: no trace
+  std::optional<std::size_t> steps; ///< number of steps of its trace; nullopt: no trace
   std::vector<Waypoint> way;        ///< first places of its trace, if the verdict is bad
 
   [[nodiscard]] bool good() const {

@@ -28,7 +28,7 @@ struct TraceStep {
   std::string description; ///< "succeeds with `at_altitude`"
   std::optional<analysis::Location> location;
   Moment earliest;
-  std::optional<Moment> latest; ///< nothing: unbounded
+  std::optional<Moment> latest; ///< nullopt: unbounded
   syntax::Rational date;        ///< in the replayed run, in seconds since the start
   syntax::Rational delay;       ///< since the previous step in that run
   std::vector<verify::Change> changes;

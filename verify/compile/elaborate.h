@@ -57,7 +57,7 @@ struct Branch {
   InstanceId instance = kNone; ///< of a process; kNone: this is a composition
   std::vector<Branch> children;
   std::set<std::uint32_t> ports; ///< indices into System::ports
-  /// The ports on which it synchronises with its siblings; nothing: all.
+  /// The ports on which it synchronises with its siblings; nullopt: all.
   std::optional<std::set<std::uint32_t>> synchronised;
 
   [[nodiscard]] bool waitsOn(std::uint32_t port) const {

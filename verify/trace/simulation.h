@@ -14,7 +14,7 @@ struct Choice {
   std::int64_t scale = 1; ///< of all dates here: they are in units of 1/scale of the model's unit
   std::int64_t earliest = 0;          ///< given the steps taken so far at their dates
   bool afterEarliest = false;         ///< the date itself is excluded
-  std::optional<std::int64_t> latest; ///< nothing: unbounded
+  std::optional<std::int64_t> latest; ///< nullopt: unbounded
   bool beforeLatest = false;
   /// Whether the step must be taken eventually, unless another step prevents it.
   bool bounded = false;

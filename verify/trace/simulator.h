@@ -21,7 +21,7 @@ struct Concrete {
 struct Opportunity {
   std::int64_t earliest = 0;
   bool afterEarliest = false;         ///< `earliest` itself is excluded
-  std::optional<std::int64_t> latest; ///< nothing: unbounded
+  std::optional<std::int64_t> latest; ///< nullopt: unbounded
   bool beforeLatest = false;          ///< `latest` itself is excluded
 };
 

@@ -9,7 +9,7 @@ namespace proskill::analysis::flow {
 /// ones: to statuses, results, and to which skills are called and how much of a resource is used.
 struct Assignment {
   VariableId variable = 0;
-  std::optional<Slot> slot; ///< nothing: the process does not track the variable
+  std::optional<Slot> slot; ///< nullopt: the process does not track the variable
   Term value;
   const syntax::Effect* source = nullptr; ///< in the text
 };

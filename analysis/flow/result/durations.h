@@ -12,7 +12,7 @@ namespace proskill::analysis::flow {
 /// An interval of time in seconds with closed bounds.
 struct Duration {
   syntax::Rational least;
-  std::optional<syntax::Rational> most; ///< nothing: no bound is known
+  std::optional<syntax::Rational> most; ///< nullopt: no bound is known
 };
 
 /// "5 s", "5 to 35 s", "at least 5 s".
