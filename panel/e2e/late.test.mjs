@@ -22,6 +22,17 @@ describe('answers that come late', () => {
   const click = (it, { name }) => it.locator(`.verdict[data-name="${name}"]`).click();
   const shown = async (it) => it.locator('.trace-head h2').getAttribute('title');
 
+  /** Verifies again, until the page knows the verdicts. */
+  const verifyAgain = async (it) => it.evaluate(() => new Promise((done) => {
+    const button = document.querySelector('button[title="Verify again"]');
+    let begun = false;
+    new MutationObserver((changes) => {
+      begun ||= changes.some(({ attributeName }) => attributeName === 'disabled');
+      if (begun && !button.disabled) done();
+    }).observe(button, { attributes: true });
+    button.click();
+  }));
+
   test('the trace that was asked for last is the one that is shown', async () => {
     const it = await page();
     await openTrace(it, served.url);
@@ -37,6 +48,21 @@ describe('answers that come late', () => {
     await it.evaluate(() => new Promise((done) => setTimeout(done)));
     assert.equal(await shown(it), fast.name);
     assert.equal(await it.locator('.verdict[aria-selected="true"]').getAttribute('data-name'), fast.name);
+  });
+
+  test('a verification that ends meanwhile does not undo a click', async () => {
+    const it = await page();
+    await openTrace(it, served.url);
+    await it.locator('.steps').press('Home');
+    for (const slow of [traced.at(-1), traced.find(({ name }) => name !== traced.at(-1).name)]) {
+      const held = await hold(it, 'trace', ({ name }) => name === slow.name);
+      await click(it, slow);
+      await held.arrived;
+      await verifyAgain(it);
+      held.release();
+      const step = () => it.locator('.step.current .number').textContent();
+      await eventually(async () => assert.deepEqual([await shown(it), await step()], [slow.name, String(slow.trace.steps.length)]));
+    }
   });
 
   test('the first trace does not take the keyboard from the field in which somebody types', async () => {

@@ -44,6 +44,10 @@ class App {
   private wanted: { trace: string; step?: number } | null = null;
   /** counts requested traces, so that a late answer does not replace a newer one */
   private asked = 0;
+  /** the number of a requested trace that has not come yet, or 0 */
+  private pending = 0;
+  /** the program before a verification that ended while a trace was requested */
+  private unrenewed: Program | null = null;
 
   constructor(root: HTMLElement, host: Host, private readonly hello: Hello) {
     this.root = root;
@@ -183,7 +187,8 @@ class App {
 
   /** Whether it is still to be shown: something else may have been requested meanwhile. */
   private async fetchTrace(name: string, step?: number, byUser = true): Promise<boolean> {
-    const request = ++this.asked;
+    const request = (this.pending = ++this.asked);
+    if (byUser) this.wanted = null;
     try {
       const trace = this.opened.get(name) ?? (await this.host.request('trace', { name }));
       if (request !== this.asked) return false;
@@ -192,7 +197,17 @@ class App {
     } catch (error) {
       if (request === this.asked && byUser) this.say((error as Error).message);
       return false;
+    } finally {
+      if (request === this.pending) this.renewLate();
     }
+  }
+
+  /** Catches up on a renewal that a requested trace has delayed. */
+  private renewLate(): void {
+    const former = this.unrenewed;
+    this.pending = 0;
+    this.unrenewed = null;
+    if (former) void this.renewTrace(former);
   }
 
   private openTrace(trace: Trace, step?: number, byUser = true): void {
@@ -256,6 +271,10 @@ class App {
 
   /** After another verification there may be another trace, or none. The step remains current, and nothing else moves. */
   private async renewTrace(former: Program): Promise<void> {
+    if (this.pending !== 0) {
+      this.unrenewed ??= former; // the requested trace takes precedence over the one that is shown
+      return;
+    }
     const { name } = this.trace;
     if (name === null || this.opened.has(name)) return;
     const verdictOf = (program: Program): Verdict | undefined => program.verdicts.find((it) => it.name === name);
