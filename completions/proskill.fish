@@ -105,7 +105,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l properties -d 'V
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l environment -d 'Replace the environment by the Fiacre process in this file' -r
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l main -d 'Skill to use as the mission, if several are possible' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l format -d 'How to print verdicts' -x -a 'text json junit sarif'
-complete -c proskill -n '__fish_seen_subcommand_from verify' -l traces -d 'Which traces to print as text: of failed properties, all, or none' -x -a 'failed all none'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l traces -d 'Which traces to print: of failed properties, all, or none' -x -a 'failed all none'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l save-traces -d 'Save every trace in this directory, as JSON and text' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l report -d 'Write a web page with verdicts, traces and pictures to this directory' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l graph -d 'Write the state graph to this file (.aut or .txt), or print its size (counts)' -r -a counts

@@ -65,7 +65,13 @@ OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace)
   return made;
 }
 
-OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow& row) {
+const ide::Trace* shownTrace(const ide::VerdictRow& row, ShowTraces traces) {
+  if (!row.trace || traces == ShowTraces::None) return nullptr;
+  return traces == ShowTraces::All || row.bad() ? &*row.trace : nullptr;
+}
+
+OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow& row,
+                         ShowTraces traces) {
   const auto& check = *row.check;
   OrderedJson json{{"name", check.name},
                    {"kind", check.kind},
@@ -76,7 +82,8 @@ OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow
                    {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};
   json["location"] = row.location ? rangeJson(program, *row.location) : OrderedJson();
   if (!row.reason.empty()) json["reason"] = row.reason;
-  json["trace"] = row.trace ? traceJson(program, *row.trace) : OrderedJson();
+  const ide::Trace* trace = shownTrace(row, traces);
+  json["trace"] = trace ? traceJson(program, *trace) : OrderedJson();
   return json;
 }
 
@@ -88,16 +95,21 @@ OrderedJson explorationJson(const verify::Exploration& exploration) {
           {"known", exploration.known}};
 }
 
-OrderedJson reportJson(const VerifyReport& report) {
+OrderedJson reportHeadJson(const VerifyReport& report) {
   OrderedJson json{
       {"version", 1},
       {"program", report.program.files.front().path.string()},
       {"main", report.mainSkill.empty() ? OrderedJson() : OrderedJson(report.mainSkill)},
       {"unit", secondsJson(report.model.unit)}};
   if (!report.backend.empty()) json["backend"] = report.backend;
+  return json;
+}
+
+OrderedJson reportJson(const VerifyReport& report) {
+  auto json = reportHeadJson(report);
   json["properties"] = OrderedJson::array();
   for (const auto& row : report.result.rows)
-    json["properties"].push_back(propertyJson(report.program, row));
+    json["properties"].push_back(propertyJson(report.program, row, report.traces));
   json["exploration"] = explorationJson(report.result.exploration);
   return json;
 }

@@ -55,7 +55,7 @@ bool fails(const ide::VerdictRow& row) {
 }
 
 std::string traceText(const VerifyReport& report, const ide::VerdictRow& row) {
-  if (!row.trace) return {};
+  if (!shownTrace(row, report.traces)) return {};
   std::ostringstream text;
   writeTrace(text, report, row, false);
   return text.str();

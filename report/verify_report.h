@@ -10,14 +10,7 @@
 /// The report of `proskill verify` in its formats. Each writer takes the same finished report.
 namespace proskill::report {
 
-enum class ShowTraces : std::uint8_t { Failed, All, None };
-
-struct TextOptions {
-  bool colour = false;
-  ShowTraces traces = ShowTraces::Failed;
-};
-
-void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options);
+void writeText(std::ostream& out, const VerifyReport& report, bool colour);
 /// The schema is docs/verify.schema.json.
 void writeJson(std::ostream& out, const VerifyReport& report);
 /// One test case per property and one test suite per subject, for CI servers.

@@ -35,9 +35,9 @@ OrderedJson resultJson(const VerifyReport& report, const ide::VerdictRow& row) {
                    {"partialFingerprints", {{"property/v1", row.check->name}}}};
   if (row.location)
     json["locations"] = OrderedJson::array({physical(report.program, *row.location)});
-  if (row.trace) {
+  if (const ide::Trace* trace = shownTrace(row, report.traces)) {
     OrderedJson steps = OrderedJson::array();
-    for (const auto& step : row.trace->steps) steps.push_back(flowStep(report, step));
+    for (const auto& step : trace->steps) steps.push_back(flowStep(report, step));
     if (!steps.empty())
       json["codeFlows"] =
           OrderedJson::array({{{"threadFlows", OrderedJson::array({{{"locations", steps}}})}}});

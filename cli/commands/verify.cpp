@@ -62,8 +62,7 @@ verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* pr
 void write(const VerifyArguments& arguments, const report::VerifyReport& report) {
   switch (arguments.format) {
   case VerifyFormat::Text:
-    return writeText(std::cout, report,
-                     {wantsColour(arguments.colour, STDOUT_FILENO), arguments.traces});
+    return writeText(std::cout, report, wantsColour(arguments.colour, STDOUT_FILENO));
   case VerifyFormat::Json: return writeJson(std::cout, report);
   case VerifyFormat::JUnit: return writeJUnit(std::cout, report);
   case VerifyFormat::Sarif: return writeSarif(std::cout, report);
@@ -91,7 +90,9 @@ std::optional<std::string> unknownName(const codegen::Model& model,
 
 /// Prints and saves a finished report. \return the exit code
 int deliver(const VerifyArguments& arguments, const report::VerifyReport& report) {
-  write(arguments, report);
+  report::VerifyReport printed = report;
+  printed.traces = arguments.traces;
+  write(arguments, printed);
   if (!arguments.saveTraces.empty())
     if (auto error = saveTraces(arguments.saveTraces, report)) return fail(*error);
   if (!arguments.report.empty())
@@ -101,12 +102,12 @@ int deliver(const VerifyArguments& arguments, const report::VerifyReport& report
   return exitCodeOf(report.result, arguments.strict);
 }
 
-/// Text contains selected traces only; all other formats contain all.
+/// Directories of traces and reports of differences contain all traces.
 ide::WantedTraces wantedTraces(const VerifyArguments& arguments) {
-  const bool isText =
-      arguments.format == VerifyFormat::Text && arguments.backend.backend == Backend::Engine;
-  if (!isText || !arguments.saveTraces.empty() || !arguments.report.empty())
+  if (!arguments.saveTraces.empty() || arguments.backend.backend != Backend::Engine)
     return ide::WantedTraces::All;
+  if (!arguments.report.empty() && arguments.traces != report::ShowTraces::All)
+    return ide::WantedTraces::Page;
   switch (arguments.traces) {
   case report::ShowTraces::Failed: return ide::WantedTraces::Findings;
   case report::ShowTraces::All: return ide::WantedTraces::All;

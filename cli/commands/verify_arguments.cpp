@@ -57,12 +57,11 @@ void addOutput(CLI::App& command, VerifyArguments& arguments) {
                            {"junit", VerifyFormat::JUnit},
                            {"sarif", VerifyFormat::Sarif}},
                           "How to print verdicts");
-  addChoice<report::ShowTraces>(
-      command, "--traces", arguments.traces,
-      {{"failed", report::ShowTraces::Failed},
-       {"all", report::ShowTraces::All},
-       {"none", report::ShowTraces::None}},
-      "Which traces to print as text: of failed properties, all, or none");
+  addChoice<report::ShowTraces>(command, "--traces", arguments.traces,
+                                {{"failed", report::ShowTraces::Failed},
+                                 {"all", report::ShowTraces::All},
+                                 {"none", report::ShowTraces::None}},
+                                "Which traces to print: of failed properties, all, or none");
   show(command.add_option("--save-traces", arguments.saveTraces,
                           "Save every trace in this directory, as JSON and text"),
        group::kOutput, "DIRECTORY");

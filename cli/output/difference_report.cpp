@@ -43,7 +43,7 @@ std::string saidBy(const std::vector<tina::Call>& calls) {
 
 std::string asText(const report::VerifyReport& report) {
   std::ostringstream out;
-  writeText(out, report, {false, report::ShowTraces::All});
+  writeText(out, report, false);
   return out.str();
 }
 

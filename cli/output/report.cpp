@@ -60,9 +60,20 @@ void addPicture(OrderedJson& all, const analysis::Program& program, const viz::R
   }
 }
 
+/// Says why a witness is missing: see ide::kMostStepsOfPage.
+void explainMissingTraces(OrderedJson& properties) {
+  for (auto& property : properties) {
+    const bool hasWitness = property["verdict"] == "violated" || property["verdict"] == "reachable";
+    if (hasWitness && property["trace"].is_null() && !property.contains("reason"))
+      property["reason"] =
+          "this page would be too large with all traces; make it with --traces all to see this one";
+  }
+}
+
 OrderedJson dataOf(const report::VerifyReport& report) {
   const auto& program = report.program;
   auto verdicts = report::reportJson(report);
+  explainMissingTraces(verdicts["properties"]);
   verdicts.update({{"label", program.files.front().path.filename().generic_string()},
                    {"state", "done"},
                    {"stale", false},

@@ -251,18 +251,21 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
   const auto progressAt = placeOfProgress(asked, questions.size());
   auto progress = verify::Truth::Unknown;
   std::vector<std::optional<VerdictRow>> rows(questions.size());
+  std::size_t steps = 0; // of all traces
   options.decided = [&](std::size_t i, verify::Answer answer) {
     if (progressAt == i) progress = answer.truth;
     if (i >= asked.checks.size()) return;
     rows[i] = row(*asked.checks[i], std::move(answer), model);
+    if (rows[i]->trace) steps += rows[i]->trace->steps.size();
     if (progressAt) sayTimePasses(model, progress, *rows[i]);
     if (onRow) onRow(i, *rows[i]);
   };
   for (const auto& [process, _] : model.obliged) options.obliged.insert(process);
   if (wanted != WantedTraces::All)
     options.wantsTrace = [&](std::size_t i) {
-      return wanted == WantedTraces::Findings && i < asked.checks.size() &&
-             asked.checks[i]->good == codegen::Expectation::Holds;
+      if (wanted == WantedTraces::None || i >= asked.checks.size()) return false;
+      const bool hasRoom = wanted == WantedTraces::Page && steps < kMostStepsOfPage;
+      return hasRoom || asked.checks[i]->good == codegen::Expectation::Holds;
     };
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());

@@ -113,9 +113,13 @@ using OnRow = std::function<void(std::size_t, const VerdictRow&)>;
 /// The traces that are needed; no others are built.
 enum class WantedTraces : std::uint8_t {
   All,
+  Page,     ///< those of verdicts that may be bad, and others up to kMostStepsOfPage steps in total
   Findings, ///< of verdicts that may be bad
   None,
 };
+
+/// So many steps take some 20 MB in a page, which browsers still open at once.
+inline constexpr std::size_t kMostStepsOfPage = 20'000;
 
 /// Verifies the selected checks in one exploration; verdicts are in the order of the model.
 /// \param options `options.decided` is not called

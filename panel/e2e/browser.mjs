@@ -18,7 +18,7 @@ export function workspace() {
 
 export function report(...words) {
   try {
-    return JSON.parse(execFileSync(PROSKILL, ['verify', '--format', 'json', ...words], { maxBuffer: 1 << 28 }));
+    return JSON.parse(execFileSync(PROSKILL, ['verify', '--format', 'json', '--traces', 'all', ...words], { maxBuffer: 1 << 28 }));
   } catch (error) {
     if (error.status !== 1) throw error; // 1: a property is violated
     return JSON.parse(error.stdout);

@@ -139,11 +139,6 @@ void writeRows(std::ostream& out, const VerifyReport& report, const Paint& paint
   }
 }
 
-bool wanted(const ide::VerdictRow& row, ShowTraces traces) {
-  if (!row.trace || traces == ShowTraces::None) return false;
-  return traces == ShowTraces::All || row.bad();
-}
-
 std::string bytesText(std::uint64_t bytes) {
   if (bytes < 1024 * 1024) return fmt::format("{:.0f} KiB", static_cast<double>(bytes) / 1024);
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024 * 1024));
@@ -210,19 +205,19 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
     out << fmt::format("    and nothing else until {} s\n", syntax::toString(*row.trace->end));
 }
 
-void writeText(std::ostream& out, const VerifyReport& report, const TextOptions& options) {
-  Paint paint{options.colour};
+void writeText(std::ostream& out, const VerifyReport& report, bool colour) {
+  Paint paint{colour};
   writeRows(out, report, paint);
   bool first = true;
   for (const auto& row : report.result.rows) {
-    if (!wanted(row, options.traces)) continue;
+    if (!shownTrace(row, report.traces)) continue;
     if (std::exchange(first, false))
       out << "\nevery trace begins with: " << initialText(row.trace->initial) << '\n';
     auto mark = markOf(row);
     out << fmt::format("\n{} {}\n", paint(mark.colour, ide::toString(row.verdict)),
                        paint(Colour::Bold, row.check->description));
     if (row.location) out << "  --> " << place(report.program, *row.location) << '\n';
-    writeTrace(out, report, row, options.colour);
+    writeTrace(out, report, row, colour);
   }
   out << '\n';
   writeSummary(out, report, paint);

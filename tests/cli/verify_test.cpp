@@ -3,12 +3,14 @@
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 
 #include <csignal>
@@ -114,8 +116,49 @@ TEST_CASE("the report as JSON has verdicts, traces and what was explored") {
   CHECK(steps.back()["latest"]["exact"] == "2");
 }
 
+TEST_CASE("a report contains the traces that --traces asks for, whatever its format") {
+  const auto tracesOf = [](const std::string& which) {
+    const auto report = Json::parse(verify({kDrone, "--format", "json", "--traces", which}).out);
+    std::set<std::string> found;
+    for (const auto& row : report["properties"])
+      if (!row["trace"].is_null()) found.insert(row["verdict"].get<std::string>());
+    return found;
+  };
+  CHECK(tracesOf("all") == std::set<std::string>{"reachable", "violated"});
+  CHECK(tracesOf("failed") == std::set<std::string>{"violated"});
+  CHECK(tracesOf("none").empty());
+  CHECK(verify({kDrone, "--format", "sarif"}).out.contains("codeFlows"));
+  CHECK_FALSE(verify({kDrone, "--format", "sarif", "--traces", "none"}).out.contains("codeFlows"));
+  const auto failed = verify({kDrone, "--format", "json"}).out;
+  CHECK(failed == nlohmann::ordered_json::parse(failed).dump(2) + "\n");
+}
+
+TEST_CASE("the page of a large program leaves out traces, and says so") {
+  TemporaryDirectory files;
+  std::string program;
+  std::string calls;
+  for (int i = 0; i < 60; ++i) {
+    program += fmt::format("(defsv d{0} :states (A B) :init A)"
+                           "(defskill s{0} :start (d{0} B) :action (a) :success ok"
+                           " (:effects (d{0} A)) :failure ko (:effects (d{0} A)))\n",
+                           i);
+    calls += fmt::format("(s{})", i);
+  }
+  program += "(defskill mission :body (" + calls + "))";
+  const auto path = files.write("chain.proskill", program);
+  const auto page = files.path("report");
+  CHECK(verify({path, "--report", page}).exitCode == 0);
+  const auto bounded = contents(page + "/index.html");
+  CHECK(bounded.size() < 40'000'000);
+  CHECK(bounded.contains("this page would be too large"));
+  CHECK(verify({path, "--report", page, "--traces", "all"}).exitCode == 0);
+  const auto whole = contents(page + "/index.html");
+  CHECK(whole.size() > bounded.size());
+  CHECK_FALSE(whole.contains("this page would be too large"));
+}
+
 TEST_CASE("the drone's verdicts are all decided, and are those of the paper") {
-  auto result = verify({kDrone, "--format", "json"});
+  auto result = verify({kDrone, "--format", "json", "--traces", "all"});
   CHECK(result.exitCode == 1);
   CHECK(result.peakKiB < 1024 * 1024);
   auto report = Json::parse(result.out);

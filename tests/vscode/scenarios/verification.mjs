@@ -6,7 +6,7 @@ import { equal, expect } from '../expect.mjs';
 export function verified({ proskill, root }, program, name) {
   let text;
   try {
-    text = execFileSync(proskill, ['verify', '--format', 'json', join(root, program)], { encoding: 'utf8', maxBuffer: 1 << 26 });
+    text = execFileSync(proskill, ['verify', '--format', 'json', '--traces', 'all', join(root, program)], { encoding: 'utf8', maxBuffer: 1 << 26 });
   } catch (error) {
     text = error.stdout;
   }

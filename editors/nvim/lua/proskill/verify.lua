@@ -81,7 +81,7 @@ local function by_program(buffer, names, done)
   if path == '' or vim.bo[buffer].modified then
     return done(nil, 'the program has changes that are not saved; :write first')
   end
-  local command = config.command('verify', '--format', 'json')
+  local command = config.command('verify', '--format', 'json', '--traces', 'all')
   for _, name in ipairs(names) do
     vim.list_extend(command, { '--property', name })
   end
