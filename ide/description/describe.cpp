@@ -58,7 +58,9 @@ std::string inputsOf(const syntax::Skill& skill) {
 }
 
 std::string numberText(const std::optional<syntax::Expr>& expr) {
-  return expr && expr->kind == syntax::ExprKind::Number ? syntax::toString(expr->number) : "?";
+  if (!expr) return "?";
+  if (expr->kind == syntax::ExprKind::Symbol) return std::string(expr->name.text);
+  return expr->kind == syntax::ExprKind::Number ? syntax::toString(expr->number) : "?";
 }
 
 /// The beginning of a long definition; a composite skill without its body.

@@ -5,6 +5,8 @@
 #include "ide/snapshot/fiacre_file.h"
 #include "ide/snapshot/symbol_key.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -61,8 +63,10 @@ OutlineEntry ofDefinition(const View& view, const syntax::Form& form, SymbolId i
   const auto& symbol = view.index().symbols()[id];
   OutlineEntry entry{std::string(symbol.name), std::string(form.keyword.text), symbol.kind};
   if (symbol.name.empty()) entry.name = form.keyword.text;
-  if (symbol.kind == SymbolKind::StateVariable || symbol.kind == SymbolKind::Constant)
-    entry.detail = signature(view, id);
+  // as written: the entry must not depend on other definitions, such as constants
+  if (const auto* variable = form.as<syntax::StateVariable>())
+    entry.detail = fmt::format("{}: {}", symbol.name, valuesOf(*variable));
+  if (symbol.kind == SymbolKind::Constant) entry.detail = signature(view, id);
   entry.range = form.range;
   entry.selection = within(symbol.at.range, form.range);
   addChildren(entry, view, id);
