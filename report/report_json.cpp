@@ -82,6 +82,7 @@ OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow
                    {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};
   json["location"] = row.location ? rangeJson(program, *row.location) : OrderedJson();
   if (!row.reason.empty()) json["reason"] = row.reason;
+  json["steps"] = row.steps ? OrderedJson(*row.steps) : OrderedJson();
   const ide::Trace* trace = shownTrace(row, traces);
   json["trace"] = trace ? traceJson(program, *trace) : OrderedJson();
   return json;

@@ -3,7 +3,9 @@
 #include "verify/explore/search.h"
 #include "verify/verify.h"
 
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -27,6 +29,21 @@ public:
 
   [[nodiscard]] virtual std::optional<KnownAnswer> find(const Question& question) = 0;
   virtual void keep(const Question& question, const KnownAnswer& answer) = 0;
+};
+
+/// Answers that last as long as the process.
+class AnswersInMemory : public AnswerStore {
+public:
+  [[nodiscard]] std::optional<KnownAnswer> find(const Question& question) override {
+    const auto found = answers.find({question.property, question.fair});
+    return found == answers.end() ? std::nullopt : std::optional(found->second);
+  }
+  void keep(const Question& question, const KnownAnswer& answer) override {
+    answers[{question.property, question.fair}] = answer;
+  }
+
+private:
+  std::map<std::pair<std::size_t, bool>, KnownAnswer> answers;
 };
 
 } // namespace proskill::verify

@@ -153,11 +153,12 @@ private:
     if (options.wantsTrace && !options.wantsTrace(index)) {
       auto wrong = witness.refutation(goal, evidence);
       if (!wrong.empty()) return std::unexpected(std::move(wrong));
-      return Answer{Truth::False, std::nullopt, {}};
+      return Answer{Truth::False, std::nullopt, {}, evidence.steps.size()};
     }
     auto trace = witness.trace(goal, evidence);
     if (!trace) return std::unexpected(std::move(trace.error()));
-    return Answer{Truth::False, std::move(*trace), {}};
+    const auto steps = trace->steps.size();
+    return Answer{Truth::False, std::move(*trace), {}, steps};
   }
 
   /// Answers questions about states and steps. A long exploration is interrupted: slices answer
@@ -314,7 +315,7 @@ private:
   }
 
   void answer(std::size_t index, Answer made) {
-    result.answers[index] = {made.truth, std::nullopt, made.reason};
+    result.answers[index] = {made.truth, std::nullopt, made.reason, made.steps};
     if (made.truth != Truth::Unknown) answered.insert(index);
     if (options.decided && made.truth != Truth::Unknown)
       options.decided(index, std::move(made));

@@ -104,6 +104,8 @@ struct Answer {
   Truth truth = Truth::Unknown;
   std::optional<Trace> trace; ///< the witness that a state is reachable or a property is violated
   std::string reason;         ///< if unknown: the limit that was met, or what is not supported
+  /// Number of steps of the witness, also if its trace is not needed.
+  std::optional<std::size_t> steps{};
 };
 
 /// Methods against state-space explosion. Each has its own file; docs/verification.md argues that

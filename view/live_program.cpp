@@ -4,6 +4,7 @@
 #include "report/simulation_json.h"
 #include "report/text/source_place.h"
 #include "report/verify_report.h"
+#include "verify/answer_store.h"
 #include "view/panel_data.h"
 
 #include <fmt/format.h>
@@ -72,6 +73,15 @@ bool hasChanged(const Loaded& loaded) {
       loaded.stamps, [](const auto& stamp) { return stampOf(stamp.first) != stamp.second; });
 }
 
+/// A program that was verified, and the answers, from which traces are built when somebody wants to
+/// see them.
+struct Verified {
+  std::shared_ptr<const Loaded> loaded;
+  codegen::Model model;
+  verify::AnswersInMemory answers;
+  std::mutex mutex; ///< guards the answers
+};
+
 class LiveProgram : public PanelData {
 public:
   LiveProgram(ViewOptions chosen, EventFeed& board)
@@ -102,10 +112,15 @@ public:
   }
 
   Answer trace(const std::string& name) override {
-    const std::lock_guard lock(mutex);
-    const auto found = traces.find(name);
-    if (found == traces.end()) return std::unexpected("this property has no trace");
-    return found->second;
+    std::shared_ptr<Verified> of;
+    {
+      const std::lock_guard lock(mutex);
+      if (const auto found = traces.find(name); found != traces.end()) return found->second;
+      of = verified;
+    }
+    if (of)
+      if (auto found = findTrace(*of, name)) return *std::move(found);
+    return std::unexpected("this property has no trace");
   }
 
   Answer picture(const PictureParams& params) override {
@@ -215,13 +230,16 @@ private:
 
   void verifyOnce(const std::shared_ptr<const Loaded>& now) {
     if (!now->error.empty()) return set("errors", now->error);
-    const auto model = modelOf(*now);
+    auto model = modelOf(*now);
     if (!model) return set("errors", model.error().message);
     set("checking", "");
-    const auto result = ide::verifyModel(*model, {}, engine(now, model->checks.size()));
+    const auto next = std::make_shared<Verified>(now, std::move(*model));
+    auto engine = engineFor(now, next->model.checks.size());
+    engine.answers = &next->answers;
+    const auto result = ide::verifyModel(next->model, {}, engine, {}, ide::kTracesOfEditor);
     if (!result) return set("failed", "this model cannot be explored: " + result.error().message);
     if (cancelled) return; // a newer verification follows
-    take(report::reportJson({now->program, *model, *result, model->mainSkill}));
+    take(report::reportJson({now->program, next->model, *result, next->model.mainSkill}), next);
     set("done", "");
   }
 
@@ -233,7 +251,7 @@ private:
     return codegen::generate(now.program, choice);
   }
 
-  verify::Options engine(const std::shared_ptr<const Loaded>& now, std::size_t total) {
+  verify::Options engineFor(const std::shared_ptr<const Loaded>& now, std::size_t total) {
     verify::Options engine;
     engine.limits = options.limits;
     engine.cancelled = &cancelled;
@@ -251,22 +269,43 @@ private:
     return engine;
   }
 
+  /// The trace of a property as the page gets it.
+  static OrderedJson traceOf(const OrderedJson& property, const OrderedJson& trace) {
+    OrderedJson json{{"name", property["name"]},
+                     {"description", property["description"]},
+                     {"verdict", property["verdict"]}};
+    json.update(trace);
+    return json;
+  }
+
+  /// Builds a trace that was not wanted when the program was verified.
+  std::optional<OrderedJson> findTrace(Verified& of, const std::string& name) {
+    const std::lock_guard lock(of.mutex);
+    verify::Options engine;
+    engine.limits = options.limits;
+    engine.cancelled = &stopped;
+    engine.answers = &of.answers;
+    const auto result = ide::verifyModel(of.model, {name}, engine);
+    if (!result) return std::nullopt;
+    for (const auto& row : result->rows) {
+      if (row.check->name != name || !row.trace) continue;
+      const auto property = report::propertyJson(of.loaded->program, row);
+      return traceOf(property, property["trace"]);
+    }
+    return std::nullopt;
+  }
+
   /// Stores a report. Traces are large, so pages request them one by one.
-  void take(OrderedJson whole) {
+  void take(OrderedJson whole, std::shared_ptr<Verified> of) {
     std::map<std::string, OrderedJson> apart;
     for (auto& property : whole["properties"]) {
       const auto trace = std::exchange(property["trace"], nullptr);
-      if (trace.is_null()) continue;
-      property["steps"] = trace["steps"].size();
-      OrderedJson about{{"name", property["name"]},
-                        {"description", property["description"]},
-                        {"verdict", property["verdict"]}};
-      about.update(trace);
-      apart[property["name"].get<std::string>()] = std::move(about);
+      if (!trace.is_null()) apart[property["name"].get<std::string>()] = traceOf(property, trace);
     }
     const std::lock_guard lock(mutex);
     report = std::move(whole);
     traces = std::move(apart);
+    verified = std::move(of);
     stale = false;
   }
 
@@ -276,8 +315,9 @@ private:
   std::optional<Simulated> simulated;
   std::mutex mutex; ///< guards the members up to `progress`
   std::shared_ptr<const Loaded> loaded;
-  OrderedJson report; ///< the latest; null if there is none yet
-  std::map<std::string, OrderedJson> traces;
+  OrderedJson report;                        ///< the latest; null if there is none yet
+  std::map<std::string, OrderedJson> traces; ///< those that were built with the report
+  std::shared_ptr<Verified> verified;        ///< null if there is no report yet
   bool stale = false;
   std::string state = "checking";
   std::string message;

@@ -95,6 +95,7 @@ public:
 private:
   void takeTrace(OrderedJson& property) {
     const auto trace = std::exchange(property["trace"], nullptr);
+    property["steps"] = nullptr; // the report may be without this trace
     if (!trace.is_object() || !trace.at("steps").is_array()) return;
     property["steps"] = trace["steps"].size();
     for (const auto& step : trace["steps"]) {

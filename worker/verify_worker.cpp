@@ -245,7 +245,8 @@ void work(const WorkerJob& job, const std::string& directory) {
   options.answers = known.get();
   auto result = ide::verifyModel(
       model, job.names, options,
-      [&](std::size_t index, const ide::VerdictRow& row) { handover.decided(index, row); });
+      [&](std::size_t index, const ide::VerdictRow& row) { handover.decided(index, row); },
+      ide::kTracesOfEditor);
   if (!result) return sayError("this model cannot be explored: " + result.error().message);
   if (known)
     (void)known->save(); // before the report is sent: its receiver may end this process at

@@ -105,13 +105,13 @@ int deliver(const VerifyArguments& arguments, const report::VerifyReport& report
 /// Directories of traces and reports of differences contain all traces.
 ide::WantedTraces wantedTraces(const VerifyArguments& arguments) {
   if (!arguments.saveTraces.empty() || arguments.backend.backend != Backend::Engine)
-    return ide::WantedTraces::All;
+    return ide::kAllTraces;
   if (!arguments.report.empty() && arguments.traces != report::ShowTraces::All)
-    return ide::WantedTraces::Page;
+    return ide::kTracesOfPage;
   switch (arguments.traces) {
-  case report::ShowTraces::Failed: return ide::WantedTraces::Findings;
-  case report::ShowTraces::All: return ide::WantedTraces::All;
-  case report::ShowTraces::None: return ide::WantedTraces::None;
+  case report::ShowTraces::Failed: return ide::kFindings;
+  case report::ShowTraces::All: return ide::kAllTraces;
+  case report::ShowTraces::None: return ide::kNoTraces;
   }
   std::unreachable();
 }

@@ -60,13 +60,13 @@ void addPicture(OrderedJson& all, const analysis::Program& program, const viz::R
   }
 }
 
-/// Says why a witness is missing: see ide::kMostStepsOfPage.
+/// Says why a trace is missing: see ide::kTracesOfPage.
 void explainMissingTraces(OrderedJson& properties) {
   for (auto& property : properties) {
-    const bool hasWitness = property["verdict"] == "violated" || property["verdict"] == "reachable";
-    if (hasWitness && property["trace"].is_null() && !property.contains("reason"))
-      property["reason"] =
-          "this page would be too large with all traces; make it with --traces all to see this one";
+    if (!property["trace"].is_null() || property["steps"].is_null()) continue;
+    property["steps"] = nullptr;
+    property["reason"] =
+        "this page would be too large with all traces; make it with --traces all to see this one";
   }
 }
 

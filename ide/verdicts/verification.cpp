@@ -92,6 +92,7 @@ VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen
     if (!waits.empty())
       result.trace->summary.replace(result.trace->summary.size() - 1, 1, ": " + waits + ".");
   }
+  result.steps = result.trace ? result.trace->steps.size() : answer.steps;
   result.reason = answer.reason;
   if (result.reason.empty() && isOfAllRuns(model, check))
     result.reason = "of all runs, fair or not";
@@ -261,12 +262,11 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
     if (onRow) onRow(i, *rows[i]);
   };
   for (const auto& [process, _] : model.obliged) options.obliged.insert(process);
-  if (wanted != WantedTraces::All)
-    options.wantsTrace = [&](std::size_t i) {
-      if (wanted == WantedTraces::None || i >= asked.checks.size()) return false;
-      const bool hasRoom = wanted == WantedTraces::Page && steps < kMostStepsOfPage;
-      return hasRoom || asked.checks[i]->good == codegen::Expectation::Holds;
-    };
+  options.wantsTrace = [&](std::size_t i) {
+    if (i >= asked.checks.size()) return false;
+    const bool mayBeBad = asked.checks[i]->good == codegen::Expectation::Holds;
+    return steps < wanted.steps || (wanted.findings && mayBeBad);
+  };
   auto result = verify::verify(model.fiacre, model.provenance, questions, options);
   if (!result) return std::unexpected(result.error());
   if (progressAt) progress = result->answers[*progressAt].truth;

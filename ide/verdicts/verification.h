@@ -5,6 +5,7 @@
 
 #include <expected>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,6 +79,8 @@ struct VerdictRow {
   Verdict verdict = Verdict::Inconclusive;
   std::optional<analysis::Location> location;
   std::optional<Trace> trace;
+  /// Number of steps of its witness, also if the trace was not wanted.
+  std::optional<std::size_t> steps;
   std::string
       reason; ///< why the verdict is inconclusive; otherwise what it depends on besides the model
 
@@ -110,22 +113,26 @@ struct Asked {
 /// Receives each row of the report and its index as soon as its property is decided.
 using OnRow = std::function<void(std::size_t, const VerdictRow&)>;
 
-/// The traces that are needed; no others are built.
-enum class WantedTraces : std::uint8_t {
-  All,
-  Page,     ///< those of verdicts that may be bad, and others up to kMostStepsOfPage steps in total
-  Findings, ///< of verdicts that may be bad
-  None,
+/// The traces that are needed; no others are built. Thousands of traces of hundreds of steps take
+/// gigabytes.
+struct WantedTraces {
+  bool findings = true; ///< those of verdicts that may be bad
+  /// Others are built until all traces together have so many steps.
+  std::size_t steps = std::numeric_limits<std::size_t>::max();
 };
 
-/// So many steps take some 20 MB in a page, which browsers still open at once.
-inline constexpr std::size_t kMostStepsOfPage = 20'000;
+inline constexpr WantedTraces kAllTraces{};
+inline constexpr WantedTraces kFindings{true, 0};
+inline constexpr WantedTraces kNoTraces{false, 0};
+/// Some 20 MB of JSON, which browsers open at once.
+inline constexpr WantedTraces kTracesOfPage{true, 20'000};
+/// Some 3 MB of JSON. An editor requests any other trace when the user wants to see it.
+inline constexpr WantedTraces kTracesOfEditor{true, 2'000};
 
 /// Verifies the selected checks in one exploration; verdicts are in the order of the model.
 /// \param options `options.decided` is not called
 [[nodiscard]] std::expected<VerificationReport, verify::Unsupported>
 verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
-            verify::Options options, const OnRow& onRow = {},
-            WantedTraces wanted = WantedTraces::All);
+            verify::Options options, const OnRow& onRow = {}, WantedTraces wanted = kAllTraces);
 
 } // namespace proskill::ide

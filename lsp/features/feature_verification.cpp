@@ -104,7 +104,24 @@ Answer Verification::verifyRequested(const Request& request) {
   return result;
 }
 
-Answer Verification::traceRequested(const Request& request) const {
+/// Verifies a property again for its trace. Editors store verdicts, so this is mostly a replay.
+std::expected<std::shared_ptr<const std::string>, worker::WorkerFailure>
+Verification::findTrace(const Verified& known, const std::string& name, const Request& request) {
+  const auto& program = known.verdicts->program;
+  auto job = worker::jobFor(program->program);
+  job.names = {name};
+  job.budget = settingsNow().requestBudget;
+  const auto report = worker::runWorker(outside.worker, job, request.cancellation, [](auto&) {});
+  if (!report) return std::unexpected(report.error());
+  const auto found = readReport(*report, program, request.snapshot.open(), kRequestLimits);
+  const auto trace = found ? found->traces.find(name) : known.traces.end();
+  if (!found || trace == found->traces.end())
+    return std::unexpected(worker::WorkerFailure{
+        false, fmt::format("the trace of `{}` was not found again within the limits", name)});
+  return trace->second;
+}
+
+Answer Verification::traceRequested(const Request& request) {
   auto view = programOf(request);
   if (!view) return std::unexpected(view.error());
   const auto wanted = textIn(request.params, "name");
@@ -112,9 +129,20 @@ Answer Verification::traceRequested(const Request& request) const {
   const auto state = board.of(view->program().files.front().path);
   if (!state || !state->verified)
     return std::unexpected(failed("the program has not been verified yet"));
-  const auto& known = *state->verified;
-  if (!known.traces.contains(*wanted))
+  Verified known = *state->verified;
+  const auto& all = known.verdicts->properties;
+  const auto property = std::ranges::find(all, *wanted, &ide::PropertyVerdict::name);
+  if (property == all.end() || !property->steps)
     return std::unexpected(failed(fmt::format("there is no trace of `{}`", *wanted)));
+  if (!known.traces.contains(*wanted)) {
+    auto found = findTrace(known, *wanted, request);
+    if (!found)
+      return std::unexpected(rpc::RpcError{found.error().cancelled
+                                               ? rpc::ErrorCode::RequestCancelled
+                                               : rpc::ErrorCode::RequestFailed,
+                                           found.error().message});
+    known.traces = {{*wanted, std::move(*found)}};
+  }
   const bool stale = !ide::areCurrent(*known.verdicts, view->program());
   const Converter convert(known.verdicts->program->program, request.snapshot.open(),
                           request.client.encoding);
@@ -125,8 +153,9 @@ void Verification::addMethods(Registry& registry) {
   registry.add(
       "proskill/verify", [this](const Request& request) { return verifyRequested(request); },
       rpc::Priority::Long);
-  registry.add("proskill/trace",
-               [this](const Request& request) { return traceRequested(request); });
+  registry.add(
+      "proskill/trace", [this](const Request& request) { return traceRequested(request); },
+      rpc::Priority::Long);
 }
 
 } // namespace proskill::lsp

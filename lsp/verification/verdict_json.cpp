@@ -202,7 +202,7 @@ Json traceOf(const Verified& verified, const std::string& name, bool stale,
   const auto& program = verified.verdicts->program->program;
   const auto& all = verified.verdicts->properties;
   const auto& property = *std::ranges::find(all, name, &ide::PropertyVerdict::name);
-  const auto trace = OrderedJson::parse(verified.traces.at(name));
+  const auto trace = OrderedJson::parse(*verified.traces.at(name));
   return {{"name", name},
           {"description", property.description},
           {"verdict", ide::toString(property.verdict)},

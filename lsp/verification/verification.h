@@ -72,7 +72,9 @@ private:
   }
 
   [[nodiscard]] Answer verifyRequested(const Request& request);
-  [[nodiscard]] Answer traceRequested(const Request& request) const;
+  [[nodiscard]] Answer traceRequested(const Request& request);
+  std::expected<std::shared_ptr<const std::string>, worker::WorkerFailure>
+  findTrace(const Verified& known, const std::string& name, const Request& request);
   [[nodiscard]] VerificationSettings settingsNow() const;
   void view(const std::filesystem::path& path);
   [[nodiscard]] std::optional<std::filesystem::path> inView();

@@ -58,12 +58,17 @@ ide::PropertyVerdict propertyOf(const analysis::Program& program, const OrderedJ
       json.at("severity") == "error" ? codegen::Weight::Error : codegen::Weight::Warning;
   property.location = locationIn(program, json.at("location"));
   property.reason = withSetting(json.value("reason", ""), limits);
+  if (const auto& steps = json.at("steps"); !steps.is_null())
+    property.steps = steps.get<std::size_t>();
   if (const auto& trace = json.at("trace"); !trace.is_null()) {
-    property.steps = trace.at("steps").size();
     property.summary = trace.at("summary").get<std::string>();
     if (property.bad()) property.way = wayOf(program, trace);
   }
   return property;
+}
+
+void keepTrace(Verified& verified, const std::string& name, const OrderedJson& trace) {
+  if (!trace.is_null()) verified.traces[name] = std::make_shared<const std::string>(trace.dump());
 }
 
 verify::Exploration explorationOf(const OrderedJson& json) {
@@ -89,7 +94,7 @@ Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProg
       verdicts->versions[file.path] = text->second.version;
   for (const auto& json : report.at("properties")) {
     auto property = propertyOf(program, json, limits);
-    if (property.steps) verified.traces[property.name] = json.at("trace").dump();
+    keepTrace(verified, property.name, json.at("trace"));
     verdicts->properties.push_back(std::move(property));
   }
   verdicts->exploration = explorationOf(report.at("exploration"));
@@ -103,7 +108,7 @@ Verified read(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProg
 void addRow(Verified& to, ide::ProgramVerdicts& verdicts, std::size_t row, const OrderedJson& json,
             const LimitSettings& limits) {
   auto property = propertyOf(verdicts.program->program, json, limits);
-  if (property.steps) to.traces[property.name] = json.at("trace").dump();
+  keepTrace(to, property.name, json.at("trace"));
   verdicts.properties.at(row) = std::move(property);
 }
 

@@ -17,8 +17,9 @@ namespace proskill::lsp {
 struct Verified {
   std::shared_ptr<const ide::ProgramVerdicts> verdicts;
   std::string mainSkill; ///< empty: none
-  /// By name of the property, as `traceJson` writes them.
-  std::map<std::string, std::string> traces;
+  /// By name of the property, as `traceJson` writes them. Of a large program only some are kept:
+  /// see ide::kTracesOfEditor.
+  std::map<std::string, std::shared_ptr<const std::string>> traces;
 };
 
 /// Reads a report (docs/verify.schema.json) on this program; nothing if it has another form. If a

@@ -1,9 +1,9 @@
 #include "tests/cli/forbidden_move.h"
+#include "tests/support/chain_program.h"
 #include "tests/support/run.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -135,17 +135,7 @@ TEST_CASE("a report contains the traces that --traces asks for, whatever its for
 
 TEST_CASE("the page of a large program leaves out traces, and says so") {
   TemporaryDirectory files;
-  std::string program;
-  std::string calls;
-  for (int i = 0; i < 60; ++i) {
-    program += fmt::format("(defsv d{0} :states (A B) :init A)"
-                           "(defskill s{0} :start (d{0} B) :action (a) :success ok"
-                           " (:effects (d{0} A)) :failure ko (:effects (d{0} A)))\n",
-                           i);
-    calls += fmt::format("(s{})", i);
-  }
-  program += "(defskill mission :body (" + calls + "))";
-  const auto path = files.write("chain.proskill", program);
+  const auto path = files.write("chain.proskill", chainProgram(60));
   const auto page = files.path("report");
   CHECK(verify({path, "--report", page}).exitCode == 0);
   const auto bounded = contents(page + "/index.html");

@@ -272,6 +272,24 @@ class Files(unittest.TestCase):
                 self.assertIn("error", view.call("source", uri="/etc/passwd"))
                 self.assertEqual(view.end()[0], 0)
 
+    def test_a_large_program_builds_traces_when_somebody_wants_to_see_them(self):
+        count = 30
+        skills = "".join(f"(defsv d{i} :states (A B) :init A)"
+                         f"(defskill s{i} :start (d{i} B) :action (a) :success ok (:effects (d{i} A))"
+                         f" :failure ko (:effects (d{i} A)))\n" for i in range(count))
+        calls = "".join(f"(s{i})" for i in range(count))
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory, "chain.proskill")
+            path.write_text(f"{skills}(defskill mission :body ({calls}))\n")
+            view = View(path)
+            found = [it for it in view.verified()["properties"] if it["steps"] is not None]
+            self.assertGreater(sum(it["steps"] for it in found), 4000)  # twice as many as are kept
+            for it in (found[0], max(found, key=lambda it: it["steps"]), found[-1]):
+                trace = view.call("trace", name=it["name"])["result"]
+                self.assertEqual((trace["name"], trace["verdict"], len(trace["steps"])), (it["name"], it["verdict"], it["steps"]))
+            self.assertIn("error", view.call("trace", name="program.no_deadlock"))
+            self.assertEqual(view.end()[0], 0)
+
     def test_a_program_that_changes_is_verified_anew(self):
         with tempfile.TemporaryDirectory() as directory:
             path = pathlib.Path(directory, "p.proskill")

@@ -319,7 +319,9 @@ class App {
       if (run) return await this.show({ run });
       const { traces, program } = open(text);
       for (const trace of traces) this.opened.set(trace.name, trace);
-      if (program) this.take({ ...program, pictures: this.program?.pictures ?? [], files: this.program?.files ?? [] });
+      const isThere = ({ name }: Verdict): boolean => traces.some((trace) => trace.name === name);
+      const verdicts = program?.verdicts.map((verdict) => (isThere(verdict) ? verdict : { ...verdict, steps: null })) ?? [];
+      if (program) this.take({ ...program, verdicts, pictures: this.program?.pictures ?? [], files: this.program?.files ?? [] });
       const first = program?.verdicts.find((it) => !it.good && it.steps !== null)?.name;
       const trace = traces.find((it) => it.name === first) ?? traces[0];
       if (!trace) throw new Error('there is no trace in it');
