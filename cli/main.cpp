@@ -3,6 +3,7 @@
 // with its options; when the subcommand has run, its result is in `exitCode`. A new subcommand is
 // added in two places here: the include and the list in main().
 
+#include "cli/bridges/import.h"
 #include "cli/commands/check.h"
 #include "cli/commands/dap.h"
 #include "cli/commands/emit.h"
@@ -94,8 +95,8 @@ int main(int argc, char** argv) {
   useHelpFormat(app);
   app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
   for (auto add :
-       {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addLsp,
-        addPlatformHost, addReplay, addRun, addStubs, addVerify, addVerifyWorker, addView})
+       {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addImport,
+        addLsp, addPlatformHost, addReplay, addRun, addStubs, addVerify, addVerifyWorker, addView})
     add(app, exitCode);
   if (const auto word = unknownCommand(app, argc, argv); !word.empty())
     return failUnknownCommand(app, word);

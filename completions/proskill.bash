@@ -41,6 +41,9 @@ _proskill_kinds() {
     'graph --out-dir') echo '-d' ;;
     'graph -o') echo '-f' ;;
     'graph --output') echo '-f' ;;
+    'import -o') echo '-f' ;;
+    'import --output') echo '-f' ;;
+    'import --leaves') echo '-f' ;;
     'lsp --log') echo '-f' ;;
     'lsp --cache') echo '-d' ;;
     'run --platform') echo '-f' ;;
@@ -86,6 +89,7 @@ _proskill_options() {
     explain) echo '--help --list --markdown --color' ;;
     fmt) echo '--help --check --diff' ;;
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
+    import) echo '--help --output --leaves' ;;
     lsp) echo '--help --port --log --debounce --cache --no-cache --stdio' ;;
     replay) echo '--help --color' ;;
     run) echo '--help --main --platform --script --clock --seed --until --format --record --color' ;;
@@ -110,7 +114,7 @@ _proskill() {
   local kind
   kind=$(_proskill_kinds "$command" "$previous")
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check conform dap emit explain fmt graph lsp replay run stubs verify view $(_proskill_options)"
+    words="check conform dap emit explain fmt graph import lsp replay run stubs verify view $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ -n "$kind" ]; then

@@ -64,6 +64,12 @@ complete -c proskill -n '__fish_seen_subcommand_from graph' -l dark -d 'Colours 
 complete -c proskill -n '__fish_seen_subcommand_from graph' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from graph' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from graph' -ka '(__fish_complete_suffix .fcr)'
+complete -c proskill -n __fish_use_subcommand -a import -d 'Translate a program of another language'
+complete -c proskill -n '__fish_seen_subcommand_from import' -s h -l help -d 'Print this help message and exit'
+complete -c proskill -n '__fish_seen_subcommand_from import' -s o -l output -d 'Write to this file instead of standard output' -r
+complete -c proskill -n '__fish_seen_subcommand_from import' -l leaves -d 'bt: durations and results of actions and conditions, as JSON' -r
+complete -c proskill -n '__fish_seen_subcommand_from import' -ka '(__fish_complete_suffix .proskill)'
+complete -c proskill -n '__fish_seen_subcommand_from import' -ka '(__fish_complete_suffix .fcr)'
 complete -c proskill -n __fish_use_subcommand -a lsp -d 'Serve an editor (Language Server Protocol)'
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from lsp' -l port -d 'Wait for one client on this port of the loopback interface (0: any free port) instead of standard input' -x

@@ -8,6 +8,7 @@ name=$1 seconds=$2 seed=${3:-0} work=build/fuzz/corpus/$1
 case $name in
 proskill) seeds=(examples/drone examples/arm examples/lift examples/rover) ;;
 fiacre) seeds=(examples/fiacre) ;;
+bt) seeds=(examples/patrol) ;;
 *) seeds=() ;;
 esac
 # What was tried with profit stays in build/, so that the next run goes on from there.

@@ -16,6 +16,8 @@ void protocol(std::string_view bytes);
 
 /// As requests of a browser to `proskill view`.
 void http(std::string_view bytes);
+/// As a behavior tree in XML: reads and translates it, and checks the program.
+void bt(std::string_view bytes);
 /// As output of the Tina tools.
 void tina(std::string_view bytes);
 

@@ -9,7 +9,7 @@ root=$PWD/build/arm64/sysroot
 state=$PWD/build/arm64/apt
 triple=aarch64-linux-gnu
 # Packages that the program is built with; apt adds their dependencies.
-packages=(libc6 libstdc++6 libgraphviz-dev libtree-sitter-dev libutf8proc-dev libxxhash-dev libfmt-dev libcli11-dev nlohmann-json3-dev libasio-dev)
+packages=(libc6 libstdc++6 libgraphviz-dev libtree-sitter-dev libutf8proc-dev libxxhash-dev libexpat1-dev libfmt-dev libcli11-dev nlohmann-json3-dev libasio-dev)
 
 # apt ARGUMENT…: runs apt-get for a system of this architecture without installed packages.
 apt() {

@@ -32,6 +32,7 @@ std::size_t tryAll(const fs::path& folder, void (*target)(std::string_view)) {
 TEST_CASE("what the fuzzers have found stays mended") {
   CHECK(tryAll("fuzz/corpus/proskill", fuzz::proskill) > 0);
   CHECK(tryAll("fuzz/corpus/fiacre", fuzz::fiacre) > 0);
+  CHECK(tryAll("fuzz/corpus/bt", fuzz::bt) > 1);
   CHECK(tryAll("fuzz/corpus/protocol", fuzz::protocol) > 0);
   CHECK(tryAll("fuzz/corpus/http", fuzz::http) > 5);
   CHECK(tryAll("fuzz/corpus/tina", fuzz::tina) > 8);
@@ -39,6 +40,7 @@ TEST_CASE("what the fuzzers have found stays mended") {
 
 TEST_CASE("what is fuzzed holds for the examples") {
   CHECK(tryAll("examples/fiacre", fuzz::fiacre) > 10);
+  CHECK(tryAll("examples/patrol", fuzz::bt) > 4);
   CHECK(tryAll("examples/rover", fuzz::proskill) > 3);
 }
 

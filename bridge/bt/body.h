@@ -1,0 +1,69 @@
+#pragma once
+
+#include "bridge/bt/guard.h"
+
+namespace proskill::bridge::bt {
+
+/// Where a body continues after a node: with the next statement, or with a jump.
+struct Exit {
+  Block jump; ///< empty: the next statement
+
+  [[nodiscard]] bool next() const { return jump.empty(); }
+  friend bool operator==(const Exit&, const Exit&) = default;
+};
+
+/// Writes the body of one composite skill, or of one of its parallel branches. Sequences,
+/// fallbacks, loops and decorators become statements and jumps. What must be able to stop its
+/// children while they run becomes a composite skill of its own.
+class Body {
+public:
+  explicit Body(Vocabulary& vocabulary) : vocabulary(vocabulary), traits(vocabulary.traits) {}
+
+  /// Statements for a node. After them the node has ended, and control is at `success` or
+  /// `failure`. Both may be the next statement: then the result does not matter.
+  void node(const Node& node, const Exit& success, const Exit& failure);
+
+  /// The same for a child of a parallel node: its exits may count the end instead of jumping.
+  void result(const Node& child, Exit success, Exit failure);
+
+  Block statements;
+
+private:
+  void plain(const Node& node, const Exit& success, const Exit& failure);
+  void preconditions(const Node& node, const Exit& success, const Exit& failure);
+  void scripted(const Node& node, const std::string& port, const Exit& exit);
+  void condition(const Node& node, const Exit& success, const Exit& failure);
+  void action(const Node& node, const Exit& success, const Exit& failure);
+  void call(const std::string& skill, Ends ends, const Exit& success, const Exit& failure);
+  void inOrder(const Node& node, bool isSequence, const Exit& success, const Exit& failure);
+  void withMemory(const Node& node, const Exit& success, const Exit& failure);
+  void ifThenElse(const Node& node, const Exit& success, const Exit& failure);
+  void loop(const Node& node, const Exit& success, const Exit& failure);
+  void endlessLoop(const Node& node, const Exit& exit);
+  void countedLoop(const Node& node, std::int64_t rounds, const Exit& success, const Exit& failure);
+  void anyLoop(const Node& node, const Exit& success, const Exit& failure);
+  void delay(const Node& node, const char* port);
+  void parallelAll(const Node& node, const Exit& success, const Exit& failure);
+
+  /// An exit that is a jump in any case: to `label`, where the next statement is meant.
+  static Exit orTo(const Exit& exit, const std::string& label);
+  static Exit to(const std::string& label);
+  void test(const Form& condition, const Exit& exit);
+  void leave(const Exit& exit) { append(statements, exit.jump); }
+  void place(const std::string& label) { statements.push_back(list("label", label)); }
+  /// The same if a jump leads there.
+  void placeUsed(const std::string& label);
+  void commentAt(std::size_t statement, const Node& node);
+  [[nodiscard]] Form nextTick(bool atOnce) const;
+
+  Vocabulary& vocabulary;
+  const Traits& traits;
+};
+
+/// `(success done)` and `(failure failed)`.
+[[nodiscard]] Exit succeed();
+[[nodiscard]] Exit fail();
+/// Milliseconds in a port as seconds. Nothing if it is not a number.
+[[nodiscard]] std::optional<std::string> secondsIn(const std::string& port);
+
+} // namespace proskill::bridge::bt

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "bridge/bt/body.h"
+
+namespace proskill::bridge::bt {
+
+/// Whether a reactive node has children after the conditions that it tests at each tick.
+[[nodiscard]] bool needsWatching(const Node& reactive, const Traits& traits);
+
+/// Composite skills for the nodes that stop their children while these run.
+class Composites {
+public:
+  explicit Composites(Vocabulary& vocabulary) : vocabulary(vocabulary), traits(vocabulary.traits) {}
+
+  /// Adds the skill of a node. \return its name
+  std::string of(const Node& node);
+
+private:
+  Block bodyOf(const Node& node);
+  Block subTree(const Node& node);
+  Block timeout(const Node& node);
+  Block parallel(const Node& node);
+  Block branches(const Node& node, const Exit& success, const Exit& failure);
+  Block whileDoElse(const Node& node);
+  Block choice(const Node& node);
+  Block reactive(const Node& node);
+  Block watched(const Node& node, const Exit& success, const Exit& failure, const Form& until);
+
+  Vocabulary& vocabulary;
+  const Traits& traits;
+};
+
+/// The children of a parallel node by branch. A condition is tested in the branch of the next child
+/// that can run, before it: so ticks read it before that child starts.
+[[nodiscard]] std::vector<std::vector<const Node*>> branchesOf(const Node& node,
+                                                               const Traits& traits);
+
+} // namespace proskill::bridge::bt

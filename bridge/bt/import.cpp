@@ -1,0 +1,76 @@
+#include "bridge/bt/import.h"
+
+#include "bridge/bt/composites.h"
+#include "bridge/bt/read/read.h"
+#include "bridge/bt/tree/expand.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace proskill::bridge::bt {
+namespace {
+
+/// The main tree as a use of itself.
+Node missionOf(const Forest& forest, Node root) {
+  Node mission{Kind::SubTree, forest.main, {}, forest.trees.at(forest.main).place, {}, {}};
+  mission.children.push_back(std::move(root));
+  return mission;
+}
+
+/// That the tree can end is asked for, whatever it ends with.
+Form endProperty(Vocabulary& vocabulary, const std::string& main) {
+  return list("defproperty", vocabulary.names.take(main + "_can_end"),
+              list("reachable", list("ended", main)));
+}
+
+std::string verdictLine(const Vocabulary& vocabulary) {
+  if (vocabulary.notes.empty())
+    return "verdicts are exact for this tree: its leaves take the times and have the results that "
+           "are allowed to them, its conditions may change at any time, and it is ticked at any "
+           "time";
+  return "verdicts are over-approximate: what holds or is unreachable in the program is so in the "
+         "tree; a violation may be one of the program alone";
+}
+
+std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& forest) {
+  std::vector<std::string> lines;
+  if (!forest.undeclared.empty())
+    lines.push_back(fmt::format("not declared in `TreeNodesModel`, taken as actions: {}",
+                                fmt::join(forest.undeclared, ", ")));
+  for (const auto& name : vocabulary.leaves.unused())
+    lines.push_back(
+        fmt::format("no node is called `{}`, of which the file of leaves speaks", name));
+  for (const auto& note : vocabulary.notes)
+    lines.push_back(asText(note.place, vocabulary.folder) + ": approximated: " + note.message);
+  lines.push_back(verdictLine(vocabulary));
+  return lines;
+}
+
+/// The side file may say that a leaf is a condition, which a tree alone need not.
+void setKinds(Node& node, const Leaves& leaves) {
+  if (node.kind == Kind::Action || (node.kind == Kind::Condition && node.id != "ScriptCondition"))
+    node.kind = leaves.of(node).kind.value_or(node.kind);
+  for (auto& child : node.children) setKinds(child, leaves);
+}
+
+} // namespace
+
+std::expected<Imported, Errors> importTree(const analysis::FileSystem& files,
+                                           const std::filesystem::path& root,
+                                           const Leaves& leaves) {
+  const auto forest = read(files, root);
+  if (!forest) return std::unexpected(forest.error());
+  auto tree = expand(*forest);
+  if (!tree) return std::unexpected(tree.error());
+  setKinds(*tree, leaves);
+  Vocabulary vocabulary(leaves, root.parent_path());
+  const auto main = Composites(vocabulary).of(missionOf(*forest, std::move(*tree)));
+  if (!vocabulary.errors.empty()) return std::unexpected(std::move(vocabulary.errors));
+  vocabulary.properties.push_back(endProperty(vocabulary, main));
+  const auto head = fmt::format("The behavior tree `{}` of {}, by `proskill import bt`.", main,
+                                root.filename().generic_string());
+  return Imported{write(head, vocabulary.program()), vocabulary.notes.empty(),
+                  summaryOf(vocabulary, *forest)};
+}
+
+} // namespace proskill::bridge::bt

@@ -1,0 +1,81 @@
+#include "bridge/bt/body.h"
+
+#include <fmt/format.h>
+
+namespace proskill::bridge::bt {
+
+/// The wait for another tick; `atOnce`: it may also be this one.
+Form Body::nextTick(bool atOnce) const {
+  const auto& tick = vocabulary.leaves.tick;
+  return list("^", (atOnce ? "[0," : "]0,") + (tick.empty() ? "...[" : tick + "]"));
+}
+
+void Body::loop(const Node& node, const Exit& success, const Exit& failure) {
+  const auto at = statements.size();
+  const auto rounds = roundsOf(node);
+  const auto& port = node.port(node.kind == Kind::Repeat ? "num_cycles" : "num_attempts");
+  if (node.kind == Kind::KeepRunning || rounds == -1)
+    endlessLoop(node, node.kind == Kind::Retry ? success : failure);
+  else if (rounds && *rounds > 0 && *rounds <= 1'000'000)
+    countedLoop(node, *rounds, success, failure);
+  else if (port.starts_with('{'))
+    anyLoop(node, success, failure);
+  else
+    vocabulary.fail(
+        node, fmt::format("`{}` needs a number of rounds from 1 to 1,000,000, or -1", node.id));
+  commentAt(at, node);
+}
+
+void Body::endlessLoop(const Node& node, const Exit& exit) {
+  const auto& child = node.children.front();
+  const auto label = vocabulary.names.take("again");
+  Exit again = to(label);
+  const bool keeps = node.kind == Kind::KeepRunning;
+  if (keeps || traits.mayEndAtOnce(child)) again.jump.insert(again.jump.begin(), nextTick(!keeps));
+  place(label);
+  // KeepRunningUntilFailure ends with a failure, as Repeat does.
+  if (node.kind == Kind::Retry)
+    this->node(child, exit, again);
+  else
+    this->node(child, again, exit);
+}
+
+void Body::countedLoop(const Node& node, std::int64_t rounds, const Exit& success,
+                       const Exit& failure) {
+  const auto& child = node.children.front();
+  if (rounds == 1) return this->node(child, success, failure);
+  const bool repeats = node.kind == Kind::Repeat;
+  const auto& early = repeats ? failure : success;
+  const auto label = vocabulary.names.take("again");
+  const auto end = early.next() ? vocabulary.names.take("done") : std::string();
+  const auto exit = orTo(early, end);
+  const auto count = vocabulary.counter(node, "_count", rounds);
+  statements.push_back(list("set", list(count, "0")));
+  place(label);
+  this->node(child, repeats ? Exit{} : exit, repeats ? exit : Exit{});
+  statements.push_back(list("set", list(count, list("+", count, "1"))));
+  test(list("<", count, std::to_string(rounds)), to(label));
+  leave(repeats ? success : failure);
+  placeUsed(end);
+}
+
+/// The blackboard says how many rounds: any number.
+void Body::anyLoop(const Node& node, const Exit& success, const Exit& failure) {
+  const bool repeats = node.kind == Kind::Repeat;
+  const auto& early = repeats ? failure : success;
+  const auto label = vocabulary.names.take("again");
+  const auto end = early.next() ? vocabulary.names.take("done") : std::string();
+  const auto exit = orTo(early, end);
+  const auto more = vocabulary.anyOf((node.name.empty() ? node.id : node.name) + "_continues",
+                                     {"Yes", "No"}, vocabulary.comment(node));
+  vocabulary.approximate(node, "the number of rounds may be any");
+  place(label);
+  this->node(node.children.front(), repeats ? Exit{} : exit, repeats ? exit : Exit{});
+  Exit again = to(label);
+  again.jump.insert(again.jump.begin(), nextTick(true));
+  test(list(more, "Yes"), again);
+  leave(repeats ? success : failure);
+  placeUsed(end);
+}
+
+} // namespace proskill::bridge::bt

@@ -1,0 +1,112 @@
+#include "bridge/bt/program/vocabulary.h"
+
+#include <fmt/format.h>
+
+namespace proskill::bridge::bt {
+namespace {
+
+std::string keyOf(const Node& node) {
+  auto key = node.id;
+  for (const auto& [port, value] : node.ports) key += "\n" + port + "\n" + value;
+  return key;
+}
+
+std::string interval(const Leaf& leaf) {
+  const auto most = leaf.most.empty() ? "...[" : leaf.most + "]";
+  return "[" + leaf.least + "," + most;
+}
+
+Form command(const Node& node) {
+  Form command(std::vector<Form>{asName(node.id)});
+  for (const auto& [port, value] : node.ports)
+    if (!port.starts_with('_')) command.parts.emplace_back(asString(value));
+  return command;
+}
+
+} // namespace
+
+std::string Vocabulary::condition(const Node& node) {
+  const auto [known, isNew] = conditions.try_emplace(keyOf(node));
+  if (isNew) known->second = declareCondition(node);
+  return known->second;
+}
+
+std::string Vocabulary::watched(const Node& node) {
+  const auto shared = condition(node);
+  if (!leaves.of(node).changes || watchedOnes.insert(shared).second) return shared;
+  return declareCondition(node);
+}
+
+std::string Vocabulary::declareCondition(const Node& node) {
+  if (leaves.of(node).changes)
+    return anyOf(node.name.empty() ? node.id : node.name, {"Yes", "No"}, comment(node));
+  auto name = names.take(node);
+  Form variable = list("defsv", name, ":states", list("Yes", "No"), ":init", list("Yes", "No"));
+  variable.comment = comment(node);
+  variables.push_back(variable);
+  return name;
+}
+
+std::string Vocabulary::anyOf(const std::string& wish, const std::vector<std::string>& values,
+                              const std::string& comment) {
+  auto name = names.take(wish);
+  Form states(std::vector<Form>(values.begin(), values.end()));
+  Form variable = list("defsv", name, ":states", states, ":init", values.front());
+  variable.comment = comment;
+  variables.push_back(variable);
+  for (const auto& value : values) {
+    Form event =
+        list("defevent", names.take(name + "_becomes_" + value), ":effects", list(name, value));
+    event.comment = comment;
+    variables.push_back(event);
+  }
+  return name;
+}
+
+std::string Vocabulary::counter(const Node& node, const std::string& suffix, std::int64_t most) {
+  auto name = names.take((node.name.empty() ? node.id : node.name) + suffix);
+  Form variable = list("defsv", name, ":init", "0", ":min", "0", ":max", std::to_string(most));
+  variable.comment = comment(node);
+  variables.push_back(variable);
+  return name;
+}
+
+std::string Vocabulary::action(const Node& node) {
+  auto name = names.take(node);
+  const auto& leaf = leaves.of(node);
+  Form skill = list("defskill", name);
+  skill.comment = comment(node);
+  const bool anyTime = leaf.least == "0" && leaf.most.empty();
+  if (!anyTime) append(skill.parts, {":time_interval", interval(leaf)});
+  append(skill.parts, {":action", command(node), ":success", leaf.succeeds ? "done" : "failed"});
+  if (leaf.succeeds && leaf.fails) append(skill.parts, {":failure", "failed"});
+  skills.push_back(skill);
+  return name;
+}
+
+void Vocabulary::composite(const std::string& name, const std::string& comment, Block body) {
+  Form skill = list("defskill", name);
+  skill.comment = comment;
+  const Form statements(std::move(body));
+  if (contains(statements, list("success", "done"))) append(skill.parts, {":success", "done"});
+  if (contains(statements, list("failure", "failed"))) append(skill.parts, {":failure", "failed"});
+  append(skill.parts, {":body", statements});
+  skills.push_back(skill);
+}
+
+void Vocabulary::approximate(const Node& node, std::string message) {
+  notes.push_back({node.place, std::move(message)});
+}
+
+void Vocabulary::fail(const Node& node, std::string message) {
+  errors.push_back({node.place, std::move(message)});
+}
+
+Block Vocabulary::program() const {
+  Block program = variables;
+  append(program, skills);
+  append(program, properties);
+  return program;
+}
+
+} // namespace proskill::bridge::bt

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "bridge/bt/program/form.h"
+#include "bridge/bt/program/names.h"
+#include "bridge/bt/tree/traits.h"
+
+namespace proskill::bridge::bt {
+
+/// What the translation had to approximate, by node.
+struct Note {
+  Place place;
+  std::string message;
+};
+
+/// The definitions of a program, as they are needed: variables, events, skills.
+class Vocabulary {
+public:
+  Vocabulary(const Leaves& leaves, const std::filesystem::path& folder)
+      : leaves(leaves), folder(folder), traits(leaves) {}
+
+  /// The variable that says what a condition would return. Equal types with equal ports share one.
+  std::string condition(const Node& node);
+  /// The same for a place that watches the condition: no two of them share a variable.
+  std::string watched(const Node& node);
+  /// A variable that may have any of the values at any time.
+  std::string anyOf(const std::string& wish, const std::vector<std::string>& values,
+                    const std::string& comment);
+  /// A number from 0 to `most`.
+  std::string counter(const Node& node, const std::string& suffix, std::int64_t most);
+  /// The basic skill of an action.
+  std::string action(const Node& node);
+  /// Adds a composite skill, with the outcomes that its body has.
+  void composite(const std::string& name, const std::string& comment, Block body);
+  void approximate(const Node& node, std::string message);
+  void fail(const Node& node, std::string message);
+
+  [[nodiscard]] std::string comment(const Node& node) const { return asComment(node, folder); }
+  /// All definitions: variables, then skills, then properties.
+  [[nodiscard]] Block program() const;
+
+  const Leaves& leaves;
+  const std::filesystem::path folder;
+  const Traits traits;
+  NamePool names;
+  std::vector<Note> notes;
+  Errors errors;
+  Block properties;
+
+private:
+  std::string declareCondition(const Node& node);
+
+  std::map<std::string, std::string> conditions; ///< by type and ports
+  std::set<std::string> watchedOnes;             ///< variables
+  Block variables;
+  Block skills;
+};
+
+} // namespace proskill::bridge::bt

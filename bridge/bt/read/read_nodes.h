@@ -1,0 +1,27 @@
+#pragma once
+
+#include "bridge/bt/read/xml.h"
+#include "bridge/bt/tree/tree.h"
+
+namespace proskill::bridge::bt {
+
+/// Reads elements of a `BehaviorTree` as nodes.
+class NodeReader {
+public:
+  NodeReader(Forest& forest, Errors& errors) : forest(forest), errors(errors) {}
+
+  /// The node of an element, with its children. Errors are added to the list.
+  Node node(const Element& element);
+
+private:
+  void attributes(const Element& element, Node& node);
+  void classify(const Element& element, Node& node);
+  void classifyCustom(const Element& element, Node& node);
+  void countChildren(const Element& element, std::size_t least, std::size_t most);
+  void fail(const Element& element, std::string message);
+
+  Forest& forest;
+  Errors& errors;
+};
+
+} // namespace proskill::bridge::bt

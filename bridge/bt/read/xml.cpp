@@ -1,0 +1,102 @@
+#include "bridge/bt/read/xml.h"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace proskill::bridge::bt {
+namespace {
+
+/// Builds elements from the calls of Expat.
+class Reader {
+public:
+  explicit Reader(const std::filesystem::path& file)
+      : parser(XML_ParserCreate("UTF-8"), XML_ParserFree), file(file) {
+    XML_SetUserData(parser.get(), this);
+    XML_SetElementHandler(parser.get(), &Reader::onStart, &Reader::onEnd);
+    XML_SetCharacterDataHandler(parser.get(), &Reader::onText);
+    XML_SetStartDoctypeDeclHandler(parser.get(), &Reader::onDoctype);
+  }
+
+  std::expected<Element, Error> read(std::string_view text) {
+    const auto status =
+        XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
+    if (error) return std::unexpected(*error);
+    if (status != XML_STATUS_OK) return std::unexpected(Error{here(), reason()});
+    return std::move(root.children.front());
+  }
+
+private:
+  static Reader& of(void* reader) { return *static_cast<Reader*>(reader); }
+
+  static void onStart(void* reader, const char* name, const char** attributes) {
+    of(reader).start(name, attributes);
+  }
+  static void onEnd(void* reader, const char* /*name*/) { of(reader).end(); }
+  static void onText(void* reader, const char* text, int size) {
+    of(reader).text({text, static_cast<std::size_t>(size)});
+  }
+  static void onDoctype(void* reader, const char*, const char*, const char*, int) {
+    of(reader).fail("a document type is not allowed here");
+  }
+
+  void start(const char* name, const char** attributes) {
+    if (open.size() >= kDeepestXml) return fail("elements are nested too deeply");
+    if (++count > kMostElements) return fail("the file has too many elements");
+    Element element{.name = name, .place = here()};
+    for (; *attributes != nullptr; attributes += 2)
+      element.attributes.emplace_back(attributes[0], attributes[1]);
+    open.push_back(std::move(element));
+  }
+
+  void end() {
+    if (open.empty()) return; // after an error
+    Element element = std::move(open.back());
+    open.pop_back();
+    (open.empty() ? root : open.back()).children.push_back(std::move(element));
+  }
+
+  void text(std::string_view bytes) {
+    if (bytes.find_first_not_of(" \t\r\n") != std::string_view::npos)
+      fail("text is not allowed between elements");
+  }
+
+  void fail(const std::string& message) {
+    if (!error) error = Error{here(), message};
+    XML_StopParser(parser.get(), XML_FALSE);
+  }
+
+  Place here() {
+    return {file, XML_GetCurrentLineNumber(parser.get()),
+            XML_GetCurrentColumnNumber(parser.get()) + 1};
+  }
+
+  std::string reason() {
+    return std::string("not well-formed XML: ") + XML_ErrorString(XML_GetErrorCode(parser.get()));
+  }
+
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser;
+  const std::filesystem::path& file;
+  Element root;
+  std::vector<Element> open;
+  std::optional<Error> error;
+  std::size_t count = 0;
+};
+
+} // namespace
+
+const std::string* Element::attribute(std::string_view called) const {
+  const auto found =
+      std::ranges::find(attributes, called, &std::pair<std::string, std::string>::first);
+  return found == attributes.end() ? nullptr : &found->second;
+}
+
+std::expected<Element, Error> readXml(std::string_view text, const std::filesystem::path& file) {
+  if (text.size() > kLargestXml)
+    return std::unexpected(Error{{file}, "the file is larger than 16 MiB"});
+  return Reader(file).read(text);
+}
+
+} // namespace proskill::bridge::bt

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "bridge/bt/tree/place.h"
+
+#include <map>
+#include <optional>
+#include <string_view>
+
+namespace proskill::bridge::bt {
+
+enum class Kind : std::uint8_t {
+  Action,
+  Condition,
+  Script, // changes the blackboard and succeeds
+  Sleep,
+  AlwaysSuccess,
+  AlwaysFailure,
+  Sequence,
+  SequenceWithMemory,
+  ReactiveSequence,
+  Fallback,
+  ReactiveFallback,
+  Parallel,
+  ParallelAll,
+  IfThenElse,
+  WhileDoElse,
+  Switch,
+  Inverter,
+  ForceSuccess,
+  ForceFailure,
+  Repeat,
+  Retry,
+  KeepRunning,
+  Timeout,
+  Delay,
+  SubTree,
+};
+
+/// How many children a node of BehaviorTree.CPP has.
+struct BuiltIn {
+  std::string_view name;
+  Kind kind;
+  std::size_t least;
+  std::size_t most;
+};
+
+inline constexpr std::size_t kAnyNumber = SIZE_MAX;
+
+/// The built-in node of this name, or null.
+[[nodiscard]] const BuiltIn* builtIn(std::string_view name);
+
+struct Node {
+  Kind kind = Kind::Action;
+  std::string id;   ///< the registered type, or the tree that a SubTree uses
+  std::string name; ///< given by the author; empty if none
+  Place place;
+  std::map<std::string, std::string> ports; ///< without `ID` and `name`
+  std::vector<Node> children;
+
+  /// The value of a port, or the default.
+  [[nodiscard]] std::string port(const std::string& called, std::string otherwise = {}) const;
+};
+
+struct Tree {
+  std::string id;
+  Place place;
+  Node root;
+};
+
+/// What the files declare.
+struct Forest {
+  std::map<std::string, Tree> trees;
+  std::string main;
+  Place place;                          ///< of the first file's root element
+  std::map<std::string, Kind> declared; ///< by TreeNodesModel: actions, conditions, subtrees
+  std::vector<std::string> undeclared;  ///< types of leaves that were taken as actions
+};
+
+} // namespace proskill::bridge::bt

@@ -1,0 +1,121 @@
+#include "tests/bridge/random_tree.h"
+
+#include <fmt/format.h>
+
+namespace proskill::test {
+namespace {
+
+class Grower {
+public:
+  explicit Grower(std::uint64_t seed) : random(seed) {}
+
+  std::string node(int depth) {
+    ++count;
+    if (depth == 0 || count > 12 || random.chance(25)) return leaf();
+    switch (random.below(10)) {
+    case 0:
+    case 1: return several(random.chance(75) ? "Sequence" : "SequenceWithMemory", "", depth);
+    case 2: return several("Fallback", "", depth);
+    case 3:
+    case 4: return reactive(depth);
+    case 5: return parallel(depth);
+    case 6: return choice(depth);
+    default: return decorator(depth);
+    }
+  }
+
+private:
+  std::string element(const std::string& head, const std::string& inner) {
+    const auto name = head.substr(0, head.find(' '));
+    return "<" + head + ">" + inner + "</" + name + ">\n";
+  }
+
+  std::string leaf() {
+    const auto kind = random.below(12);
+    if (kind < 6 && actions < 4) return action();
+    if (kind < 10) return condition();
+    return random.pick<std::string>({"<AlwaysSuccess/>\n", "<AlwaysFailure/>\n",
+                                     inTimeout > 0 ? condition() : "<Sleep msec=\"1000\"/>\n"});
+  }
+
+  std::string condition() { return fmt::format("<Condition ID=\"c{}\"/>\n", random.below(3)); }
+
+  std::string action() {
+    const auto type = random.pick<std::string>({"Any", "Any", "Any", "Good", "Bad"});
+    return fmt::format("<Action ID=\"{}\" name=\"a{}\"/>\n", type, actions++);
+  }
+
+  std::string children(std::size_t number, int depth) {
+    std::string text;
+    for (std::size_t i = 0; i < number; ++i) text += node(depth - 1);
+    return text;
+  }
+
+  std::string several(const std::string& tag, const std::string& ports, int depth) {
+    return element(tag + ports, children(1 + random.below(3), depth));
+  }
+
+  /// Mostly conditions first, then what may run.
+  std::string reactive(int depth) {
+    std::string text;
+    for (std::size_t i = random.below(3); i > 0; --i) text += guard();
+    text += node(depth - 1);
+    for (std::size_t i = random.below(2); i > 0; --i) text += guard();
+    return element(random.chance(50) ? "ReactiveSequence" : "ReactiveFallback", text);
+  }
+
+  std::string guard() {
+    if (random.chance(60)) return condition();
+    if (random.chance(50)) return element("Inverter", condition());
+    return element(random.chance(50) ? "Sequence" : "Fallback", condition() + guard());
+  }
+
+  std::string parallel(int depth) {
+    const auto number = 1 + random.below(3);
+    if (random.chance(30))
+      return element(fmt::format("ParallelAll max_failures=\"{}\"", 1 + random.below(number)),
+                     children(number, depth));
+    return element(fmt::format("Parallel success_count=\"{}\" failure_count=\"{}\"",
+                               1 + random.below(number), 1 + random.below(number)),
+                   children(number, depth));
+  }
+
+  std::string choice(int depth) {
+    const auto number = 1 + random.below(2);
+    if (random.chance(40)) return element("IfThenElse", node(depth - 1) + children(number, depth));
+    if (random.chance(60)) return element("WhileDoElse", guard() + children(number, depth));
+    return element("Switch2 variable=\"{x}\" case_1=\"1\" case_2=\"2\"", children(3, depth));
+  }
+
+  std::string decorator(int depth) {
+    if (random.chance(12)) return timeout(depth);
+    const auto rounds = random.pick<std::string>({"-1", "1", "2", "3"});
+    const auto tag = random.pick<std::string>(
+        {"Inverter", "ForceSuccess", "ForceFailure", "Repeat num_cycles=\"" + rounds + "\"",
+         "RetryUntilSuccessful num_attempts=\"" + rounds + "\"", "KeepRunningUntilFailure",
+         inTimeout > 0 ? "Inverter" : "Delay delay_msec=\"1000\""});
+    return element(tag, node(depth - 1));
+  }
+
+  /// Without other fixed times in it: the ticker does not compare times.
+  std::string timeout(int depth) {
+    ++inTimeout;
+    const auto child = node(depth - 1);
+    --inTimeout;
+    return element("Timeout msec=\"1000000\"", child);
+  }
+
+  RandomSource random;
+  int count = 0;
+  int actions = 0;
+  int inTimeout = 0;
+};
+
+} // namespace
+
+std::string randomTree(std::uint64_t seed) {
+  return "<root BTCPP_format=\"4\">\n<BehaviorTree ID=\"Main\">\n" + Grower(seed).node(4) +
+         "</BehaviorTree>\n</root>\n";
+}
+
+} // namespace proskill::test

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "tests/support/random/random_source.h"
+
+#include <string>
+
+namespace proskill::test {
+
+/// A random file of BehaviorTree.CPP with one tree, `Main`. Its actions are called a0, a1, …; their
+/// types are `Any`, `Good`, which succeeds, and `Bad`, which fails.
+[[nodiscard]] std::string randomTree(std::uint64_t seed);
+/// The side file about these types.
+inline constexpr auto kRandomLeaves = R"({"leaves": {"Good": {"outcomes": ["success"]},
+                                                     "Bad": {"outcomes": ["failure"]}}})";
+
+} // namespace proskill::test
