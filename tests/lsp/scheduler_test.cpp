@@ -6,7 +6,6 @@
 #include <string>
 
 using namespace proskill;
-using namespace proskill::lsp;
 using namespace proskill::rpc;
 using namespace std::chrono_literals;
 
