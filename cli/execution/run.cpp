@@ -9,6 +9,7 @@
 #include "disk/disk.h"
 #include "report/run/run_report.h"
 #include "runtime/platform/json.h"
+#include "runtime/platform/ros1.h"
 #include "runtime/platform/settings.h"
 
 #include <CLI/CLI.hpp>
@@ -79,9 +80,11 @@ public:
     if (!kind) return fail(arguments.platform + ": " + kind.error());
     if (*kind == "process") return runOnProcess(*platformText);
     if (*kind == "library") return runOnLibrary(*platformText);
+    if (*kind == "ros1") return runOnRos1(*platformText);
     if (*kind == "simulated") return runSimulated(platformText, scriptText);
-    return fail(arguments.platform + ": `kind` must be `simulated`, `process` or `library`, not `" +
-                *kind + "`");
+    return fail(arguments.platform +
+                ": `kind` must be `simulated`, `process`, `library` or `ros1`, not `" + *kind +
+                "`");
   }
 
 private:
@@ -139,6 +142,36 @@ private:
                         arguments.platform + ":" + runtime::placeOfMember(text, "library"));
   }
 
+  /// Starts the adapter of the Python package, which speaks with ROS.
+  int runOnRos1(const std::string& text) {
+    runtime::ProcessSettings settings;
+    prepareForProcess(settings);
+    if (arguments.clock != "real" && !arguments.clock.empty())
+      return fail("`--clock` must be real: ROS takes real time");
+    if (const auto wrong = readRos1Platform(text, program, *executable, settings))
+      return failUnusable(*wrong, arguments.platform);
+    settings.name = "the ROS adapter";
+    settings.isOurs = true;
+    const auto adapter = adapterOfRos1();
+    if (adapter.empty())
+      settings.command.insert(settings.command.end(), {"-m", "proskill.ros1"});
+    else
+      settings.command.push_back(adapter.string());
+    return runOnProcess(std::move(settings), arguments.platform);
+  }
+
+  /// The adapter that belongs to this program: installed with it, or in the tree in which it was
+  /// built. Empty: neither, so Python looks for its package.
+  static std::filesystem::path adapterOfRos1() {
+    std::error_code error;
+    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    for (const char* place : {"../lib/python3/dist-packages", "../../python"}) {
+      auto found = (folder / place / "proskill" / "ros1").lexically_normal();
+      if (std::filesystem::exists(found / "__main__.py", error)) return found;
+    }
+    return {};
+  }
+
   /// A program needs real time.
   void prepareForProcess(runtime::ProcessSettings& settings) {
     if (!arguments.script.empty()) throw Failed{fail("`--script` is for simulations")};
@@ -156,7 +189,13 @@ private:
     const auto platform =
         processPlatform(*executable, std::move(settings), [] { return stopRequests > 0; });
     if (platform) return runOn(**platform, factor);
-    const auto& [why, skill] = platform.error();
+    return failUnusable(platform.error(), place);
+  }
+
+  /// Shows the skill that a platform does not suit, or else the place.
+  [[nodiscard]] int failUnusable(const runtime::Unusable& unusable,
+                                 const std::string& place) const {
+    const auto& [why, skill] = unusable;
     if (const auto* definition = program.skills.find(skill))
       return failGeneration(program, {why, {definition->file, definition->node().name.range}});
     return fail(place + ": " + why);

@@ -44,8 +44,8 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
   addMainSkill(command, arguments.mainSkill);
   show(command.add_option(
            "--platform", arguments.platform,
-           "Platform that performs the actions (JSON): a program or a simulation (default: a "
-           "simulation)"),
+           "Platform that performs the actions (JSON): a program, a library, ROS 1, or a "
+           "simulation (default)"),
        group::kSubject, "FILE");
   show(command.add_option("--script", arguments.script,
                           "Script of a simulation (JSON): results, events, interrupts"),

@@ -80,7 +80,7 @@ const std::string& resultName(const codegen::Performed::Result& result) {
   return result.tag.empty() ? result.status : result.tag;
 }
 
-std::string helloMessage(const Executable& executable, double speed) {
+std::string helloMessage(const Executable& executable, double speed, const std::string& settings) {
   const auto& model = executable.model;
   Json hello{{"type", "hello"},
              {"protocol", kProtocol},
@@ -97,6 +97,7 @@ std::string helloMessage(const Executable& executable, double speed) {
   }
   for (const auto& signal : model.signals)
     hello[signal.interrupts ? "interrupts" : "events"].push_back(signal.name);
+  if (!settings.empty()) hello["settings"] = Json::parse(settings);
   return lineOf(hello);
 }
 

@@ -15,7 +15,9 @@ inline constexpr int kProtocol = 1;
 // Messages of the executor, each with its line end.
 
 /// \param speed of the clock: 1 is real time
-[[nodiscard]] std::string helloMessage(const Executable& executable, double speed);
+/// \param settings JSON for a program that proskill brings along; empty: none
+[[nodiscard]] std::string helloMessage(const Executable& executable, double speed,
+                                       const std::string& settings);
 [[nodiscard]] std::string startMessage(const Executable& executable, const Start& start,
                                        Nanoseconds date);
 [[nodiscard]] std::string stopMessage(RunNumber run);

@@ -58,7 +58,7 @@ public:
     watch.add(child->descriptor());
     lines.clear();
     waitsToSend = false;
-    outgoing = helloMessage(executable, settings.speed);
+    outgoing = helloMessage(executable, settings.speed, settings.settings);
     state = State::Starting;
     setTimer(settings.startup);
     send();

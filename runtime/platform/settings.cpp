@@ -120,19 +120,6 @@ private:
   SimulationSettings& settings;
 };
 
-/// Reads what all kinds of processes have: `startup`, `restarts`, `restart_delay`.
-void lifeSettings(const Json& file, ProcessSettings& settings) {
-  if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
-  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s"};
-  if (file.contains("restart_delay"))
-    settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
-  if (!file.contains("restarts")) return;
-  const auto& restarts = file["restarts"];
-  if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
-    throw Wrong{"`restarts` must be a natural number up to a million"};
-  settings.restarts = restarts.get<unsigned>();
-}
-
 void processSettings(const Json& file, ProcessSettings& settings) {
   allowMembers(file, {"kind", "$schema", "command", "startup", "restarts", "restart_delay"},
                "the platform");
@@ -143,7 +130,7 @@ void processSettings(const Json& file, ProcessSettings& settings) {
   }
   if (settings.command.empty() || settings.command.front().empty())
     throw Wrong{"`command` must begin with a program"};
-  lifeSettings(file, settings);
+  readLife(file, settings);
 }
 
 void librarySettings(const Json& file, const Executable& executable, LibrarySettings& settings) {
@@ -162,10 +149,22 @@ void librarySettings(const Json& file, const Executable& executable, LibrarySett
       throw Wrong{"the function of `" + skill + "` must be a name"};
     settings.functions[skill] = function.get<std::string>();
   }
-  lifeSettings(file, settings.process);
+  readLife(file, settings.process);
 }
 
 } // namespace
+
+void readLife(const Json& file, ProcessSettings& settings) {
+  if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
+  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s"};
+  if (file.contains("restart_delay"))
+    settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
+  if (!file.contains("restarts")) return;
+  const auto& restarts = file["restarts"];
+  if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
+    throw Wrong{"`restarts` must be a natural number up to a million"};
+  settings.restarts = restarts.get<unsigned>();
+}
 
 std::optional<std::string> readPlatform(std::string_view text, const Executable& executable,
                                         SimulationSettings& settings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/platform/json.h"
 #include "runtime/platform/process.h"
 #include "runtime/platform/simulated.h"
 
@@ -20,6 +21,8 @@ readPlatform(std::string_view text, const Executable& executable, SimulationSett
 /// \return an error message
 [[nodiscard]] std::optional<std::string> readProcessPlatform(std::string_view text,
                                                              ProcessSettings& settings);
+/// Reads what all kinds of processes have: `startup`, `restarts`, `restart_delay`. Throws `Wrong`.
+void readLife(const Json& file, ProcessSettings& settings);
 /// Contents of the file of a platform of kind `library`.
 struct LibrarySettings {
   std::string library;                          ///< a path, relative to the file's directory
