@@ -94,7 +94,7 @@ TEST_CASE("run says what is wrong with a script or a platform") {
   says(wrong("--platform", R"({"actions":{"charge":{"duration":[3,2]}}})"),
        "`charge.duration` ends before it begins");
   says(wrong("--platform", R"({"kind":"magic"})"),
-       "`kind` must be `simulated`, `process` or `library`, not `magic`");
+       "`kind` must be `simulated`, `process`, `library` or `ros1`, not `magic`");
   says(wrong("--platform", "{\n  \"kind\":"), "it is not JSON at line 2, column");
   says(wrong("--platform", R"({"action":{}})"), "did you mean `actions`?");
 }
