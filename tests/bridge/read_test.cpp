@@ -1,3 +1,4 @@
+#include "analysis/program/program.h"
 #include "bridge/bt/import.h"
 #include "tests/support/memory_files.h"
 
@@ -119,6 +120,21 @@ TEST_CASE("a file that is included gives its trees, and ports are remapped") {
   CHECK_FALSE(contains(imported->text, "(defsv At_3\n")); // {goal} is one entry
   CHECK(contains(imported->text, ":action (Drive \"{goal}\")"));
   CHECK(contains(imported->text, ":action (Drive \"home\")"));
+}
+
+TEST_CASE("a node may have any word of the language as its name") {
+  for (const std::string word :
+       {"defskill", "defsv",   "defevent", "defresource", "defproperty", "defenvironment",
+        "defconst", "include", "if",       "while",       "label",       "goto",
+        "success",  "failure", "printf",   "true",        "race",        "case",
+        "emit",     "set",     "choose",   "break",       "running",     "always"}) {
+    CAPTURE(word);
+    const auto text =
+        textOf(treeOf("<Parallel name=\"" + word + "\"><" + word + "/><A/></Parallel>"));
+    const auto program = analysis::load(MemoryFiles({{"p", text}}), "p");
+    for (const auto& found : analysis::check(program))
+      CHECK(found.severity != syntax::Severity::Error);
+  }
 }
 
 TEST_CASE("the file of leaves says how long actions take and how they end") {

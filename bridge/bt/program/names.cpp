@@ -10,11 +10,13 @@ namespace {
 
 constexpr std::size_t kLongestName = 60;
 
-/// Words that begin a statement or a condition.
+/// Words that begin a definition, a statement or a condition.
 constexpr auto kReserved = std::to_array<std::string_view>(
-    {"and",     "break", "case",  "choose",  "do",    "else",  "elseif", "emit",
-     "failure", "false", "goto",  "if",      "label", "not",   "or",     "race",
-     "set",     "until", "while", "success", "true",  "printf"});
+    {"and",      "break",       "case",        "choose",   "defconst", "defenvironment",
+     "defevent", "defproperty", "defresource", "defskill", "defsv",    "do",
+     "else",     "elseif",      "emit",        "failure",  "false",    "goto",
+     "if",       "include",     "label",       "not",      "or",       "printf",
+     "race",     "set",         "success",     "true",     "until",    "while"});
 
 bool isNameByte(char byte) {
   return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
