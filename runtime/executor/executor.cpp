@@ -32,6 +32,7 @@ public:
     clock.start();
     while (!ended) step();
     result.date = date;
+    goOn();
     closePlatform();
     result.missionStatus = missionStatus();
     return std::move(result);
@@ -49,6 +50,7 @@ private:
   /// reports.
   void step() {
     if (stopRequests() > 0) return shutDown();
+    if (options.pause && !options.pause->admits()) return clock.wait(std::nullopt, descriptors);
     if (const auto urgent = machine.urgent()) {
       if (++stepsAtOnce > options.mostAtOnce) return end(End::NoTime);
       return take(*urgent, date);
@@ -102,6 +104,7 @@ private:
   }
 
   void take(TransitionId step, Nanoseconds at) {
+    if (options.pause) options.pause->passed();
     const auto& handling = executable.handling[step];
     if (!machine.take(step, at)) {
       result.failure = machine.log().failure;
@@ -224,6 +227,7 @@ private:
   /// Ends the run before the program does. Asks every running action to stop, the latest first, and
   /// waits for their ends.
   void shutDown() {
+    goOn();
     tell({.kind = RemarkKind::Note, .date = date, .text = "asked to end: actions are stopped"});
     std::vector<std::uint32_t> running;
     for (std::uint32_t i = 0; i < runs.size(); ++i)
@@ -244,6 +248,11 @@ private:
               .subject = nameOf(i),
               .text = "its action did not stop in time, and may still be running"});
     end(all ? End::Stopped : End::Abandoned);
+  }
+
+  /// What happens at the end of a run takes time even if it is paused.
+  void goOn() const {
+    if (options.pause) options.pause->resume();
   }
 
   void awaitStops(Nanoseconds deadline) {

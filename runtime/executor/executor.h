@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/clock/clock.h"
+#include "runtime/control/pause.h"
 #include "runtime/executor/observer.h"
 
 #include <atomic>
@@ -28,6 +29,8 @@ struct RunOptions {
   /// Counts requests to end the run. May be null.
   const std::atomic<int>* stopRequests = nullptr;
   int stopDescriptor = -1; ///< an eventfd that is written to at each request
+  /// May be null. Otherwise the clock is `pausableClock` of it.
+  Pause* pause = nullptr;
 };
 
 struct RunResult {

@@ -20,7 +20,7 @@ struct Refused {
   NotExecutable error;
 };
 
-Span spanOf(const fiacre::Interval& interval, Nanoseconds unit) {
+Span spanOfInterval(const fiacre::Interval& interval, Nanoseconds unit) {
   Span span{.first = interval.lower * unit + (interval.lowerOpen ? 1 : 0), .last = {}};
   if (interval.upper) span.last = *interval.upper * unit - (interval.upperOpen ? 1 : 0);
   if (span.last && *span.last < span.first)
@@ -39,7 +39,8 @@ public:
     for (const auto& signal : made.model.signals) {
       made.signalPorts.push_back(portOf(signal.port));
       auto& span = made.everySpans.emplace_back();
-      if (signal.every && !made.model.hasEnvironment) span = spanOf(*signal.every, made.unit);
+      if (signal.every && !made.model.hasEnvironment)
+        span = spanOfInterval(*signal.every, made.unit);
     }
     findMission();
     findRoles();
@@ -84,7 +85,7 @@ private:
     for (const auto& result : performed.results) action.resultPorts.push_back(portOf(result.port));
     action.unknownPort = portOf(performed.unknownPort);
     action.stoppedPort = performed.stoppedPort.empty() ? kNone : portOf(performed.stoppedPort);
-    if (performed.interval) action.span = spanOf(*performed.interval, made.unit);
+    if (performed.interval) action.span = spanOfInterval(*performed.interval, made.unit);
     const auto& watched = made.system.watched;
     const auto cell =
         std::ranges::find(watched, performed.numberCell, &verify::WatchedCell::display);
@@ -104,7 +105,7 @@ private:
     return {.instance = instance,
             .idle = locationOf(instance, "idle"),
             .ended = locationOf(instance, "ended"),
-            .span = spanOf(measured.interval, made.unit)};
+            .span = spanOfInterval(measured.interval, made.unit)};
   }
 
   void findMission() {
@@ -150,7 +151,8 @@ private:
       handling.role = Role::External;
     else if (!transition.urgent)
       handling.role = drawn ? Role::Drawn : Role::Timed;
-    if (handling.role != Role::External) handling.span = spanOf(transition.interval, made.unit);
+    if (handling.role != Role::External)
+      handling.span = spanOfInterval(transition.interval, made.unit);
     return handling;
   }
 

@@ -1,3 +1,4 @@
+#include "runtime/control/signal_inbox.h"
 #include "runtime/platform/simulated.h"
 #include "tests/runtime/run_of.h"
 
@@ -74,10 +75,14 @@ TEST_CASE("no step of a run allocates memory after the start") {
         (// ((fly)) ((load what "a") (^ [0.5,1]) (fly.interrupt)))
         (case (load what "b") ((success loaded) (^ 1)) (else (^ 2)))))))",
                                              false);
-  const auto clock = runtime::simulatedClock();
-  const auto platform = simulatedPlatform(defaultSettings(*executable), 1);
+  // with everything that `--view` adds to the run itself
+  runtime::Pause pause;
+  runtime::SignalInbox inbox(pause.wakeUp);
+  const auto clock = pausableClock(runtime::simulatedClock(), pause);
+  const auto simulated = simulatedPlatform(defaultSettings(*executable), 1);
+  const auto platform = withInbox(*simulated, inbox, false);
   Counter counter;
-  runtime::RunOptions options{.until = 1'000'000 * runtime::kSecond};
+  runtime::RunOptions options{.until = 1'000'000 * runtime::kSecond, .pause = &pause};
   const auto result = execute(*executable, *clock, *platform, counter, options);
   countsAllocations = false;
   CHECK(result.end == runtime::End::Until);
