@@ -12,13 +12,17 @@ OrderedJson placeJson(const syntax::Document& document, syntax::Offset at) {
   return {{"line", place.line + 1}, {"column", place.character + 1}};
 }
 
-OrderedJson rangeJson(const analysis::Program& program, analysis::Location location) {
+} // namespace
+
+OrderedJson locationJson(const analysis::Program& program, analysis::Location location) {
   const auto& file = program.files[location.file];
   return {{"file", file.path.generic_string()},
           {"begin", placeJson(file.document, location.range.begin)},
           {"end", placeJson(file.document, location.range.end)},
           {"bytes", {location.range.begin, location.range.end}}};
 }
+
+namespace {
 
 /// Seconds as an exact string and as a number.
 OrderedJson secondsJson(syntax::Rational value) {
@@ -37,7 +41,7 @@ OrderedJson momentJson(const ide::Moment& moment) {
 
 OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step) {
   OrderedJson json{{"actor", step.actor}, {"description", step.description}};
-  json["location"] = step.location ? rangeJson(program, *step.location) : OrderedJson();
+  json["location"] = step.location ? locationJson(program, *step.location) : OrderedJson();
   json["date"] = secondsJson(step.date);
   json["delay"] = secondsJson(step.delay);
   json["earliest"] = momentJson(step.earliest);
@@ -80,7 +84,7 @@ OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow
                    {"verdict", ide::toString(row.verdict)},
                    {"good", row.good()},
                    {"severity", check.weight == codegen::Weight::Error ? "error" : "warning"}};
-  json["location"] = row.location ? rangeJson(program, *row.location) : OrderedJson();
+  json["location"] = row.location ? locationJson(program, *row.location) : OrderedJson();
   if (!row.reason.empty()) json["reason"] = row.reason;
   json["steps"] = row.steps ? OrderedJson(*row.steps) : OrderedJson();
   const ide::Trace* trace = shownTrace(row, traces);

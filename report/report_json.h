@@ -28,6 +28,8 @@ struct VerifyReport {
 /// One of the report's properties.
 [[nodiscard]] OrderedJson propertyJson(const analysis::Program& program, const ide::VerdictRow& row,
                                        ShowTraces traces = ShowTraces::All);
+[[nodiscard]] OrderedJson locationJson(const analysis::Program& program,
+                                       analysis::Location location);
 [[nodiscard]] OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step);
 [[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
 [[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);

@@ -16,6 +16,8 @@ constexpr std::size_t kLargestHead = std::size_t{1} << 14;
 constexpr std::size_t kThreads = 4;
 /// Delay before accepting connections again after the process ran out of descriptors.
 constexpr std::chrono::milliseconds kPause{200};
+/// Time for answers that are on their way when the server is asked to stop.
+constexpr std::chrono::milliseconds kLastMoment{200};
 /// Time that a client has to send or receive; browsers open connections that they do not use.
 constexpr std::chrono::seconds kPatience{10};
 
@@ -96,7 +98,7 @@ private:
 
 class LoopbackServer : public HttpServer {
 public:
-  LoopbackServer() : signals(context, SIGINT, SIGTERM), acceptor(context), pause(context) {}
+  LoopbackServer() : signals(context), acceptor(context), pause(context), moment(context) {}
 
   asio::error_code open(std::uint16_t wanted) {
     asio::error_code error;
@@ -111,14 +113,27 @@ public:
   [[nodiscard]] std::uint16_t port() const override { return acceptor.local_endpoint().port(); }
 
   void run(const Handler& handler, const std::function<void()>& stopping) override {
-    asio::thread_pool workers(kThreads);
+    signals.add(SIGINT);
+    signals.add(SIGTERM);
     signals.async_wait([this](const asio::error_code&, int) { context.stop(); });
+    serve(handler, stopping);
+  }
+
+  void serve(const Handler& handler, const std::function<void()>& stopping) override {
+    asio::thread_pool workers(kThreads);
     accept(workers, handler);
     context.run();
     asio::error_code ignored;
     acceptor.close(ignored);
     stopping();
     workers.join();
+  }
+
+  void stop() override {
+    asio::post(context, [this] {
+      moment.expires_after(kLastMoment);
+      moment.async_wait([this](const asio::error_code&) { context.stop(); });
+    });
   }
 
 private:
@@ -143,6 +158,7 @@ private:
   asio::signal_set signals;
   tcp::acceptor acceptor;
   asio::steady_timer pause;
+  asio::steady_timer moment;
 };
 
 } // namespace

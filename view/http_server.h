@@ -26,6 +26,9 @@ public:
   /// Runs until Ctrl-C or SIGTERM, then calls `stopping`, so that no handler keeps waiting. Several
   /// threads call the handler.
   virtual void run(const Handler& handler, const std::function<void()>& stopping) = 0;
+  /// The same until another thread calls `stop`; signals are left to the caller.
+  virtual void serve(const Handler& handler, const std::function<void()>& stopping) = 0;
+  virtual void stop() = 0;
 };
 
 } // namespace proskill::view

@@ -128,13 +128,7 @@ public:
     return pictureJson(now->program, params, !now->error.empty());
   }
 
-  Answer source(const std::string& uri) override {
-    const auto now = current();
-    for (const auto& file : now->program.files)
-      if (file.path.generic_string() == uri)
-        return OrderedJson{{"uri", uri}, {"text", file.document.text()}};
-    return std::unexpected("the program has no file of this name");
-  }
+  Answer source(const std::string& uri) override { return sourceJson(current()->program, uri); }
 
   Answer simulate(const OrderedJson& params) override {
     const auto asked = report::readChosenRun(params);

@@ -34,6 +34,15 @@ public:
   /// Starts verification again.
   virtual void verify() = 0;
   [[nodiscard]] virtual bool canVerify() const = 0;
+
+  // A run while it happens (docs/runtime.md); other data have none.
+  /// How it may be controlled, and its status; null: it is not a run.
+  [[nodiscard]] virtual OrderedJson run() { return nullptr; }
+  [[nodiscard]] virtual Answer steps(const OrderedJson&) { return notARun(); }
+  [[nodiscard]] virtual Answer control(const OrderedJson&) { return notARun(); }
+
+private:
+  static Answer notARun() { return std::unexpected("this is not a run"); }
 };
 
 /// Notifications to open pages. Waiting pages do not occupy a thread each.

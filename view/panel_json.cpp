@@ -75,6 +75,14 @@ std::expected<OrderedJson, std::string> pictureJson(const analysis::Program& pro
 
 OrderedJson picturesJson(const analysis::Program& program) { return report::picturesJson(program); }
 
+std::expected<OrderedJson, std::string> sourceJson(const analysis::Program& program,
+                                                   const std::string& uri) {
+  for (const auto& file : program.files)
+    if (file.path.generic_string() == uri)
+      return OrderedJson{{"uri", uri}, {"text", file.document.text()}};
+  return std::unexpected("the program has no file of this name");
+}
+
 OrderedJson filesJson(const analysis::Program& program) {
   OrderedJson all = OrderedJson::array();
   for (const auto& file : program.files)

@@ -36,6 +36,10 @@ pictureJson(const analysis::Program& program, const PictureParams& params, bool 
 /// All pictures of the program, to choose from.
 [[nodiscard]] nlohmann::ordered_json picturesJson(const analysis::Program& program);
 
+/// The text of one of its files.
+[[nodiscard]] std::expected<nlohmann::ordered_json, std::string>
+sourceJson(const analysis::Program& program, const std::string& uri);
+
 /// Its files, the root first.
 [[nodiscard]] nlohmann::ordered_json filesJson(const analysis::Program& program);
 

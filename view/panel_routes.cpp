@@ -69,10 +69,13 @@ PanelData::Answer call(std::string_view method, const OrderedJson& params, Panel
                          {"verify", data.canVerify()},
                          {"simulate", data.canSimulate()},
                          {"follow", false}}},
-                       {"program", data.program()}};
+                       {"program", data.program()},
+                       {"run", data.run()}};
   if (method == "trace") return data.trace(text("name"));
   if (method == "source") return data.source(text("uri"));
   if (method == "simulate") return data.simulate(params);
+  if (method == "steps") return data.steps(params);
+  if (method == "control") return data.control(params);
   if (method == "verify") {
     data.verify();
     return OrderedJson();

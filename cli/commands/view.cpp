@@ -1,5 +1,6 @@
 #include "cli/commands/view.h"
 
+#include "cli/terminal/browser.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
@@ -10,11 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <spawn.h>
 #include <unistd.h>
 
 namespace proskill::cli {
@@ -29,20 +28,6 @@ struct ViewArguments {
   double timeLimit = 60;
   std::uint64_t memoryLimit = 2048; // in MiB
 };
-
-/// Does nothing if there is no browser; the address was printed.
-void openBrowser(const std::string& url) {
-  std::string command = "xdg-open";
-  std::string address = url;
-  char* const words[] = {command.data(), address.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  pid_t child = 0;
-  posix_spawnp(&child, command.c_str(), &actions, nullptr, words, environ);
-  posix_spawn_file_actions_destroy(&actions);
-}
 
 /// By the extension, or by the first character, which no program begins with.
 bool isJson(const std::filesystem::path& path, const std::string& text) {

@@ -1,5 +1,6 @@
 #include "cli/execution/run.h"
 
+#include "cli/execution/live_view.h"
 #include "cli/execution/recorder.h"
 #include "cli/execution/run_arguments.h"
 #include "cli/output/checked_program.h"
@@ -19,6 +20,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <poll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
@@ -29,9 +31,11 @@ namespace {
 /// Number of requests to end, and a descriptor that wakes the waiting run.
 std::atomic<int> stopRequests = 0;
 int stopDescriptor = -1;
+/// Whether a page of the run is closed, too.
+std::atomic<bool> mustLeave = false;
 
 void askToStop(int signal) {
-  static_cast<void>(signal);
+  if (signal == SIGTERM) mustLeave = true;
   ++stopRequests;
   const std::uint64_t one = 1;
   std::ignore = ::write(stopDescriptor, &one, sizeof one);
@@ -42,6 +46,16 @@ void listenForStops() {
   struct sigaction action {};
   action.sa_handler = askToStop;
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+/// Waits for the next request after those that the run has taken.
+void awaitStop(int taken) {
+  pollfd watched{stopDescriptor, POLLIN, 0};
+  while (stopRequests <= taken && !mustLeave) {
+    ::poll(&watched, 1, -1);
+    std::uint64_t times = 0;
+    std::ignore = ::read(stopDescriptor, &times, sizeof times);
+  }
 }
 
 /// Passes on a run to several observers. In real time, output is flushed at once.
@@ -114,6 +128,7 @@ private:
       if (auto wrong = readScript(*scriptText, *executable, settings))
         return fail(arguments.script + ": " + *wrong);
     const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
+    isSimulation = true;
     return runOn(*platform, clockFactor(arguments.clock));
   }
 
@@ -202,7 +217,26 @@ private:
   }
 
   int runOn(runtime::Platform& platform, std::optional<double> factor) {
-    const auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
+    auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
+    if (!arguments.view.isOn) return runOn(platform, *clock, factor);
+    const auto shown = openView(factor);
+    clock = pausableClock(std::move(clock), shown->pause);
+    const auto controlled = withInbox(platform, shown->inbox, shown->waitsForPage());
+    return runOn(*controlled, *clock, factor, shown.get());
+  }
+
+  [[nodiscard]] std::unique_ptr<LiveView> openView(std::optional<double> factor) const {
+    auto shown = LiveView::open(arguments.view, {.program = program,
+                                                 .executable = *executable,
+                                                 .speed = factor,
+                                                 .isSimulation = isSimulation,
+                                                 .askToEnd = [] { askToStop(SIGINT); }});
+    if (!shown) throw Failed{fail(shown.error())};
+    return std::move(*shown);
+  }
+
+  int runOn(runtime::Platform& platform, runtime::Clock& clock, std::optional<double> factor,
+            LiveView* shown = nullptr) {
     std::optional<Recorder> recorder; // declared before its users, to outlive them
     Observers observers(factor.has_value());
     const report::RunSubject subject{program, *executable};
@@ -212,20 +246,34 @@ private:
                       : report::runText(std::cout, subject, colour));
     if (!arguments.record.empty())
       addRecording(recorder, subject, factor ? RunTime::Real : RunTime::Simulated, observers);
+    if (shown) observers.add(shown->observer());
     runtime::RunOptions options{.seed = arguments.seed,
                                 .until = arguments.until,
                                 .stopRequests = &stopRequests,
-                                .stopDescriptor = stopDescriptor};
+                                .stopDescriptor = stopDescriptor,
+                                .pause = shown ? &shown->pause : nullptr};
     if (!options.until && !factor)
       options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
                                                            : 24 * 3600 * runtime::kSecond;
-    const auto result = execute(*executable, *clock, platform, observers, options);
+    const auto result = execute(*executable, clock, platform, observers, options);
     if (recorder) warnOfRecording(recorder->finish());
     if (arguments.format == RunFormat::Json)
       report::writeRunSummaryJson(std::cout, result);
     else
       report::writeRunSummary(std::cout, subject, result, colour);
+    if (shown) stay(*shown, result);
     return exitCodeOf(result);
+  }
+
+  /// Shows the run until a request to end; the first one may have ended the run.
+  static void stay(LiveView& shown, const runtime::RunResult& result) {
+    using runtime::End;
+    shown.finish(result);
+    std::cout.flush();
+    const bool wasAsked = result.end == End::Stopped || result.end == End::Abandoned;
+    if (isatty(STDERR_FILENO) != 0)
+      std::cerr << "it is still shown at " << shown.url() << "; Ctrl-C ends this\n";
+    awaitStop(wasAsked ? 1 : 0);
   }
 
   void addRecording(std::optional<Recorder>& recorder, report::RunSubject subject, RunTime time,
@@ -267,6 +315,7 @@ private:
   const RunArguments& arguments;
   const analysis::Program& program;
   std::unique_ptr<const runtime::Executable> executable;
+  bool isSimulation = false;
 };
 
 int runRun(const RunArguments& arguments) {

@@ -30,6 +30,30 @@ std::optional<runtime::Nanoseconds> lengthOfTime(std::string_view word) {
   return std::nullopt;
 }
 
+void addViewOptions(CLI::App& command, LiveViewArguments& view) {
+  auto* on = command.add_flag(
+      "--view", view.isOn,
+      "Show the run in a browser while it happens, and afterwards until Ctrl-C; in simulated time "
+      "it begins paused");
+  show(on, group::kOutput);
+  show(command
+           .add_flag("--no-controls", view.noControls,
+                     "With --view: pages cannot pause the run, or send events and interrupts")
+           ->needs(on),
+       group::kOutput);
+  show(command
+           .add_flag("--no-open", view.noOpen,
+                     "With --view: print the address without opening a browser")
+           ->needs(on),
+       group::kOutput);
+  show(command
+           .add_option("--port", view.port,
+                       "With --view: port on the loopback interface (0, the default: any free "
+                       "port)")
+           ->needs(on),
+       group::kAdvanced, "PORT");
+}
+
 } // namespace
 
 std::optional<double> clockFactor(const std::string& clock) {
@@ -82,6 +106,7 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
            "Record the run in this file, as a trace that `proskill view` opens; a name that "
            "ends in .mcap: as MCAP, for other tools"),
        group::kOutput, "FILE");
+  addViewOptions(command, arguments.view);
   addColour(command, arguments.colour);
 }
 

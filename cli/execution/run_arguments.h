@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/execution/live_view.h"
 #include "cli/terminal/paint.h"
 #include "runtime/executor/executor.h"
 
@@ -24,6 +25,7 @@ struct RunArguments {
   std::uint64_t seed = 0;
   std::optional<runtime::Nanoseconds> until;
   RunFormat format = RunFormat::Text;
+  LiveViewArguments view;
   ColourChoice colour = ColourChoice::Auto;
 };
 

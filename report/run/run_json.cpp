@@ -62,18 +62,7 @@ private:
   static constexpr std::string_view kEnd = "\n]}\n";
 
   static std::string head(RunSubject subject) {
-    const auto& main = subject.executable.model.mainSkill;
-    OrderedJson json{{"name", "run"},
-                     {"description", "a recorded run of " +
-                                         (main.empty() ? "a library of skills" : "`" + main + "`")},
-                     {"verdict", "recorded"},
-                     {"program", subject.program.files.front().path.generic_string()},
-                     {"main", main},
-                     {"environment", subject.executable.model.hasEnvironment}};
-    json["initial"] = OrderedJson::object();
-    for (const auto& value : runtime::initialValues(subject.executable))
-      json["initial"][value.variable] = value.after;
-    auto text = dumped(json);
+    auto text = dumped(runHeadJson(subject));
     text.back() = ',';
     return text + "\"steps\":[\n";
   }
@@ -92,6 +81,21 @@ private:
 };
 
 } // namespace
+
+OrderedJson runHeadJson(RunSubject subject) {
+  const auto& main = subject.executable.model.mainSkill;
+  OrderedJson json{{"name", "run"},
+                   {"description", "a recorded run of " +
+                                       (main.empty() ? "a library of skills" : "`" + main + "`")},
+                   {"verdict", "recorded"},
+                   {"program", subject.program.files.front().path.generic_string()},
+                   {"main", main},
+                   {"environment", subject.executable.model.hasEnvironment}};
+  json["initial"] = OrderedJson::object();
+  for (const auto& value : runtime::initialValues(subject.executable))
+    json["initial"][value.variable] = value.after;
+  return json;
+}
 
 std::string dumped(const OrderedJson& json) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);

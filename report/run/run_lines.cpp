@@ -61,7 +61,7 @@ std::string_view RunLines::step(const runtime::Machine& machine, verify::Transit
   const auto& frame = frameOf(machine, step);
   line = frame.begin;
   addDates(date);
-  addChanges(machine);
+  addChanges(machine.stateBefore(), machine.state());
   line += frame.end;
   if (lag > 0) {
     std::array<char, 32> room{};
@@ -84,6 +84,18 @@ std::string_view RunLines::remark(const runtime::Remark& remark) {
     line += ",\"run\":";
     addNumber(line, static_cast<std::int64_t>(remark.start->run));
   }
+  line += '}';
+  return line;
+}
+
+std::string_view RunLines::missed(std::uint64_t count, const std::vector<verify::Word>& from,
+                                  const std::vector<verify::Word>& to, Nanoseconds date) {
+  const auto text = std::to_string(count) + " steps and remarks are not shown";
+  const auto& frame = frameOf({.kind = RemarkKind::Note, .date = date, .text = text});
+  line = frame.begin;
+  addDates(date);
+  addChanges(from, to);
+  line += frame.end;
   line += '}';
   return line;
 }
@@ -149,13 +161,14 @@ void RunLines::addDates(Nanoseconds date) {
   before = date;
 }
 
-void RunLines::addChanges(const runtime::Machine& machine) {
+void RunLines::addChanges(const std::vector<verify::Word>& from,
+                          const std::vector<verify::Word>& to) {
   const auto& system = subject.executable.system;
   bool isFirst = true;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const auto cell = system.watched[i].cell;
-    const auto old = verify::readCell(system, cell, machine.stateBefore().data());
-    const auto now = verify::readCell(system, cell, machine.state().data());
+    const auto old = verify::readCell(system, cell, from.data());
+    const auto now = verify::readCell(system, cell, to.data());
     if (old == now) continue;
     if (!isFirst) line += ',';
     isFirst = false;

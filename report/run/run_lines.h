@@ -19,6 +19,10 @@ public:
   [[nodiscard]] std::string_view step(const runtime::Machine& machine, verify::TransitionId step,
                                       runtime::Nanoseconds date, runtime::Nanoseconds lag);
   [[nodiscard]] std::string_view remark(const runtime::Remark& remark);
+  /// A note in place of steps and remarks that are not shown, with the changes that they made.
+  [[nodiscard]] std::string_view missed(std::uint64_t count, const std::vector<verify::Word>& from,
+                                        const std::vector<verify::Word>& to,
+                                        runtime::Nanoseconds date);
 
 private:
   /// The parts before the dates and after the changes; the latter has no closing brace.
@@ -39,7 +43,7 @@ private:
   [[nodiscard]] const Frame& frameOf(const runtime::Remark& remark);
   [[nodiscard]] Frame frameOf(const ide::TraceStep& step) const;
   void addDates(runtime::Nanoseconds date);
-  void addChanges(const runtime::Machine& machine);
+  void addChanges(const std::vector<verify::Word>& from, const std::vector<verify::Word>& to);
   void addValue(std::size_t variable, std::int64_t value);
 
   RunSubject subject;

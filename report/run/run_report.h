@@ -33,6 +33,22 @@ using AddToRecording = std::function<void(std::string_view bytes, std::string_vi
 [[nodiscard]] std::unique_ptr<runtime::Observer> runRecording(AddToRecording add,
                                                               RunSubject subject);
 
+/// The trace of a run without its steps: its initial values, and what is known before it.
+[[nodiscard]] OrderedJson runHeadJson(RunSubject subject);
+
+/// Takes a step or a remark as a JSON object. \return false if there is no room for it
+using PushLine = std::function<bool(std::string_view line)>;
+
+/// Where the processes of a run may be in the program, for the `moves` of `runLive`: a list of
+/// `{actor, performs, start, places}`. A process is at a statement of a body or performs an action;
+/// otherwise its place is null.
+[[nodiscard]] OrderedJson runPlacesJson(RunSubject subject);
+
+/// Passes on a run line by line, in the form of `runRecording`. Each step also says which processes
+/// have `moves`: pairs of a process and its place, by index. It never waits: where there is no
+/// room, the next line that fits says how many are missing, and what they changed.
+[[nodiscard]] std::unique_ptr<runtime::Observer> runLive(PushLine push, RunSubject subject);
+
 /// Records a run as an MCAP file with channels of JSON: `/steps`, `/variables` and `/skills`, whose
 /// statuses these are.
 /// \param start the run's beginning, in nanoseconds since 1970; 0: dates count from the beginning
