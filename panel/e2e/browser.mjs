@@ -39,6 +39,25 @@ export async function view(file, ...more) {
   return { url, end: () => { child.kill('SIGINT'); return ended; } };
 }
 
+/** Runs `proskill run --view`; `end` sends Ctrl-C, `ended` is the exit code, and `output` what it has printed so far. */
+export async function run(file, ...more) {
+  const child = spawn(PROSKILL, ['run', '--view', '--no-open', ...more, file], { stdio: ['ignore', 'pipe', 'pipe'] });
+  children.add(child);
+  const it = { output: '', end: () => child.kill('SIGINT') };
+  it.ended = new Promise((done) => child.on('close', (code) => { children.delete(child); done(code); }));
+  child.stdout.on('data', (bytes) => { it.output += bytes; });
+  let errors = '';
+  it.url = await new Promise((done, failed) => {
+    child.stderr.on('data', (bytes) => {
+      errors += bytes;
+      const found = /http:\S+/.exec(errors);
+      if (found) done(found[0]);
+    });
+    child.on('exit', (code) => failed(new Error(`proskill run ended with ${code}: ${errors}`)));
+  });
+  return it;
+}
+
 let browser = null;
 export async function page(options = {}) {
   browser ??= await chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox'] });

@@ -3,6 +3,7 @@ import './style/app.css';
 import './style/trace.css';
 import './style/automaton.css';
 import './style/simulation.css';
+import './style/run.css';
 import './style/print.css';
 import { chooseHost } from './host/choose.ts';
 import { start } from './view/app.ts';

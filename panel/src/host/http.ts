@@ -1,5 +1,5 @@
-import type { Hello, Host, Method, News, NewsOf, Picture, Program, Requests, Simulation, Trace } from '../api.ts';
-import { open, stepOf, traceOf } from '../model/parse.ts';
+import type { Hello, Host, Method, News, NewsOf, Picture, Program, Requests, RunSteps, Simulation, Trace } from '../api.ts';
+import { locationOf, open, stepOf, traceOf } from '../model/parse.ts';
 import { pictureOf } from './pictures.ts';
 
 interface Answer {
@@ -71,10 +71,15 @@ function convert(method: Method, result: unknown): unknown {
   if (method === 'picture') return pictureOf(result as Picture);
   if (method === 'trace') return traceOf(result as { [key: string]: unknown });
   if (method === 'simulate') return simulationOf(result as Simulation);
+  if (method === 'steps') return { ...(result as RunSteps), steps: (result as RunSteps).steps.map(stepOf) };
   if (method !== 'hello') return result;
   const hello = result as Hello & { program: unknown; show?: { given?: unknown } };
   if (hello.program) hello.program = programOf(hello.program);
   if (hello.show?.given) hello.show.given = traceOf(hello.show.given as { [key: string]: unknown } & Trace);
+  if (hello.run) {
+    hello.run.trace = traceOf(hello.run.trace as unknown as { [key: string]: unknown });
+    for (const process of hello.run.processes) process.places = process.places.map(locationOf);
+  }
   return hello;
 }
 

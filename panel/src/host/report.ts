@@ -39,6 +39,8 @@ export class ReportHost implements Host {
       case 'save':
       case 'open':
       case 'simulate':
+      case 'steps':
+      case 'control':
       case 'verify': return fail('a report cannot do this');
     }
   }

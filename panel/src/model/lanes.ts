@@ -122,15 +122,15 @@ export interface Drawn {
 }
 
 /**
- * The visible bars of a lane in pixels, for a section of the axis with this width. Narrow bars are joined, so that there are never more bars than
- * pixels.
+ * The visible bars of a lane in pixels, for a section of the axis with this width; open ones end at `openEnd`. Narrow bars are joined, so that there
+ * are never more bars than pixels.
  */
-export function drawBars(lane: Lane, axis: Float64Array, from: number, to: number, width: number): Drawn[] {
+export function drawBars(lane: Lane, axis: Float64Array, from: number, to: number, width: number, openEnd = Infinity): Drawn[] {
   const scale = width / (to - from || 1);
   const out: Drawn[] = [];
   for (const bar of lane.bars) {
     const begin = bar.from < 0 ? 0 : axis[bar.from]!;
-    const stop = bar.open ? Math.max(to, begin) : axis[bar.to]!;
+    const stop = bar.open ? Math.max(Math.min(to, openEnd), begin) : axis[bar.to]!;
     if (stop < from || begin > to) continue;
     const x = Math.max((begin - from) * scale, -4);
     const right = Math.min((stop - from) * scale, width + 4);

@@ -1,4 +1,5 @@
 import type { Location, Picture, Position } from '../api.ts';
+import type { Active } from './active.ts';
 
 /** A node, edge or cluster of a picture. */
 export interface Part {
@@ -53,6 +54,24 @@ function onLine(picture: Picture, place: Location): Part | null {
   }
   return best;
 }
+
+/** The nodes that show the current states of a run: statements of a body, the action of a skill, the value of a state variable. */
+export function activeParts(picture: Picture, places: readonly Active[], values: { [variable: string]: string }): Set<string> {
+  const { kind, name, nodes } = picture;
+  const ids = (some: (node: Picture['nodes'][number]) => boolean): string[] => nodes.filter(some).map(({ id }) => id);
+  switch (kind) {
+    case 'sv': return new Set(ids(({ role, label }) => role === 'state' && label === values[name]));
+    case 'calls': return new Set(ids(({ label }) => places.some(({ actor }) => skillOf(actor) === label)));
+    case 'skill': return new Set(places.some((it) => it.performs && it.actor === name) ? ids(({ role }) => role === 'action') : []);
+    case 'body': {
+      const mine = places.filter((it) => !it.performs && skillOf(it.actor) === name);
+      return new Set(mine.flatMap(({ location }) => { const part = partAt(picture, location); return part?.type === 'node' ? [part.id] : []; }));
+    }
+  }
+}
+
+/** A branch is part of its skill's body. */
+export const skillOf = (actor: string): string => actor.replace(/ branch [\d.]+$/, '').replace(/^watchdog of /, '');
 
 /** The ids of nodes and clusters whose text matches the search. */
 export function find(picture: Picture, needle: string): string[] {

@@ -4,6 +4,7 @@ import { open } from '../model/parse.ts';
 import { AutomatonView } from './automaton_view.ts';
 import { h, plural } from './dom.ts';
 import { button, enable } from './icons.ts';
+import { RunView } from './run_view.ts';
 import { Saver } from './save.ts';
 import { SimulationView } from './simulation_view.ts';
 import { SourceView } from './source_view.ts';
@@ -31,6 +32,7 @@ class App {
   private readonly trace: TraceView;
   private readonly automaton: AutomatonView;
   private readonly simulation: SimulationView | null;
+  private readonly run: RunView | null;
   private readonly tabs = new Map<Tab, { tab: HTMLButtonElement; panel: HTMLElement }>();
   private readonly title = h('h1', {}, 'ProSkill');
   private readonly state = h('span', { class: 'state', role: 'status' });
@@ -62,6 +64,9 @@ class App {
     });
     this.simulation = hello.can.simulate && (hello.layout === 'all' || hello.layout === 'simulation')
       ? new SimulationView(this.host, saver, { openFile: () => this.openFile(), remember: (run) => this.remember({ run }), stepped: () => undefined }) : null;
+    this.run = hello.run ? new RunView(this.host, hello.run, {
+      show: (trace, isSame, toLast) => this.showRun(trace, isSame, toLast), tick: (now, following) => this.trace.tick(now, following), say: (words) => this.say(words),
+    }) : null;
     this.trace.pin(this.remembered.pinned ?? []);
     this.trace.remember(this.remembered.watches ?? []);
     this.again = button({ icon: 'again', title: 'Verify again', onclick: () => void this.host.request('verify', {}).catch((error: Error) => this.say(error.message)) });
@@ -95,15 +100,42 @@ class App {
     }
     if (layout === 'automaton') return this.root.replaceChildren(this.automaton.element, this.toast);
     if (layout === 'simulation') return this.root.replaceChildren(this.simulation?.element ?? h('div', { class: 'empty' }, 'This cannot be simulated.'), this.toast);
+    if (this.run) return this.drawRun(this.run);
     const main = h('main', {}, this.tabList());
     for (const { panel } of this.tabs.values()) main.append(panel);
     const body = h('div', { class: 'app-body' }, this.verdicts.element, main);
     if (this.source) body.append(splitter('vertical', this.source.element, 'source'), this.source.element);
-    this.root.replaceChildren(h('header', { class: 'app-head' }, this.title, this.state, h('span', { class: 'push' }),
-      this.hello.can.verify && this.again,
-      button({ icon: 'open', title: 'Open a trace or a report from a file', onclick: () => this.openFile() }),
-      !inVsCode() && button({ icon: 'theme', title: 'Light or dark', onclick: () => switchTheme() })), body, this.toast);
+    this.root.replaceChildren(this.head(this.hello.can.verify && this.again,
+      button({ icon: 'open', title: 'Open a trace or a report from a file', onclick: () => this.openFile() })), body, this.toast);
     this.select('trace');
+  }
+
+  private head(...buttons: (HTMLElement | false)[]): HTMLElement {
+    return h('header', { class: 'app-head' }, this.title, this.state, h('span', { class: 'push' }), ...buttons,
+      !inVsCode() && button({ icon: 'theme', title: 'Light or dark', onclick: () => switchTheme() }));
+  }
+
+  /** The steps and an automaton side by side, since both show what happens now. */
+  private drawRun({ bar, side }: RunView): void {
+    const main = h('main', { class: 'run-main' }, this.trace.element, splitter('vertical', this.automaton.element, 'automaton'), this.automaton.element);
+    const body = h('div', { class: 'app-body' }, side, main);
+    if (this.source) body.append(splitter('vertical', this.source.element, 'source'), this.source.element);
+    this.root.replaceChildren(this.head(), bar, body, this.toast);
+  }
+
+  private showRun(trace: Trace, isSame: boolean, toLast: boolean): void {
+    isSame ? this.trace.grow(trace, toLast) : this.trace.show(trace, undefined, false);
+    const location = trace.steps.findLast((step) => step.location)?.location;
+    if (toLast && location) this.automaton.follows(location);
+    this.shine();
+  }
+
+  /** The states of the run after the current step. */
+  private shine(): void {
+    if (!this.run) return;
+    const { active, live } = this.run.at(this.trace.current);
+    this.automaton.shine(active, this.trace.valuesNow());
+    this.source?.shine(live);
   }
 
   private tabList(): HTMLElement {
@@ -144,6 +176,7 @@ class App {
   private async begin(): Promise<void> {
     const { picture, trace, step, run } = this.remembered; // later actions also need to be remembered
     if (this.hello.program) this.take(this.hello.program);
+    if (this.run) return this.run.begin();
     if (this.hello.show) await this.show(this.hello.show);
     else {
       if (picture) await this.show({ picture });
@@ -237,6 +270,8 @@ class App {
 
   private stepped(byUser: boolean): void {
     const { trace, current } = this.trace;
+    if (byUser) this.run?.chosen(current);
+    this.shine();
     this.remember({ trace: trace!.name, step: current });
     const location = trace!.steps[current]?.location ?? null;
     if (!byUser) this.source?.mark(location);
@@ -299,13 +334,16 @@ class App {
       case 'edited':
         void this.automaton.load(true);
         return void this.simulation?.replay();
+      case 'run': return this.run?.take(news[1]);
       case 'gone':
-        this.state.textContent = 'proskill view has ended; this page keeps its last state';
+        this.run?.gone();
+        this.state.textContent = 'proskill has ended; this page keeps its last state';
         this.state.className = 'state failed';
     }
   }
 
   private openFile(): void {
+    if (this.run) return this.say('This page shows a run: `proskill view` opens files');
     if (this.hello.can.open) return void this.host.request('open', {}).catch((error: Error) => this.say(error.message));
     const input = h('input', { type: 'file', accept: '.json,application/json', onchange: () => void this.read(input.files?.[0]) });
     input.click();

@@ -1,6 +1,7 @@
 import type { Host, Location, Picture, PictureKind, PictureName, Program } from '../api.ts';
 import { fileName } from '../model/export.ts';
-import { find, neighbour, partAt, partsOf, type Box, type Part } from '../model/picture.ts';
+import type { Active } from '../model/active.ts';
+import { activeParts, find, neighbour, partAt, partsOf, type Box, type Part } from '../model/picture.ts';
 import { h, isTyping } from './dom.ts';
 import { button, icon, toggle } from './icons.ts';
 import { menu, type Section } from './menu.ts';
@@ -35,6 +36,8 @@ export class AutomatonView {
   /** places of possible steps, by the parts that show them */
   private offers: { places: readonly (Location | null)[]; taken: (indices: number[]) => void } | null = null;
   private offered = new Map<string, number[]>();
+  /** current states of a run that is watched, and the values of its variables */
+  private active: { places: readonly Active[]; values: { [variable: string]: string } } | null = null;
 
   constructor(private readonly host: Host, private readonly saver: Saver, private readonly changed: (picture: PictureName) => void) {
     this.stage = new Stage((id, twice) => this.click(id, twice));
@@ -112,6 +115,7 @@ export class AutomatonView {
     this.select(this.selected, false);
     this.markCaret(false);
     this.markOffers();
+    this.markActive();
     this.search();
     this.forbidden.element.hidden = picture.kind !== 'sv';
     this.foldMenu.hidden = (picture.foldable ?? []).length === 0;
@@ -176,6 +180,19 @@ export class AutomatonView {
     if (!part) return;
     this.select(part.id, false);
     this.stage.reveal(part.id);
+  }
+
+  /** Lets the current states of a run shine. */
+  shine(places: readonly Active[], values: { [variable: string]: string }): void {
+    this.active = { places, values };
+    this.markActive();
+  }
+
+  private markActive(): void {
+    if (!this.picture || !this.active) return;
+    const shining = activeParts(this.picture, this.active.places, this.active.values);
+    for (const part of this.parts.values()) this.stage.group(part.id)?.classList.toggle('active', shining.has(part.id));
+    this.stage.ring('active', [...shining]);
   }
 
   /** Makes parts clickable that show these places. Returns whether there are any. */

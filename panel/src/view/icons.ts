@@ -27,6 +27,11 @@ const paths = {
   bad: 'M4.5 4.5l7 7M11.5 4.5l-7 7',
   warning: 'M8 3v6M8 11.5v1.2',
   open_question: 'M5.8 6a2.2 2.2 0 1 1 3.2 2c-.7.4-1 .8-1 1.6M8 11.7v1',
+  pause: 'M5.5 3.5v9M10.5 3.5v9',
+  go: 'M5 3.2 12 8l-7 4.8z',
+  stop: 'M4 4h8v8H4z',
+  event: 'M9 2 4 9h4l-1 5 5-7H8z',
+  interrupt: 'M8 2.5a5.5 5.5 0 1 1 0 11 5.5 5.5 0 0 1 0-11zM6 6h4v4H6z',
   changes: 'M2.5 5h8M7.5 2l3 3-3 3M13.5 11h-8M8.5 8l-3 3 3 3',
 } as const;
 export type Icon = keyof typeof paths;

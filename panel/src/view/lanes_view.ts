@@ -29,6 +29,8 @@ export class LanesView {
   private hidden: (lane: Lane) => boolean = () => false;
   private axis: Float64Array = new Float64Array();
   private view: [number, number] = [0, 1];
+  /** of a run that is watched, in seconds */
+  private now: number | null = null;
   private current = -1;
   private readonly cursorTop = s('g');
   private readonly cursorRows = s('g');
@@ -69,9 +71,21 @@ export class LanesView {
     this.trace = trace;
     this.lanes = lanesOf(trace);
     this.colours = actorHues(trace);
-    const timeless = (trace.steps.at(-1)?.date.seconds ?? 0) === 0;
+    const timeless = this.now === null && (trace.steps.at(-1)?.date.seconds ?? 0) === 0;
     this.byStep.set(this.byStep.on || timeless);
     this.axis = this.makeAxis();
+  }
+
+  /** The time goes on; `reveal`: it stays visible. */
+  tick(now: number, reveal: boolean): void {
+    if (now === this.now) return;
+    const [from, to] = this.view;
+    const wasFitted = from === 0 && to === this.end;
+    this.now = now;
+    if (this.byStep.on || !this.trace) return;
+    if (wasFitted || to > this.end) this.fit();
+    else if (reveal && now > to) this.move(now - to + (to - from) / 10);
+    else this.draw();
   }
 
   /** `reveal`: scrolls to it, too. */
@@ -110,7 +124,13 @@ export class LanesView {
   }
 
   private get end(): number {
-    return endOfAxis(this.axis, this.byStep.on ? 'step' : 'date');
+    const end = endOfAxis(this.axis, this.byStep.on ? 'step' : 'date');
+    return this.byStep.on || this.now === null ? end : Math.max(end, this.now * 1.05, 1);
+  }
+
+  /** What still runs lasts until now, or beyond the end of the trace. */
+  private get openEnd(): number {
+    return this.byStep.on || this.now === null ? Infinity : this.now;
   }
 
   private fit(): void {
@@ -196,7 +216,7 @@ export class LanesView {
     const y = at * laneHeight;
     const group = s('g', { class: `lane ${lane.kind} hue-${this.colours.get(lane.name) ?? hue(lane.name, hues)}`, 'data-lane': lane.name, transform: `translate(0, ${y})` });
     group.append(s('line', { class: 'base', x1: this.labelWidth, x2: this.labelWidth + plot, y1: laneHeight / 2, y2: laneHeight / 2 }));
-    for (const drawn of drawBars(lane, this.axis, this.view[0], this.view[1], plot)) group.append(...this.barElements(lane, drawn));
+    for (const drawn of drawBars(lane, this.axis, this.view[0], this.view[1], plot, this.openEnd)) group.append(...this.barElements(lane, drawn));
     group.append(...this.markElements(lane, plot));
     group.append(s('rect', { class: 'label-ground', x: 0, y: 0, width: this.labelWidth - 6, height: laneHeight }),
       s('text', { class: 'label', x: 12, y: 16 }, shorten(lane.name, Math.floor((this.labelWidth - 18) / letter)), s('title', {}, `${lane.name}: ${lane.kind}`)));

@@ -1,5 +1,6 @@
 import type { ChosenRun, ChosenStep, Host, Program, Simulation } from '../api.ts';
 import { chosenStep } from '../model/chosen_run.ts';
+import { skillOf } from '../model/picture.ts';
 import { testOf } from '../model/saved_run.ts';
 import { fileName } from '../model/export.ts';
 import { AutomatonView } from './automaton_view.ts';
@@ -198,6 +199,3 @@ export class SimulationView {
     void this.undo();
   }
 }
-
-/** The skill whose picture shows an actor: a branch is part of its skill's body. */
-const skillOf = (actor: string): string => actor.replace(/ branch [\d.]+$/, '').replace(/^watchdog of /, '');

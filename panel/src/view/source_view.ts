@@ -5,6 +5,11 @@ import { h, onceAFrame } from './dom.ts';
 
 const lineHeight = 20;
 
+export interface Live {
+  active: readonly Location[];
+  messages: readonly { location: Location; text: string; count: number }[];
+}
+
 /** The program's text beside the views, with the current range marked. */
 export class SourceView {
   readonly element: HTMLElement;
@@ -16,6 +21,8 @@ export class SourceView {
   private rows = new Rows([]);
   private uri: string | null = null;
   private marked: Location | null = null;
+  /** of a run that is watched: lines where something runs, and what `printf` has printed */
+  private live: Live = { active: [], messages: [] };
   /** the file to show; late answers for another are ignored */
   private wanted: string | null = null;
   private readonly draw = onceAFrame(() => this.drawNow());
@@ -38,6 +45,12 @@ export class SourceView {
   /** Marks a range without scrolling, if the view does not follow. */
   mark(location: Location | null): void {
     this.marked = location;
+    this.drawNow();
+  }
+
+  /** Lets the lines shine where a run is, and shows its messages at their lines. */
+  shine(live: Live): void {
+    this.live = live;
     this.drawNow();
   }
 
@@ -90,12 +103,21 @@ export class SourceView {
     const [first, last] = this.rows.visible(this.scroller.scrollTop, this.scroller.clientHeight || 600, 200);
     const out: HTMLElement[] = [];
     for (let at = first; at < last; ++at) {
-      const line = h('div', { class: `line${this.isMarked(at) ? ' marked-line' : ''}`, 'data-line': at },
-        h('span', { class: 'line-number', 'aria-hidden': 'true' }, String(at + 1)), this.lineText(at));
+      const line = h('div', { class: `line${this.isMarked(at) ? ' marked-line' : ''}${this.isActive(at) ? ' active-line' : ''}`, 'data-line': at },
+        h('span', { class: 'line-number', 'aria-hidden': 'true' }, String(at + 1)), this.lineText(at), this.messageAt(at));
       line.style.transform = `translateY(${this.rows.top(at)}px)`;
       out.push(line);
     }
     this.space.replaceChildren(...out);
+  }
+
+  private isActive(line: number): boolean {
+    return this.live.active.some(({ uri, range }) => uri === this.uri && range.start.line === line);
+  }
+
+  private messageAt(line: number): HTMLElement | null {
+    const found = this.live.messages.find(({ location: { uri, range } }) => uri === this.uri && range.start.line === line);
+    return found ? h('span', { class: 'message' }, found.text, found.count > 1 && h('span', { class: 'faint' }, ` ×${found.count}`)) : null;
   }
 
   private isMarked(line: number): boolean {

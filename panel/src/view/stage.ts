@@ -77,7 +77,7 @@ export class Stage {
   }
 
   /** Frames around some parts. */
-  ring(kind: 'selected' | 'caret' | 'offered', ids: readonly string[]): void {
+  ring(kind: 'selected' | 'caret' | 'offered' | 'active', ids: readonly string[]): void {
     for (const old of [...this.rings.children]) if (old.classList.contains(kind)) old.remove();
     for (const id of ids) {
       const box = this.box(id);

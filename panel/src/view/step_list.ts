@@ -85,10 +85,21 @@ export class StepList {
     this.drawNow();
   }
 
+  /** The same trace with more steps at its end. */
+  grow(shown: Shown): void {
+    this.learn(shown.trace);
+    this.shown = shown;
+    this.arrange();
+  }
+
   private begin(trace: Trace): void {
+    this.learn(trace);
+    this.folded.clear();
+  }
+
+  private learn(trace: Trace): void {
     this.kinds = new Map(actorsOf(trace).map((actor) => [actor.name, actor.kind]));
     this.colours = actorHues(trace);
-    this.folded.clear();
   }
 
   /** An actor that only the other trace has. */

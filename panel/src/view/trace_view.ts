@@ -1,11 +1,12 @@
 import type { Host, Trace, Verdict } from '../api.ts';
-import { actorHues, actorsOf } from '../model/actors.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
 import { search, select, marksRelevance } from '../model/filter.ts';
 import { continuation, tellsTheSame } from '../model/renew.ts';
 import { Values } from '../model/values.ts';
 import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
+import { comparisonBar } from './comparison_bar.ts';
 import { h, isTyping, plural, prose } from './dom.ts';
+import { filterSections, noFilter } from './filter_menu.ts';
 import { button, enable, icon, toggle } from './icons.ts';
 import { LanesView } from './lanes_view.ts';
 import { menu, type Section } from './menu.ts';
@@ -41,7 +42,7 @@ export class TraceView {
   private readonly grouped;
   private readonly relevant;
   private readonly buttons: { previous: HTMLButtonElement; next: HTMLButtonElement };
-  private filter = { actors: new Set<string>(), variables: new Set<string>(), changing: false, relevant: false };
+  private filter = noFilter();
   private shown: number[] = [];
   private found: number[] = [];
   private compared: { other: Trace; pairs: Pair[] } | null = null;
@@ -146,7 +147,7 @@ export class TraceView {
     this.former = null;
     this.gone = false;
     this.ask();
-    this.filter = { actors: new Set(), variables: new Set(), changing: false, relevant: false };
+    this.filter = noFilter();
     this.relevant.set(false);
     this.compared = null;
     this.field.value = '';
@@ -188,6 +189,27 @@ export class TraceView {
     this.moveTo(found.index, false);
     if (isNew && tells) this.head.say(found.same
       ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`);
+  }
+
+  /** The same trace with more steps. `toLast`: its last step becomes the current one, and the source follows; otherwise nothing moves. */
+  grow(trace: Trace, toLast: boolean): void {
+    if (!this.given) return this.show(trace, trace.steps.length - 1, false);
+    this.given = trace;
+    this.ask();
+    if (this.field.value !== '') this.found = search(trace, this.field.value);
+    this.drawHead();
+    this.lanes.renew(this.trace!);
+    if (toLast) this.current = trace.steps.length - 1;
+    else if (this.current < 0) this.current = 0;
+    this.refresh('grown');
+    if (toLast) this.list.select(this.current);
+    this.moveTo(this.current, false);
+    if (toLast && this.follow.on) this.reveal(trace.steps.findLastIndex(({ location }) => location), false);
+  }
+
+  /** The time of a run that is watched. `reveal`: the lanes go with it. */
+  tick(now: number, reveal: boolean): void {
+    this.lanes.tick(now, reveal);
   }
 
   /** The property now has a verdict without a trace: shows the former trace as outdated. */
@@ -235,25 +257,11 @@ export class TraceView {
   }
 
   private filterSections(): Section[] {
-    const trace = this.trace!;
-    const flip = (set: Set<string>, name: string) => (): void => {
-      if (!set.delete(name)) set.add(name);
-      this.refresh();
-    };
-    const changed = [...new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)))];
-    const colours = actorHues(trace);
-    return [
-      { title: '', items: [
-        { label: 'Only steps that change something', checked: this.filter.changing, choose: () => { this.filter.changing = !this.filter.changing; this.refresh(); } },
-        { label: 'All steps', choose: () => this.showAll() }] },
-      { title: 'Only steps by', items: actorsOf(trace).map((actor) => ({
-        label: actor.name, hint: actor.kind, mark: `hue-${colours.get(actor.name)}`, checked: this.filter.actors.has(actor.name), choose: flip(this.filter.actors, actor.name) })) },
-      { title: 'Only steps that change', items: changed.map((name) => ({ label: name, checked: this.filter.variables.has(name), choose: flip(this.filter.variables, name) })) },
-    ];
+    return filterSections(this.trace!, this.filter, () => this.refresh(), () => this.showAll());
   }
 
   private showAll(): void {
-    this.filter = { actors: new Set(), variables: new Set(), changing: false, relevant: false };
+    this.filter = noFilter();
     this.relevant.set(false);
     this.refresh();
   }
@@ -272,12 +280,7 @@ export class TraceView {
     this.compared = other && { other, pairs: compare(this.given!, other) };
     this.comparing.hidden = !other;
     if (other) {
-      const count = this.compared!.pairs.filter(isDifferent).length;
-      this.comparing.replaceChildren(icon('compare'), h('span', {}, 'Compared with ', prose(other.description), ': ',
-        count === 0 ? 'the same steps' : plural(count, 'step differs', 'steps differ')),
-      button({ icon: 'previous', title: 'Previous difference', onclick: () => this.toDifference(-1) }),
-      button({ icon: 'next', title: 'Next difference', onclick: () => this.toDifference(1) }),
-      h('span', { class: 'push' }), button({ icon: 'close', title: 'End the comparison', onclick: () => this.setComparison(null) }));
+      this.comparing.replaceChildren(...comparisonBar(other, this.compared!.pairs, (by) => this.toDifference(by), () => this.setComparison(null)));
     }
     this.refresh();
   }
@@ -296,15 +299,16 @@ export class TraceView {
     if (to !== undefined) this.goTo(to);
   }
 
-  /** `renewedAt`: in another trace, in which this step takes the position of the current one. */
-  private refresh(renewedAt?: number): void {
+  /** `renewed`: in another trace, in which this step takes the position of the current one; or the trace has grown. */
+  private refresh(renewed?: number | 'grown'): void {
     const trace = this.trace!;
     this.shown = select(trace, this.filter);
     this.nothing.hidden = this.shown.length > 0;
     this.comparing.hidden = !this.compared;
     const list = { trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.compared && { compared: this.compared }) };
-    if (renewedAt === undefined) this.list.show(list);
-    else this.list.renew(list, renewedAt);
+    if (renewed === undefined) this.list.show(list);
+    else if (renewed === 'grown') this.list.grow(list);
+    else this.list.renew(list, renewed);
     this.lanes.filter(this.filter.actors, this.filter.variables);
     this.update();
   }
@@ -335,16 +339,14 @@ export class TraceView {
     this.lanes.select(index, byUser);
     this.update();
     if (!step) return this.host.tell('step', null);
-    this.host.tell('step', {
-      trace: trace.name, index, count: trace.steps.length, step, values: this.variablesAt(index), byUser,
-    });
+    this.host.tell('step', { trace: trace.name, index, count: trace.steps.length, step, values: this.valuesNow(), byUser });
     if (this.follow.on && byUser) this.reveal(index, false);
     this.events.stepped(byUser);
   }
 
-  /** Without watches, which are not part of the program. */
-  private variablesAt(index: number): { [variable: string]: string } {
-    const values = this.valuesOf.at(index);
+  /** The values of the program's variables after the current step; watches are not among them. */
+  valuesNow(): { [variable: string]: string } {
+    const values = this.valuesOf.at(this.current);
     for (const { text } of this.watches) values.delete(text);
     return Object.fromEntries(values);
   }
