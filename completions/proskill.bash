@@ -92,7 +92,7 @@ _proskill_options() {
     import) echo '--help --output --leaves' ;;
     lsp) echo '--help --port --log --debounce --cache --no-cache --stdio' ;;
     replay) echo '--help --color' ;;
-    run) echo '--help --main --platform --script --clock --seed --until --format --record --color' ;;
+    run) echo '--help --main --platform --script --clock --seed --until --format --record --view --no-controls --no-open --port --color' ;;
     stubs) echo '--help --language --main --color' ;;
     verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --reduce --runs --expanded --sv-automata' ;;
     view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;

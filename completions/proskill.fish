@@ -93,6 +93,10 @@ complete -c proskill -n '__fish_seen_subcommand_from run' -l seed -d 'Seed of a 
 complete -c proskill -n '__fish_seen_subcommand_from run' -l until -d 'End the run after this time, in seconds or with m, h, d (a simulation: 1d)' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l format -d 'How to print what happens' -x -a 'text json'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l record -d 'Record the run in this file, as a trace that `proskill view` opens; a name that ends in .mcap: as MCAP, for other tools' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l view -d 'Show the run in a browser while it happens, and afterwards until Ctrl-C; in simulated time it begins paused'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l no-controls -d 'With --view: pages cannot pause the run, or send events and interrupts'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l no-open -d 'With --view: print the address without opening a browser'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l port -d 'With --view: port on the loopback interface (0, the default: any free port)' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .fcr)'
