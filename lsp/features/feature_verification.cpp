@@ -107,10 +107,14 @@ Answer Verification::verifyRequested(const Request& request) {
 /// Verifies a property again for its trace. Editors store verdicts, so this is mostly a replay.
 std::expected<std::shared_ptr<const std::string>, worker::WorkerFailure>
 Verification::findTrace(const Verified& known, const std::string& name, const Request& request) {
+  const auto chosen = settingsNow();
+  if (!chosen.trusted)
+    return std::unexpected(worker::WorkerFailure{
+        false, "the workspace is not trusted: nothing is verified, so the trace is not built"});
   const auto& program = known.verdicts->program;
   auto job = worker::jobFor(program->program);
   job.names = {name};
-  job.budget = settingsNow().requestBudget;
+  job.budget = chosen.requestBudget;
   const auto report = worker::runWorker(outside.worker, job, request.cancellation, [](auto&) {});
   if (!report) return std::unexpected(report.error());
   const auto found = readReport(*report, program, request.snapshot.open(), kRequestLimits);
