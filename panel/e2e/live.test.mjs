@@ -14,6 +14,7 @@ const state = (it) => it.locator('.run-bar').getAttribute('data-state');
 const current = async (it) => Number(await it.locator('.step.current .number').textContent());
 const activeNodes = (it) => it.locator('.stage g.node.active').evaluateAll((all) => all.map((node) => node.getAttribute('aria-label')));
 const activeLines = (it) => it.locator('.active-line .code').allTextContents();
+const verdict = (it, name) => it.locator(`.property[data-property="${name}"]`).getAttribute('data-verdict');
 const button = (it, name) => it.locator('.run-bar').getByRole('button', { name, exact: true });
 
 describe('a drone in real time', () => {
@@ -122,7 +123,9 @@ describe('a drone in real time', () => {
 const program = `(defsv door :states (Open Closed) :init Open :transitions :all)
 (defevent door_closes :effects (door Closed))
 (defskill drive :interruptible t :time_interval [1,900] :action (drive) :success there)
-(defskill mission :success done :body ((printf "close the door") (^ (door Closed)) (drive) (success done)))
+(defskill mission :success done :body ((printf "close the door: %s" door) (^ (door Closed)) (drive) (success done)))
+(defproperty arrives (present (ended mission success)))
+(defproperty opens_again (infinitelyoften (door Open)))
 `;
 
 describe('a mission in simulated time', () => {
@@ -143,7 +146,8 @@ describe('a mission in simulated time', () => {
     assert.equal(await it.locator('.step').count(), 0);
     await button(it, 'Step').click();
     await button(it, 'Step').click();
-    await it.locator('.line .message', { hasText: 'close the door' }).waitFor();
+    await it.locator('.line .message', { hasText: 'close the door: Open' }).waitFor();
+    for (const name of ['arrives', 'opens_again']) assert.equal(await verdict(it, name), 'not yet');
     await signal(it, 'door_closes').click();
     await it.locator('.run-waiting', { hasText: '1 signal waits' }).waitFor();
     assert.equal(await signal(it, 'drive').isDisabled(), true);
@@ -155,6 +159,11 @@ describe('a mission in simulated time', () => {
     await signal(it, 'drive').click();
     await button(it, 'Continue').click();
     await eventually(async () => assert.equal(await state(it), 'ended'));
+    assert.equal(await verdict(it, 'arrives'), 'true');
+    assert.equal(await verdict(it, 'opens_again'), 'not yet');
+    await it.locator('.property[data-property="arrives"]').click();
+    await eventually(async () => assert.match(await it.locator('.step.current').textContent(), /holds/));
+    await shot(it, 'live_properties');
     const texts = await words(it);
     assert.ok(texts.includes('is interrupted from outside'), texts.join('\n'));
     assert.deepEqual(it.complaints, []);

@@ -1,5 +1,6 @@
 // Small panels and paper: everything is present and usable.
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { choosePicture, closeBrowser, eventually, openTrace, page, shot, view, workspace } from './browser.mjs';
@@ -46,6 +47,55 @@ for (const [width, height] of [[380, 760], [520, 420], [720, 500]])
     await usable(it, { '.stage': 150 });
     await shot(it, `narrow_${width}_automaton`);
   }));
+
+/** Of each test step that is drawn: its result, and whether all of it is within the list. */
+const results = (frame) => {
+  const list = frame.getBoundingClientRect();
+  return [...frame.querySelectorAll('.result')].map((it) => {
+    const box = it.getBoundingClientRect();
+    return { words: it.textContent, whole: it.scrollWidth <= it.clientWidth + 1 && box.left >= list.left && box.right <= list.left + frame.clientWidth };
+  });
+};
+
+for (const [words, press] of [['by actor', []], ['by step', ['By actor']]])
+  test(`the results of tests are whole at 380 pixels, ${words}`, () => rover({ width: 380, height: 760 }, async (it) => {
+    for (const name of press) await it.getByRole('button', { name }).click();
+    const count = Number((await it.locator('.count').textContent()).match(/of (\d+)/)[1]);
+    await it.locator('.steps').focus();
+    await it.keyboard.press('Home');
+    const seen = new Set();
+    for (let step = 1; step <= count; ++step) {
+      await eventually(async () => assert.equal(await it.locator('.step.current .number').textContent(), String(step)));
+      for (const result of await it.locator('.steps').evaluate(results)) {
+        assert.match(result.words, /^: (true|false)$/);
+        assert.ok(result.whole, `${result.words} near step ${step}`);
+        seen.add(result.words);
+      }
+      await it.keyboard.press('ArrowDown');
+    }
+    assert.ok(seen.size > 0, 'there are tests');
+    assert.ok(await it.locator('.step .words').evaluateAll((all) => all.some((words) => words.scrollWidth > words.clientWidth)), 'some conditions are longer than their lines');
+    await shot(it, `narrow_results_${words.replace(' ', '_')}`);
+  }));
+
+test('so are those of possible steps', async () => {
+  const folder = workspace();
+  const file = join(folder.path, 'long.proskill');
+  writeFileSync(file, `(defsv lamp :states (On Off) :init Off :transitions :all)
+(defskill mission :body ((if (or ${'(lamp On) '.repeat(12)}) (set (lamp Off)))))
+`);
+  const served = await view(file);
+  const it = await page({ viewport: { width: 380, height: 760 } });
+  await it.goto(served.url);
+  await it.locator('#tab-simulation').click();
+  await it.locator('.choice', { hasText: 'starts' }).click();
+  await it.locator('.choice .result').waitFor();
+  assert.deepEqual(await it.locator('.choice-list').evaluate(results), [{ words: ': false', whole: true }]);
+  await shot(it, 'narrow_choice');
+  assert.deepEqual(it.complaints, []);
+  assert.equal(await served.end(), 0);
+  folder.remove();
+});
 
 test('the layout goes by the width of the panel, not by that of the window', () => rover({ width: 1200, height: 800 }, async (it) => {
   await it.locator('#panel').evaluate((panel) => { panel.style.width = '400px'; });

@@ -165,7 +165,7 @@ describe('the lift, in which two skills want the doors', () => {
     await node.click();
     await eventually(async () => assert.equal((await marked(it)).text, '(serve_call)'));
     await it.locator('.stage .ring.selected').waitFor();
-    await it.locator('.source .line', { hasText: '(mode Off)' }).locator('.code').first().scrollIntoViewIfNeeded();
+    await eventually(() => it.locator('.source .line', { hasText: '(mode Off)' }).locator('.code').first().scrollIntoViewIfNeeded());
     const test = it.locator('.source .line', { hasText: '(if (mode Off)' }).locator('.code');
     await test.click({ position: { x: 50, y: 8 } });
     const ring = await it.locator('.stage .ring.caret').boundingBox();

@@ -4,6 +4,9 @@
  * is opaque to the panel, except for its line.
  */
 
+import type { Live, Run, RunControl, RunStatus, RunSteps } from './api_run.ts';
+export type * from './api_run.ts';
+
 export const contractVersion = 1;
 
 // ---- places ---------------------------------------------------------------------------------
@@ -57,12 +60,14 @@ export interface Step {
   origins?: number[];
   /** in a recorded run: not a step of the model but a remark, such as `fault` or `undershoot` */
   remark?: string;
+  /** in a run: what a `printf` has printed, with its values */
+  message?: string;
   /** In a simulation: taken as late as possible. */
   late?: boolean;
   /** In a run that is watched: the processes that it has moved, and to which of their places. */
   moves?: [process: number, place: number][];
 }
-export type ActorKind = 'skill' | 'branch' | 'watchdog' | 'event' | 'environment' | 'variable' | 'process';
+export type ActorKind = 'skill' | 'branch' | 'watchdog' | 'event' | 'environment' | 'variable' | 'process' | 'property';
 export interface Actor {
   name: string;
   kind: ActorKind;
@@ -218,65 +223,6 @@ export interface Simulation {
   unmet: { variable: string; expected: string; actual: string }[];
 }
 
-// ---- runs that are watched (docs/runtime.md) ---------------------------------------------------
-
-/** A process of a run, and where in the program it may be. */
-export interface RunProcess {
-  actor: string;
-  /** It performs the action of a basic skill; otherwise it executes a body. */
-  performs: boolean;
-  /** index of its place at the start */
-  start: number;
-  /** null: it does not run */
-  places: (Location | null)[];
-}
-/** An event, or a skill that can be interrupted. */
-export interface RunSignal {
-  name: string;
-  interrupts: boolean;
-  /** why it cannot be sent */
-  whyNot: string | null;
-}
-export interface RunStatus {
-  state: 'running' | 'paused' | 'ended';
-  /** of steps and remarks so far */
-  steps: number;
-  /** time of the run in seconds, and how many seconds pass in one; 0: it stands still, or jumps from step to step */
-  date: number;
-  speed: number;
-  /** events and interrupts that were sent and not yet taken */
-  waiting: number;
-  /** steps and remarks that are not shown, since they came too fast */
-  lost: number;
-  end: { why: string; mission: string; bad: number; failure?: string } | null;
-}
-export interface Run {
-  /** without steps */
-  trace: Trace;
-  processes: RunProcess[];
-  /** such as `real time` */
-  clock: string;
-  /** why it cannot be influenced at all, and why it cannot be paused */
-  whyNoControl: string | null;
-  whyNoPause: string | null;
-  signals: RunSignal[];
-  status: RunStatus;
-}
-/** Steps from a requested one on, or from the first that is still known, with the values before it. */
-export interface RunSteps {
-  from: number;
-  initial?: { [variable: string]: string };
-  steps: Step[];
-  /** of the run so far */
-  total: number;
-}
-export interface RunControl {
-  /** `end`: the run; `close`: its page, after the end */
-  do: 'pause' | 'continue' | 'step' | 'send' | 'end' | 'close';
-  /** of `send`: its name */
-  signal?: string;
-}
-
 // ---- what the panel asks its host ------------------------------------------------------------
 
 export interface Hello {
@@ -330,6 +276,8 @@ export interface Told {
   reveal: { location: Location; focus: boolean };
   /** The current step, with values for decorations and origins for the Fiacre text; null: none. */
   step: CurrentStep | null;
+  /** What a run that is watched does at the current step. */
+  shine: Live;
   /** Returned in `Hello` when the panel is opened again. */
   remember: Remembered;
 }

@@ -1,12 +1,12 @@
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import type { Trace } from '../src/api.ts';
-import { actorHues, actorsOf, hues } from '../src/model/actors.ts';
+import { actorsOf } from '../src/model/actors.ts';
 import { compare, isDifferent } from '../src/model/compare.ts';
 import { difference } from '../src/model/diff.ts';
 import { fileName, traceJson, traceText } from '../src/model/export.ts';
 import { everything, groups, search, select } from '../src/model/filter.ts';
+import { highlight } from '../src/model/highlight.ts';
 import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest } from '../src/model/lanes.ts';
 import { open } from '../src/model/parse.ts';
 import { continuation, tellsTheSame } from '../src/model/renew.ts';
@@ -33,6 +33,12 @@ test('the values of a long trace are those of going through it', () => {
     for (const change of it.changes) now.set(change.variable, change.after);
     assert.deepEqual(values.at(index), now);
   });
+});
+
+test('statements are coloured where they open a form, and nowhere else', () => {
+  const forms = (text: string): string[] => highlight(text)[0]!.filter((it) => it.kind === 'form').map((it) => it.text);
+  assert.deepEqual(forms('(case (drive) (failure (goto again)))'), ['case', 'failure', 'goto']);
+  assert.deepEqual(forms('(always (set case))'), ['set']);
 });
 
 test('a trace without steps has its first values', () => {
@@ -325,41 +331,4 @@ test('a trace tells the same where only its places are others', () => {
   moved.steps[0]!.location = { uri: 'file:///p', range: { start: { line: 7, character: 0 }, end: { line: 7, character: 1 } } };
   assert.equal(tellsTheSame(one, moved), true);
   assert.equal(tellsTheSame(one, trace({ n: '0' }, ['a: starts @0', 'c: starts @1'])), false);
-});
-
-test('actors of a trace have colours of their own, as long as there are enough', () => {
-  const names = Array.from({ length: hues }, (_, i) => `skill_${i}`);
-  const found = actorHues(trace({ n: '0' }, names.map((name) => `${name}: starts @0`)));
-  assert.equal(new Set(found.values()).size, hues);
-  const fewer = actorHues(trace({ n: '0' }, ['skill_0: starts @0']));
-  assert.equal(fewer.get('skill_0'), found.get('skill_0'), 'the first one has the colour that it has alone');
-});
-
-/** A colour as seen without one kind of cones, in linear light (Machado, Oliveira and Fernandes, 2009). */
-const sights = {
-  all: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-  protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
-  deuteranopia: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
-};
-
-/** CIE L*a*b* of a colour as it is seen. */
-function lab(colour: string, sight: number[][]): number[] {
-  const linear = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
-  const [r, g, b] = sight.map((row) => Math.min(Math.max(row.reduce((sum, k, i) => sum + k * linear[i]!, 0), 0), 1)) as [number, number, number];
-  const f = (t: number): number => (t > 216 / 24389 ? Math.cbrt(t) : (24389 / 27 * t + 16) / 116);
-  const [x, y, z] = [f((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505), f(0.2126 * r + 0.7152 * g + 0.0722 * b), f((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089)];
-  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
-}
-
-test('the colours of actors can be told apart, by the colour-blind too', () => {
-  const css = readFileSync(new URL('../../src/style/base.css', import.meta.url), 'utf8');
-  const all = [...css.matchAll(/--hue-\d: (#[0-9a-f]{6})/g)].map((found) => found[1]!);
-  assert.equal(all.length, 2 * hues);
-  for (const palette of [all.slice(0, hues), all.slice(hues)])
-    for (const [name, sight] of Object.entries(sights))
-      palette.forEach((one, at) => palette.slice(at + 1).forEach((other) => {
-        const [left, right] = [lab(one, sight), lab(other, sight)];
-        const distance = Math.hypot(...left.map((value, i) => value - right[i]!));
-        assert.ok(distance > 18, `${one} and ${other} with ${name}: ${distance.toFixed(1)}`);
-      }));
 });

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Location, Picture } from '../src/api.ts';
 import { highlight } from '../src/model/highlight.ts';
-import { find, neighbour, partAt } from '../src/model/picture.ts';
+import { find, neighbour, partAt, skillAt } from '../src/model/picture.ts';
 
 const at = (line: number, from: number, to = from, lastLine = line): Location => ({
   uri: 'm', range: { start: { line, character: from }, end: { line: lastLine, character: to } },
@@ -33,6 +33,15 @@ test('a range that holds nodes leads to the largest of them', () => {
 test('beside its condition, the caret is still at the test of its line', () => {
   assert.equal(partAt({ ...picture, clusters: [] }, at(1, 3))?.id, 'n0');
   assert.equal(partAt({ ...picture, clusters: [] }, at(5, 3)), null);
+});
+
+test('calls, the start, and in the picture of the calls all nodes stand for skills', () => {
+  const start = { ...node('n3', '', at(0, 0)), role: 'start' };
+  assert.equal(skillAt(picture, picture.nodes[1]!), 'takeoff');
+  assert.equal(skillAt(picture, start), 'm');
+  assert.equal(skillAt(picture, { ...start, cluster: 'cluster_0' }), null, 'a watchdog is not its skill');
+  assert.equal(skillAt(picture, { ...node('n4', 'set', at(0, 0)), role: 'step' }), null);
+  assert.equal(skillAt({ ...picture, kind: 'calls', name: '' }, { ...node('n0', 'fly', at(0, 0)), role: 'basic' }), 'fly');
 });
 
 test('pictures are searched by labels', () => {

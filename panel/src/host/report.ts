@@ -1,6 +1,6 @@
 import type { Hello, Host, Method, Picture, PictureParams, Requests, Trace } from '../api.ts';
 import { open } from '../model/parse.ts';
-import { programOf } from './http.ts';
+import { programOf } from './convert.ts';
 import { pictureOf } from './pictures.ts';
 
 /** Data that `proskill verify --report` writes into its page. */

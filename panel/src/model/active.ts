@@ -21,8 +21,8 @@ export function activeAt({ processes }: Run, trace: Trace, index: number): Activ
 /** The last message of each `printf` up to a step. */
 export function messagesAt(trace: Trace, index: number): { location: Location; text: string; count: number }[] {
   const found = new Map<string, { location: Location; text: string; count: number }>();
-  for (const { description, location } of trace.steps.slice(0, index + 1)) {
-    const text = /^prints "(.*)"$/s.exec(description)?.[1];
+  for (const { description, message, location } of trace.steps.slice(0, index + 1)) {
+    const text = message ?? /^prints "(.*)"$/s.exec(description)?.[1];
     if (text === undefined || !location) continue;
     const key = `${location.uri} ${location.range.start.line}`;
     found.set(key, { location, text, count: (found.get(key)?.count ?? 0) + 1 });

@@ -14,6 +14,7 @@ function infer(name: string, words: Set<string>, ofProcess: boolean, initial: Tr
   const watched = watchdog.exec(name)?.[1];
   if (watched) return of('watchdog', watched);
   if (name === 'environment') return of('environment', null);
+  if ([...words].every((each) => /^(holds|violated): /.test(each))) return of('property', null);
   if (`${name}.status` in initial || words.has('starts')) return of('skill', name);
   if (name in initial) return of(ofProcess ? 'process' : 'variable', null);
   return of(name.split(', ').every((each) => each in initial) ? 'process' : 'event', null);
@@ -34,29 +35,4 @@ export function actorsOf(trace: Trace): Actor[] {
     const inferred = infer(name, said, processes.has(name), trace.initial);
     return inferred.kind === 'watchdog' || inferred.kind === 'variable' || inferred.kind === 'process' ? inferred : (given.get(name) ?? inferred);
   });
-}
-
-/** Number of colours in base.css, which colour-blind users can distinguish. */
-export const hues = 10;
-
-/** A colour for each actor of a trace: all are different while there are enough, and mostly the same in other traces. */
-export function actorHues(trace: Trace): Map<string, number> {
-  const out = new Map<string, number>();
-  const names = new Set([...(trace.actors?.map(({ name }) => name) ?? []), ...trace.steps.map(({ actor }) => actor)]);
-  const taken = new Set<number>();
-  for (const name of [...names].sort()) {
-    if (taken.size === hues) taken.clear();
-    let at = hue(name, hues);
-    while (taken.has(at)) at = (at + 1) % hues;
-    taken.add(at);
-    out.set(name, at);
-  }
-  return out;
-}
-
-/** A number from 0 to `count` - 1 that is constant for a name. */
-export function hue(name: string, count: number): number {
-  let hash = 2166136261;
-  for (let i = 0; i < name.length; ++i) hash = Math.imul(hash ^ name.charCodeAt(i), 16777619);
-  return (hash >>> 0) % count;
 }

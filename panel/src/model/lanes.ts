@@ -79,7 +79,7 @@ function variableLane(trace: Trace, name: string): Lane {
 const isOfSkill = (variable: string): boolean => /\.(status|res)$/.test(variable);
 
 const order: { [K in Lane['kind']]: number } = {
-  skill: 0, branch: 0, watchdog: 1, event: 2, environment: 2, variable: 3, process: 3,
+  skill: 0, branch: 0, watchdog: 1, event: 2, environment: 2, property: 2, variable: 3, process: 3,
 };
 
 /** The lanes of a trace: skills with their branches, watchdogs, events, and the variables that change. */

@@ -23,7 +23,12 @@ export function locationOf(value: unknown): Location | null {
 export function stepOf(value: unknown, index: number): Step {
   if (!isObject(value) || typeof value['actor'] !== 'string' || !isObject(value['date']) || !isObject(value['earliest']))
     throw new Error(`step ${index + 1} is not one of a trace`);
-  return { changes: [], transitions: [], ...value, location: locationOf(value['location']) } as unknown as Step;
+  const message = value['message'];
+  return {
+    changes: [], transitions: [], ...value,
+    ...(typeof message === 'string' && { description: `prints "${message}"` }),
+    location: locationOf(value['location']),
+  } as unknown as Step;
 }
 
 export function traceOf(value: Json, about: Json = value): Trace {

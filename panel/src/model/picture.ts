@@ -19,6 +19,12 @@ export function partsOf(picture: Picture): Map<string, Part> {
   return out;
 }
 
+/** The skill whose colour a node has: one that is called, and at its start the one that the picture shows. Watchdogs start in clusters. */
+export function skillAt({ kind, name }: Picture, { role, label, cluster }: Picture['nodes'][number]): string | null {
+  if (kind === 'calls' || role === 'call') return label;
+  return role === 'start' && cluster === null ? name : null;
+}
+
 const before = (a: Position, b: Position): boolean => a.line < b.line || (a.line === b.line && a.character < b.character);
 
 const holds = (outer: Location, inner: Location): boolean =>

@@ -1,4 +1,4 @@
-import type { Run, RunStatus, RunSteps, Trace } from '../api.ts';
+import type { Run, RunProperty, RunStatus, RunSteps, Trace } from '../api.ts';
 
 /** A watched run as far as the page has received it. */
 export class Running {
@@ -7,6 +7,7 @@ export class Running {
   /** number of steps before the first of the trace */
   skipped = 0;
   private received = performance.now();
+  private readonly verdicts = new Map<string, RunProperty['verdict']>();
 
   constructor(readonly run: Run) {
     this.trace = run.trace;
@@ -29,6 +30,8 @@ export class Running {
 
   /** Whether the steps continue those before; otherwise some are missing, and the trace begins again. */
   add({ from, initial, steps }: RunSteps): boolean {
+    for (const { actor, remark } of steps)
+      if (remark === 'holds' || remark === 'violated') this.verdicts.set(actor, remark === 'holds' ? 'true' : 'false');
     if (from === this.next) {
       this.trace = { ...this.trace, steps: [...this.trace.steps, ...steps] };
       return true;
@@ -36,6 +39,11 @@ export class Running {
     this.skipped = from;
     this.trace = { ...this.trace, ...(initial && { initial }), steps };
     return false;
+  }
+
+  /** What the run has decided about one of the program's properties; undefined: nothing that the page has received. */
+  verdictOf(name: string): RunProperty['verdict'] | undefined {
+    return this.status.end?.properties.find((it) => it.name === name)?.verdict ?? this.verdicts.get(name);
   }
 
   /** In seconds of the run. */

@@ -1,14 +1,16 @@
 import type { Hello, Host, Location, NewsOf, Program, Remembered, Show, Trace, Verdict } from '../api.ts';
+import { ActorColours } from '../model/colours.ts';
 import { runOf } from '../model/chosen_run.ts';
 import { open } from '../model/parse.ts';
 import { AutomatonView } from './automaton_view.ts';
-import { h, plural } from './dom.ts';
+import { h } from './dom.ts';
 import { button, enable } from './icons.ts';
 import { RunView } from './run_view.ts';
 import { Saver } from './save.ts';
 import { SimulationView } from './simulation_view.ts';
 import { SourceView } from './source_view.ts';
 import { splitter } from './splitter.ts';
+import { stateWords } from './state_words.ts';
 import { followTheme, inVsCode, switchTheme } from './theme.ts';
 import { TraceView } from './trace_view.ts';
 import { markOf, VerdictsView } from './verdicts_view.ts';
@@ -39,6 +41,7 @@ class App {
   private readonly toast = h('div', { class: 'toast', role: 'status', hidden: true });
   private readonly again: HTMLButtonElement;
   private readonly remembered: Remembered;
+  private readonly colours = new ActorColours();
   private readonly opened = new Map<string, Trace>();
   private program: Program | null = null;
   private toastTimer = 0;
@@ -57,16 +60,14 @@ class App {
     this.remembered = { ...hello.remembered };
     const saver = new Saver(this.host, hello.can.save, (words) => this.say(words));
     this.source = hello.can.source ? new SourceView(this.host, (location) => this.automaton.follows(location)) : null;
-    this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }));
+    this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }), this.colours);
     this.trace = new TraceView(this.host, saver, {
       stepped: (byUser) => this.stepped(byUser), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
       watches: (watches) => this.remember({ watches }),
-    });
+    }, this.colours);
     this.simulation = hello.can.simulate && (hello.layout === 'all' || hello.layout === 'simulation')
-      ? new SimulationView(this.host, saver, { openFile: () => this.openFile(), remember: (run) => this.remember({ run }), stepped: () => undefined }) : null;
-    this.run = hello.run ? new RunView(this.host, hello.run, {
-      show: (trace, isSame, toLast) => this.showRun(trace, isSame, toLast), tick: (now, following) => this.trace.tick(now, following), say: (words) => this.say(words),
-    }) : null;
+      ? new SimulationView(this.host, saver, { openFile: () => this.openFile(), remember: (run) => this.remember({ run }), stepped: () => undefined }, this.colours) : null;
+    this.run = hello.run ? new RunView(this.host, hello.run, { show: (...it) => this.showRun(...it), tick: (...it) => this.trace.tick(...it), say: (words) => this.say(words), goTo: (step) => this.trace.goTo(step) }) : null;
     this.trace.pin(this.remembered.pinned ?? []);
     this.trace.remember(this.remembered.watches ?? []);
     this.again = button({ icon: 'again', title: 'Verify again', onclick: () => void this.host.request('verify', {}).catch((error: Error) => this.say(error.message)) });
@@ -136,6 +137,7 @@ class App {
     const { active, live } = this.run.at(this.trace.current);
     this.automaton.shine(active, this.trace.valuesNow());
     this.source?.shine(live);
+    this.host.tell('shine', live);
   }
 
   private tabList(): HTMLElement {
@@ -175,6 +177,8 @@ class App {
   /** Shows what the host requests, else what was shown last, else the first finding. */
   private async begin(): Promise<void> {
     const { picture, trace, step, run } = this.remembered; // later actions also need to be remembered
+    const first = this.hello.show?.picture ?? picture;
+    if (first) this.automaton.expect(first);
     if (this.hello.program) this.take(this.hello.program);
     if (this.run) return this.run.begin();
     if (this.hello.show) await this.show(this.hello.show);
@@ -286,6 +290,7 @@ class App {
   private take(program: Program): void {
     const former = this.program;
     this.program = program;
+    this.colours.setProgram(program);
     document.title = `${program.label} – ProSkill`;
     this.title.textContent = program.label;
     this.state.textContent = stateWords(program);
@@ -294,7 +299,7 @@ class App {
     this.verdicts.show(program);
     if (program.verdicts !== former?.verdicts) this.trace.setOthers(program.verdicts);
     this.trace.markStale(this.isStale(program));
-    if (program.pictures.length > 0) this.automaton.setProgram(program);
+    if (program.pictures.length > 0 && this.hello.layout !== 'trace') this.automaton.setProgram(program);
     this.simulation?.setProgram(program);
     void this.source?.setProgram(program);
     if (program.state === 'done' && !program.stale) {
@@ -374,27 +379,5 @@ class App {
     this.toast.hidden = false;
     clearTimeout(this.toastTimer);
     this.toastTimer = window.setTimeout(() => { this.toast.hidden = true; }, 6000);
-  }
-}
-
-function progressWords({ decided, total, classes, rate, bytes, seconds }: NonNullable<Program['progress']>): string {
-  const much = `${plural(classes, 'class', 'classes')}, ${Math.round(rate).toLocaleString('en')} a second, ${Math.round(bytes / 1e6)} MB`;
-  return `decided ${decided} of ${plural(total, 'property', 'properties')}; ${much}, ${Math.round(seconds)} s`;
-}
-
-function stateWords(program: Program): string {
-  const { progress, exploration } = program;
-  switch (program.state) {
-    case 'waiting': return 'waiting for an idle moment';
-    case 'checking':
-      return progress ? `verifying: ${progressWords(progress)}` : 'verifying';
-    case 'errors': return program.message || 'the text has errors';
-    case 'failed': return program.message || 'the verification failed';
-    case 'off': return program.message || 'not verified';
-    case 'done': {
-      if (!exploration) return '';
-      const much = `${plural(exploration.classes, 'class', 'classes')} in ${exploration.seconds.toFixed(2)} s`;
-      return exploration.complete ? much : `${much}, then stopped: ${exploration.stopped}`;
-    }
   }
 }

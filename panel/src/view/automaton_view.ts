@@ -1,7 +1,8 @@
 import type { Host, Location, Picture, PictureKind, PictureName, Program } from '../api.ts';
+import type { ActorColours } from '../model/colours.ts';
 import { fileName } from '../model/export.ts';
 import type { Active } from '../model/active.ts';
-import { activeParts, find, neighbour, partAt, partsOf, type Box, type Part } from '../model/picture.ts';
+import { activeParts, find, neighbour, partAt, partsOf, skillAt, type Box, type Part } from '../model/picture.ts';
 import { h, isTyping } from './dom.ts';
 import { button, icon, toggle } from './icons.ts';
 import { menu, type Section } from './menu.ts';
@@ -39,7 +40,8 @@ export class AutomatonView {
   /** current states of a run that is watched, and the values of its variables */
   private active: { places: readonly Active[]; values: { [variable: string]: string } } | null = null;
 
-  constructor(private readonly host: Host, private readonly saver: Saver, private readonly changed: (picture: PictureName) => void) {
+  constructor(private readonly host: Host, private readonly saver: Saver, private readonly changed: (picture: PictureName) => void,
+    private readonly colours: ActorColours) {
     this.stage = new Stage((id, twice) => this.click(id, twice));
     this.field = h('input', {
       type: 'search', class: 'search', placeholder: 'Search', 'aria-label': 'Search the picture',
@@ -59,12 +61,18 @@ export class AutomatonView {
       this.notice, this.stage.element, this.words);
   }
 
+  /** The picture that will be shown, so that no other is requested before. */
+  expect(picture: { kind: PictureKind; name: string }): void {
+    this.wanted = picture;
+  }
+
   /** The list of pictures. By default the body of the mission is shown. */
   setProgram(program: Program): void {
     this.pictures = program.pictures;
     const groups = (['calls', 'body', 'skill', 'sv'] as const).map((kind) => ({ kind, list: program.pictures.filter((it) => it.kind === kind) }));
     this.chooser.replaceChildren(...groups.filter(({ list }) => list.length > 0).map(({ kind, list }) =>
       h('optgroup', { label: kinds[kind] }, ...list.map((it) => h('option', { value: `${it.kind} ${it.name}` }, it.name || 'Who calls whom')))));
+    if (this.picture) this.colour(this.picture);
     const main = program.pictures.find((it) => it.name === program.main && it.kind === 'body') ?? program.pictures[0];
     if (this.wanted) this.chooser.value = `${this.wanted.kind} ${this.wanted.name}`;
     else if (main) void this.show(main.kind, main.name);
@@ -111,6 +119,7 @@ export class AutomatonView {
     this.stage.element.setAttribute('aria-label', `${picture.title}: ${picture.nodes.length} nodes. Arrows walk, Enter goes to the source.`);
     this.boxes = new Map(picture.nodes.flatMap((node) => { const box = this.stage.box(node.id); return box ? [[node.id, box]] : []; }));
     this.label();
+    this.colour(picture);
     if (this.selected && !this.parts.has(this.selected)) this.selected = null;
     this.select(this.selected, false);
     this.markCaret(false);
@@ -132,6 +141,15 @@ export class AutomatonView {
       group.setAttribute('tabindex', '-1');
       group.setAttribute('aria-label', `${part.role}: ${part.label || part.role}`);
     }
+  }
+
+  /** The colours that skills have in steps and lanes. */
+  private colour(picture: Picture): void {
+    this.stage.dot(picture.nodes.flatMap((node) => {
+      const actor = skillAt(picture, node);
+      const hue = actor === null ? undefined : this.colours.ofSkill(actor);
+      return actor !== null && hue !== undefined ? [{ id: node.id, actor, hue }] : [];
+    }));
   }
 
   private say(words: string, stale: boolean): void {

@@ -1,7 +1,8 @@
 import type { Step, Trace } from '../api.ts';
-import { actorHues } from '../model/actors.ts';
+import type { ActorColours } from '../model/colours.ts';
 import { decimal, windowOf, windowWords } from '../model/time.ts';
-import { h, prose } from './dom.ts';
+import { h } from './dom.ts';
+import { wordsOf } from './step_list.ts';
 
 export interface ChoicesEvents {
   take(index: number, late: boolean): void;
@@ -19,7 +20,7 @@ export class ChoicesView {
   private at = 0;
   private enabled = true;
 
-  constructor(private readonly events: ChoicesEvents) {
+  constructor(private readonly events: ChoicesEvents, private readonly colours: ActorColours) {
     this.list = h('div', {
       class: 'choice-list', role: 'listbox', tabindex: 0, 'aria-label': 'Steps to choose from: Enter takes one, Shift+Enter takes it as late as possible',
       onkeydown: (event: KeyboardEvent) => this.key(event), onpointerleave: () => this.events.look(null),
@@ -31,7 +32,7 @@ export class ChoicesView {
     this.choices = choices;
     this.enabled = enabled;
     this.at = 0;
-    const hues = actorHues({ ...trace, steps: [...trace.steps, ...choices] });
+    const hues = this.colours.of(trace, choices);
     this.rows = choices.map((step, index) => this.row(step, index, hues.get(step.actor) ?? 0));
     this.list.replaceChildren(...(this.rows.length > 0 ? this.rows
       : [h('p', { class: 'nothing' }, 'Nothing more can happen: this is the end of the run.')]));
@@ -56,7 +57,7 @@ export class ChoicesView {
     return h('div', { class: `choice hue-${hue}`, role: 'option', id: `choice-${index}`, 'aria-selected': 'false',
       onclick: () => this.take(index, false), onpointerenter: () => this.events.look(index) },
     h('kbd', { class: 'faint' }, index < 9 ? String(index + 1) : ''), h('span', { class: 'date', title: windowWords(step) }, `${windowOf(step)} s`),
-    h('span', { class: 'dot' }), h('span', { class: 'actor', title: step.actor }, step.actor), h('span', { class: 'words' }, prose(step.description)),
+    h('span', { class: 'dot' }), h('span', { class: 'actor', title: step.actor }, step.actor), ...wordsOf(step.description),
     ...step.changes.map((change) => h('span', { class: 'effect' }, `${change.variable}: ${change.before} → ${change.after}`)),
     isLater && h('button', { type: 'button', class: 'button late', tabindex: -1, title: 'As late as possible (Shift+Enter)',
       onclick: (event: MouseEvent) => { event.stopPropagation(); this.take(index, true); } },

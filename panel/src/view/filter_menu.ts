@@ -1,5 +1,5 @@
 import type { Trace } from '../api.ts';
-import { actorHues, actorsOf } from '../model/actors.ts';
+import { actorsOf } from '../model/actors.ts';
 import type { Section } from './menu.ts';
 
 export interface Filter {
@@ -11,13 +11,12 @@ export interface Filter {
 export const noFilter = (): Filter => ({ actors: new Set(), variables: new Set(), changing: false, relevant: false });
 
 /** What steps may be filtered by. `refresh`: the filter has changed. */
-export function filterSections(trace: Trace, filter: Filter, refresh: () => void, showAll: () => void): Section[] {
+export function filterSections(trace: Trace, filter: Filter, colours: ReadonlyMap<string, number>, refresh: () => void, showAll: () => void): Section[] {
   const flip = (set: Set<string>, name: string) => (): void => {
     if (!set.delete(name)) set.add(name);
     refresh();
   };
   const changed = [...new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)))];
-  const colours = actorHues(trace);
   return [
     { title: '', items: [
       { label: 'Only steps that change something', checked: filter.changing, choose: () => { filter.changing = !filter.changing; refresh(); } },

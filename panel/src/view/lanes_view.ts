@@ -1,5 +1,5 @@
 import type { Trace } from '../api.ts';
-import { actorHues, hue, hues } from '../model/actors.ts';
+import { hue, hues, type ActorColours } from '../model/colours.ts';
 import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest, type Drawn, type Lane } from '../model/lanes.ts';
 import { ticks, windowOf } from '../model/time.ts';
 import { h, isTyping, onceAFrame, s } from './dom.ts';
@@ -25,7 +25,7 @@ export class LanesView {
   private readonly byStep;
   private trace: Trace | null = null;
   private lanes: Lane[] = [];
-  private colours = new Map<string, number>();
+  private hues = new Map<string, number>();
   private hidden: (lane: Lane) => boolean = () => false;
   private axis: Float64Array = new Float64Array();
   private view: [number, number] = [0, 1];
@@ -38,7 +38,7 @@ export class LanesView {
   /** Moves only the line, since lanes have many elements and steps change quickly. */
   private readonly drawLine = onceAFrame(() => this.drawCursor(this.cursorTop, this.cursorRows, this.plotWidth));
 
-  constructor(private readonly events: LanesEvents) {
+  constructor(private readonly events: LanesEvents, private readonly colours: ActorColours) {
     this.byStep = toggle({
       text: 'By step', title: 'Give each step the same room, not each second', on: false,
       changed: () => { this.axis = this.makeAxis(); this.fit(); },
@@ -70,7 +70,7 @@ export class LanesView {
   private take(trace: Trace): void {
     this.trace = trace;
     this.lanes = lanesOf(trace);
-    this.colours = actorHues(trace);
+    this.hues = this.colours.of(trace);
     const timeless = this.now === null && (trace.steps.at(-1)?.date.seconds ?? 0) === 0;
     this.byStep.set(this.byStep.on || timeless);
     this.axis = this.makeAxis();
@@ -214,7 +214,7 @@ export class LanesView {
 
   private laneElement(lane: Lane, at: number, plot: number): SVGElement {
     const y = at * laneHeight;
-    const group = s('g', { class: `lane ${lane.kind} hue-${this.colours.get(lane.name) ?? hue(lane.name, hues)}`, 'data-lane': lane.name, transform: `translate(0, ${y})` });
+    const group = s('g', { class: `lane ${lane.kind} hue-${this.hues.get(lane.name) ?? hue(lane.name, hues)}`, 'data-lane': lane.name, transform: `translate(0, ${y})` });
     group.append(s('line', { class: 'base', x1: this.labelWidth, x2: this.labelWidth + plot, y1: laneHeight / 2, y2: laneHeight / 2 }));
     for (const drawn of drawBars(lane, this.axis, this.view[0], this.view[1], plot, this.openEnd)) group.append(...this.barElements(lane, drawn));
     group.append(...this.markElements(lane, plot));
@@ -227,7 +227,7 @@ export class LanesView {
   private markElements(lane: Lane, plot: number): SVGElement[] {
     if (lane.kind === 'variable') return [];
     const marks = drawMarks(lane, this.axis, this.view[0], this.view[1], plot);
-    const isEvent = lane.kind === 'event' || lane.kind === 'environment';
+    const isEvent = lane.kind === 'event' || lane.kind === 'environment' || lane.kind === 'property';
     const shape = (x: number): string => (isEvent ? `M${x} 6l5 6-5 6-5-6z` : `M${x} ${laneHeight - 8}v4`);
     const drawn = (some: typeof marks): string => some.map((mark) => shape(Math.round((this.labelWidth + mark.x) * 10) / 10)).join('');
     if (!isEvent || marks.length > 60) return [s('path', { class: isEvent ? 'event-mark' : 'mark', d: drawn(marks) })];

@@ -1,10 +1,9 @@
-import type { Host, Run, RunControl, RunSignal, RunStatus, Trace } from '../api.ts';
+import type { Host, Live, Run, RunControl, RunProperty, RunSignal, RunStatus, Trace } from '../api.ts';
 import { activeAt, messagesAt, type Active } from '../model/active.ts';
 import { skillOf } from '../model/picture.ts';
 import { Running } from '../model/running.ts';
 import { h, plural, prose } from './dom.ts';
 import { button, enable, icon, toggle } from './icons.ts';
-import type { Live } from './source_view.ts';
 
 export interface RunEvents {
   /** Shows the trace: it has more steps, or is another one. `toLast`: the newest step becomes the current one. */
@@ -12,6 +11,7 @@ export interface RunEvents {
   /** The time of the run, in seconds. */
   tick(now: number, following: boolean): void;
   say(words: string): void;
+  goTo(step: number): void;
 }
 
 /** Milliseconds between two pictures of the time. */
@@ -27,6 +27,7 @@ export class RunView {
   private readonly buttons: { pause: HTMLButtonElement; step: HTMLButtonElement; go: HTMLButtonElement; end: HTMLButtonElement };
   private readonly follow;
   private readonly signals: { signal: RunSignal; button: HTMLButtonElement }[];
+  private readonly properties = new Map<string, HTMLButtonElement>();
   private readonly waiting = h('p', { class: 'run-waiting faint', role: 'status', hidden: true });
   private fetching = false;
 
@@ -45,7 +46,7 @@ export class RunView {
       this.buttons.pause, this.buttons.go, this.buttons.step, h('span', { class: 'divider' }), this.follow.element, h('span', { class: 'push' }), this.buttons.end);
     this.signals = run.signals.map((signal) => ({ signal, button: this.signalButton(signal) }));
     this.side = h('aside', { class: 'run-side', 'aria-label': 'Send to the run' },
-      ...this.section('Events', false), ...this.section('Interrupt', true), this.waiting);
+      ...this.propertySection(), ...this.section('Events', false), ...this.section('Interrupt', true), this.waiting);
     window.setInterval(() => this.tick(), frame);
   }
 
@@ -84,6 +85,34 @@ export class RunView {
     const { name, interrupts } = signal;
     return h('button', { type: 'button', class: 'signal', 'data-signal': name, onclick: () => void this.control({ do: 'send', signal: name }) },
       icon(interrupts ? 'interrupt' : 'event'), h('span', { class: 'words' }, name));
+  }
+
+  private propertySection(): HTMLElement[] {
+    const { properties } = this.run;
+    for (const it of properties)
+      this.properties.set(it.name, h('button', { type: 'button', class: 'signal property', 'data-property': it.name, onclick: () => this.showProperty(it) }));
+    return properties.length === 0 ? [] : [h('h3', {}, 'Properties'), ...this.properties.values()];
+  }
+
+  /** The remark that decides a property; -1: none so far. */
+  private decidedBy(name: string): number {
+    return this.running.trace.steps.findLastIndex(({ actor, remark }) => actor === name && (remark === 'holds' || remark === 'violated'));
+  }
+
+  /** Shows its place, and the step that decides it, if any. */
+  private showProperty({ name, location }: RunProperty): void {
+    const step = this.decidedBy(name);
+    if (step >= 0) this.events.goTo(step);
+    if (location) this.host.tell('reveal', { location, focus: false });
+  }
+
+  private drawProperty({ name, description, verdict, whyNot }: RunProperty, it: HTMLButtonElement): void {
+    const decision = this.running.verdictOf(name) ?? verdict;
+    if (it.dataset['verdict'] === decision) return;
+    it.dataset['verdict'] = decision;
+    it.title = `${description}: ${decision}${whyNot ? `, ${whyNot}` : ''}`;
+    it.replaceChildren(icon(decision === 'true' ? 'good' : decision === 'false' ? 'bad' : 'open_question'), h('span', { class: 'words' }, name),
+      h('span', { class: 'verdict-word' }, whyNot ? 'not monitored' : decision));
   }
 
   private section(title: string, interrupts: boolean): HTMLElement[] {
@@ -148,6 +177,7 @@ export class RunView {
     const { active } = this.at(this.running.trace.steps.length - 1);
     const running = new Set(active.map(({ actor }) => skillOf(actor)));
     for (const { signal, button: it } of this.signals) this.drawSignal(signal, it, none, running.has(signal.name));
+    for (const it of this.run.properties) this.drawProperty(it, this.properties.get(it.name)!);
     this.waiting.hidden = status.waiting === 0;
     this.waiting.textContent = `${plural(status.waiting, 'signal waits', 'signals wait')} until the run goes on`;
   }

@@ -1,4 +1,5 @@
 import type { ChosenRun, ChosenStep, Host, Program, Simulation } from '../api.ts';
+import type { ActorColours } from '../model/colours.ts';
 import { chosenStep } from '../model/chosen_run.ts';
 import { skillOf } from '../model/picture.ts';
 import { testOf } from '../model/saved_run.ts';
@@ -35,12 +36,12 @@ export class SimulationView {
   private begun = false;
   private asked = 0;
 
-  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: SimulationEvents) {
-    this.choices = new ChoicesView({ take: (index, late) => void this.take(index, late), look: (index) => this.automaton.point(index) });
-    this.automaton = new AutomatonView(host, saver, () => this.offer());
+  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: SimulationEvents, colours: ActorColours) {
+    this.choices = new ChoicesView({ take: (index, late) => void this.take(index, late), look: (index) => this.automaton.point(index) }, colours);
+    this.automaton = new AutomatonView(host, saver, () => this.offer(), colours);
     this.trace = new TraceView(host, saver, {
       stepped: (byUser) => { this.update(); events.stepped(byUser); }, openFile: () => events.openFile(), pinned: () => undefined, watches: () => undefined,
-    }, 'run-step');
+    }, colours, 'run-step');
     this.undoing = button({ icon: 'previous', text: 'Undo', title: 'Take the last step back (Backspace)', onclick: () => void this.undo() });
     this.again = button({ icon: 'first', text: 'Start', title: 'Back to the start', onclick: () => void this.backTo(0) });
     this.returning = button({ icon: 'again', text: 'Go on from here', title: 'Take back what came after the marked step', onclick: () => void this.backTo(this.trace.current + 1) });

@@ -1,14 +1,9 @@
-import type { Host, Location, Program } from '../api.ts';
+import type { Host, Live, Location, Program } from '../api.ts';
 import { highlight } from '../model/highlight.ts';
 import { Rows } from '../model/virtual.ts';
 import { h, onceAFrame } from './dom.ts';
 
 const lineHeight = 20;
-
-export interface Live {
-  active: readonly Location[];
-  messages: readonly { location: Location; text: string; count: number }[];
-}
 
 /** The program's text beside the views, with the current range marked. */
 export class SourceView {

@@ -16,6 +16,7 @@ export class Stage {
   private top = 0;
   private fitted = true;
   private readonly rings = s('g', { class: 'rings' });
+  private readonly dots = s('g', { class: 'dots' });
   private readonly apply = onceAFrame(() => this.applyNow());
 
   constructor(private readonly clicked: (id: string | null, twice: boolean) => void) {
@@ -33,7 +34,7 @@ export class Stage {
     this.svg = svg;
     this.groups = new Map([...svg.querySelectorAll<SVGGElement>('g[id]')].map((group) => [group.id, group]));
     this.rings.replaceChildren();
-    (svg.querySelector('g.graph') ?? svg).append(this.rings);
+    (svg.querySelector('g.graph') ?? svg).append(this.rings, this.dots);
     this.element.replaceChildren(svg);
     if (keep && !this.fitted) this.applyNow();
     else this.fit();
@@ -83,6 +84,14 @@ export class Stage {
       const box = this.box(id);
       if (box) this.rings.append(s('rect', { class: `ring ${kind}`, x: box.x - 5, y: box.y - 5, width: box.width + 10, height: box.height + 10, rx: 8 }));
     }
+  }
+
+  /** Dots at the corners of parts, in the colours of actors. */
+  dot(actors: readonly { id: string; actor: string; hue: number }[]): void {
+    this.dots.replaceChildren(...actors.flatMap(({ id, actor, hue }) => {
+      const box = this.box(id);
+      return box ? [s('circle', { class: `actor-dot hue-${hue}`, 'data-actor': actor, cx: box.x + 3, cy: box.y + 3, r: 5.5 })] : [];
+    }));
   }
 
   /** Moves only if a part is not visible, and no more than necessary. */

@@ -1,5 +1,6 @@
 import type { Change, Location, Trace } from '../api.ts';
-import { actorHues, actorsOf, hue, hues } from '../model/actors.ts';
+import { actorsOf } from '../model/actors.ts';
+import { hue, hues, type ActorColours } from '../model/colours.ts';
 import { isDifferent, type Pair } from '../model/compare.ts';
 import { difference, type Part } from '../model/diff.ts';
 import { groups, isRelevant } from '../model/filter.ts';
@@ -45,7 +46,7 @@ export class StepList {
   private onlyLeft = new Set<number>();
   private shown: Shown | null = null;
   private kinds = new Map<string, string>();
-  private colours = new Map<string, number>();
+  private hues = new Map<string, number>();
   /** all rows are drawn, one below the other */
   private printing = false;
   private readonly folded = new Set<number>();
@@ -53,7 +54,7 @@ export class StepList {
   private readonly draw = onceAFrame(() => this.drawNow());
 
   /** `prefix` of the steps' ids, for pages with several lists. */
-  constructor(private readonly events: StepListEvents, private readonly prefix: string) {
+  constructor(private readonly events: StepListEvents, private readonly prefix: string, private readonly colours: ActorColours) {
     this.element = h('div', {
       class: 'steps', tabindex: 0, role: 'listbox', 'aria-label': 'Steps of the trace', onscroll: () => this.draw(),
       onkeydown: (event: KeyboardEvent) => this.key(event),
@@ -99,12 +100,12 @@ export class StepList {
 
   private learn(trace: Trace): void {
     this.kinds = new Map(actorsOf(trace).map((actor) => [actor.name, actor.kind]));
-    this.colours = actorHues(trace);
+    this.hues = this.colours.of(trace);
   }
 
   /** An actor that only the other trace has. */
   private hueOf(actor: string): number {
-    return this.colours.get(actor) ?? hue(actor, hues);
+    return this.hues.get(actor) ?? hue(actor, hues);
   }
 
   /** Makes a step current and scrolls to it. */
@@ -280,7 +281,7 @@ export class StepList {
 }
 
 /** Shows the result of a test, however long its condition is. */
-function wordsOf(words: string): HTMLElement[] {
+export function wordsOf(words: string): HTMLElement[] {
   const [, before, result] = /^(.*): (true|false)$/.exec(words) ?? [null, words, null];
   const whole = h('span', { class: 'words', title: words.replaceAll('`', '') }, prose(before));
   return result === null ? [whole] : [whole, h('span', { class: 'result' }, `: ${result}`)];

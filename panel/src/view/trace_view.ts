@@ -1,4 +1,5 @@
 import type { Host, Trace, Verdict } from '../api.ts';
+import type { ActorColours } from '../model/colours.ts';
 import { compare, isDifferent, type Pair } from '../model/compare.ts';
 import { search, select, marksRelevance } from '../model/filter.ts';
 import { continuation, tellsTheSame } from '../model/renew.ts';
@@ -61,13 +62,13 @@ export class TraceView {
   name: string | null = null;
   current = -1;
 
-  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents, ids = 'step') {
-    this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) }, ids);
+  constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents, private readonly colours: ActorColours, ids = 'step') {
+    this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) }, ids, colours);
     this.values = new ValuesView({
       pinned: (names) => events.pinned(names), filter: (name) => this.toggleVariable(name),
       watch: (text) => this.watch(text), unwatch: (text) => this.setWatches(this.watchTexts.filter((it) => it !== text)),
     });
-    this.lanes = new LanesView({ select: (index) => this.goTo(index) });
+    this.lanes = new LanesView({ select: (index) => this.goTo(index) }, colours);
     this.field = h('input', {
       type: 'search', class: 'search', placeholder: 'Search steps', 'aria-label': 'Search steps: actors, words and values',
       oninput: () => this.searchFor(this.field.value), onkeydown: (event: KeyboardEvent) => this.searchKey(event),
@@ -257,7 +258,7 @@ export class TraceView {
   }
 
   private filterSections(): Section[] {
-    return filterSections(this.trace!, this.filter, () => this.refresh(), () => this.showAll());
+    return filterSections(this.trace!, this.filter, this.colours.of(this.trace!), () => this.refresh(), () => this.showAll());
   }
 
   private showAll(): void {
