@@ -9,7 +9,7 @@ export interface Subject {
   picture?: { kind: panel.PictureKind; name: string };
 }
 
-const kKinds = new Set(['sv', 'skill', 'body', 'calls']);
+const kKinds = new Set(['sv', 'event', 'skill', 'body', 'calls']);
 
 /** A lens passes an object with `program` or `uri`, and `name` or `names`; a menu passes a URI or a test. */
 export function subjectOf(first?: unknown, second?: unknown): Subject {

@@ -1,12 +1,12 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
-import { Edits } from './edits';
+import { Edits } from './writing/edits';
 import { PanelHost, savedPanel } from './panel_host';
 import { currentText } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import type { panel } from './protocol';
-import type { Typing } from './typing';
+import type { Typing } from './writing/typing';
 
 const kTyping = 150;
 const kMoving = 60;
@@ -46,18 +46,26 @@ export class AutomatonPreview implements vscode.Disposable {
   /** Shows what is named, for example by a lens, or the definition at the caret. */
   async open(uri?: vscode.Uri, picture?: { kind: panel.PictureKind; name: string }): Promise<void> {
     const document = uri ? await vscode.workspace.openTextDocument(uri) : currentText();
-    const editor = vscode.window.visibleTextEditors.find((it) => it.document === document);
-    const caret = editor?.selection.active;
-    const show: panel.Show = picture
-      ? { picture: await this.named(document, picture), ...(await definitionOf(document, picture.name)) }
-      : { picture: await this.here(document, caret), ...(caret && { at: locationAt(document, caret) }) };
+    const show = this.wanted(document, picture);
     if (this.host && this.host.uri.toString() === document.uri.toString()) {
-      this.host.showIt(show);
+      this.host.showIt(await show);
       this.host.reveal(false);
       return;
     }
     this.host?.dispose();
-    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'automaton', document.uri, show));
+    const host = new PanelHost(this.client, this.programs, this.typing, this.context, 'automaton', document.uri, show);
+    this.take(host);
+    await show.catch((error: unknown) => {
+      host.dispose();
+      throw error;
+    });
+  }
+
+  private async wanted(document: vscode.TextDocument, picture?: { kind: panel.PictureKind; name: string }): Promise<panel.Show> {
+    const caret = vscode.window.visibleTextEditors.find((it) => it.document === document)?.selection.active;
+    if (!picture) return { picture: await this.here(document, caret), ...(caret && { at: locationAt(document, caret) }) };
+    const [shown, definition] = await Promise.all([this.named(document, picture), definitionOf(document, picture.name)]);
+    return { picture: shown, ...definition };
   }
 
   /** After a reload of the window: restores the picture. */

@@ -137,7 +137,7 @@ export class Client implements vscode.Disposable {
     const client = new QuietClient('proskill', 'ProSkill', { run, debug: run }, options);
     client.registerFeature({
       fillClientCapabilities: (capabilities) => {
-        capabilities.experimental = { ...(capabilities.experimental as object | undefined), verdictChanges: true };
+        capabilities.experimental = { ...(capabilities.experimental as object | undefined), verdicts: 'changes' };
       },
       initialize: () => undefined,
       getState: () => ({ kind: 'static' }),

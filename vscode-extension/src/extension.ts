@@ -4,16 +4,21 @@ import { AutomatonPreview } from './automaton';
 import { Client } from './client';
 import { Debugging } from './trace/debug';
 import { Explanations } from './explain';
+import { Imports } from './bridge/import';
 import { FiacreView } from './model';
 import { currentText, isVerified } from './places';
 import { Programs } from './programs';
+import { Missions } from './run/run_mission';
 import * as protocol from './protocol';
+import { toggleStatementMarks } from './settings';
 import { showReferences } from './show_references';
 import { Simulations } from './simulation';
+import { Definitions } from './writing/snippets';
 import { Status } from './status';
 import { Testing } from './testing';
 import { TraceView } from './trace/trace';
-import { Typing } from './typing';
+import { isRecording } from './trace/trace_file';
+import { Typing } from './writing/typing';
 import { verify } from './verify_command';
 
 let client: Client | undefined;
@@ -30,8 +35,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const trace = new TraceView(server, programs, typing, context, fiacre);
   const simulations = new Simulations(server, programs, typing, context);
   const debugging = new Debugging(server, programs);
+  const missions = new Missions(server, context);
+  const imports = new Imports(server);
   context.subscriptions.push(
-    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, simulations, debugging);
+    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
 
   /** An error of a command is shown as a message, never as a stack trace. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {
@@ -45,6 +52,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   };
   command('proskill.restartServer', () => server.restart());
   command('proskill.showOutput', () => server.output.show());
+  command('proskill.statementMarks', toggleStatementMarks);
   command('proskill.status', () => statusMenu(server));
   command('proskill.newProgram', newProgram);
   command('proskill.verify', (...args) => verify(server, subjectOf(...args)));
@@ -58,6 +66,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   });
   command('proskill.openTraceFile', (file) => openTraceFile(trace, simulations, file instanceof vscode.Uri ? file : undefined));
   command('proskill.simulate', (...args) => simulations.open(subjectOf(...args).uri));
+  command('proskill.run', (...args) => missions.run(subjectOf(...args).uri));
+  command('proskill.import', (...args) => imports.open(subjectOf(...args).uri));
   command('proskill.nextStep', () => trace.go(1));
   command('proskill.previousStep', () => trace.go(-1));
   command('proskill.showModel', (...args) => fiacre.open(subjectOf(...args).uri));
@@ -79,6 +89,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       if (change.affectsConfiguration('proskill.server')) void server.restart();
     }));
   context.subscriptions.push(
+    vscode.languages.registerCompletionItemProvider('proskill', new Definitions(context.extensionPath)),
     vscode.window.registerWebviewPanelSerializer('proskill.trace', trace),
     vscode.window.registerWebviewPanelSerializer('proskill.automaton', automaton),
     vscode.window.registerWebviewPanelSerializer('proskill.simulation', simulations));
@@ -107,8 +118,9 @@ function soonInView(server: Client, editor: vscode.TextEditor): void {
 
 /** A trace to show, or a run to replay. */
 async function openTraceFile(trace: TraceView, simulations: Simulations, file?: vscode.Uri): Promise<void> {
-  const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { 'Trace or run': ['json'] }, openLabel: 'Open' }))?.[0];
-  if (chosen && !(await simulations.openFile(chosen))) await trace.openFile(chosen);
+  const chosen = file ?? (await vscode.window.showOpenDialog({ filters: { 'Trace or run': ['json', 'mcap'] }, openLabel: 'Open' }))?.[0];
+  if (!chosen || (!isRecording(chosen) && (await simulations.openFile(chosen)))) return;
+  await trace.openFile(chosen);
 }
 
 async function newProgram(): Promise<void> {
@@ -122,10 +134,13 @@ async function statusMenu(server: Client): Promise<void> {
     { label: '$(type-hierarchy) Show the automaton', command: 'proskill.showAutomaton' },
     { label: '$(list-ordered) Open a trace', command: 'proskill.openTrace' },
     { label: '$(run-all) Simulate: choose what happens next', command: 'proskill.simulate' },
+    { label: '$(debug-start) Run the mission', command: 'proskill.run' },
     { label: '$(debug-alt) Replay a trace in the debugger', command: 'proskill.debugTrace' },
     { label: '$(beaker) Show the properties', command: 'workbench.view.testing.focus' },
+    { label: '$(list-tree) Show or hide marks of statements', command: 'proskill.statementMarks' },
     { label: '$(code) Show the Fiacre model', command: 'proskill.showModel' },
     { label: '$(folder-opened) Open a trace from a file', command: 'proskill.openTraceFile' },
+    { label: '$(arrow-down) Import a behavior tree, a component or a skillset', command: 'proskill.import' },
     { label: '$(new-file) Begin a new program', command: 'proskill.newProgram' },
     { label: '$(debug-restart) Restart the server', command: 'proskill.restartServer' },
     { label: '$(output) Show the output', command: 'proskill.showOutput' },

@@ -6,7 +6,7 @@ import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
 import type { panel } from './protocol';
-import type { Typing } from './typing';
+import type { Typing } from './writing/typing';
 
 export type Layout = 'trace' | 'automaton' | 'simulation';
 
@@ -34,7 +34,7 @@ export class PanelHost implements vscode.Disposable {
   private toldVerdicts: panel.Verdict[] | undefined;
   private pictures: panel.PictureName[] = [];
 
-  /** `uri`: any file of the program. */
+  /** `uri`: any file of the program; `show` may become known while the page loads. */
   constructor(
     private readonly client: Client,
     private readonly programs: Programs,
@@ -42,7 +42,7 @@ export class PanelHost implements vscode.Disposable {
     private readonly context: vscode.ExtensionContext,
     readonly layout: Layout,
     readonly uri: vscode.Uri,
-    private show: panel.Show | undefined,
+    private show: panel.Show | undefined | Promise<panel.Show>,
     restored?: vscode.WebviewPanel,
     private remembered?: panel.Remembered,
   ) {
@@ -50,7 +50,7 @@ export class PanelHost implements vscode.Disposable {
     this.view = restored ?? vscode.window.createWebviewPanel(
       `proskill.${layout}`, kTitles[layout],
       { viewColumn: vscode.ViewColumn.Beside, preserveFocus: layout === 'automaton' }, { retainContextWhenHidden: true });
-    this.view.webview.options = { enableScripts: true, localResourceRoots: [vscode.Uri.joinPath(extension, 'panel')] };
+    this.view.webview.options = { enableScripts: true, localResourceRoots: [] };
     this.view.iconPath = vscode.Uri.joinPath(extension, 'media', 'icon.svg');
     this.view.webview.onDidReceiveMessage((message: panel.Message) => void this.receive(message), null, this.subscriptions);
     this.view.onDidDispose(() => this.end(), null, this.subscriptions);
@@ -58,7 +58,7 @@ export class PanelHost implements vscode.Disposable {
     client.onLife((life) => {
       if (life === 'running') this.tell('edited', {});
     }, null, this.subscriptions);
-    this.view.webview.html = page(this.view.webview, extension);
+    this.view.webview.html = page(extension);
   }
 
   dispose(): void {
@@ -130,14 +130,14 @@ export class PanelHost implements vscode.Disposable {
 
   private async hello(): Promise<panel.Hello> {
     this.listening = true;
-    const program = await this.program();
+    const [program, show] = await Promise.all([this.program(), this.show]);
     this.toldVerdicts = program?.verdicts;
     return {
       contract: 1,
       layout: this.layout,
       can: { source: false, save: true, open: true, verify: vscode.workspace.isTrusted, simulate: this.layout === 'simulation', follow: this.layout === 'automaton' },
       program,
-      ...(this.show && { show: this.show }),
+      ...(show && { show }),
       ...(this.remembered && { remembered: this.remembered }),
     };
   }

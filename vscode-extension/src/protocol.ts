@@ -109,6 +109,15 @@ export const tests = new RequestType<
 export const verify = new RequestType<VerifyParams, VerifyResult, void>('proskill/verify');
 export const trace = new RequestType<
   { textDocument: TextDocumentIdentifier; name: string }, Trace, void>('proskill/trace');
+/** A part of a recorded run. */
+export interface Recording {
+  trace: string;
+  begin: number;
+  end: number;
+  length: number;
+  whole: boolean;
+}
+export const recording = new RequestType<{ uri: string; from?: number }, Recording, void>('proskill/recording');
 export const simulate = new RequestType<
   { textDocument: TextDocumentIdentifier } & panel.ChosenRun, panel.Simulation, void>('proskill/simulate');
 export const explain = new RequestType<

@@ -5,7 +5,7 @@ import { PanelHost, savedPanel } from './panel_host';
 import { currentText, isVerified } from './places';
 import type { Programs } from './programs';
 import type { panel } from './protocol';
-import type { Typing } from './typing';
+import type { Typing } from './writing/typing';
 
 /** Milliseconds between an edit and the replay of the run. */
 const kTyping = 300;

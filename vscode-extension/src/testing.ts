@@ -5,6 +5,7 @@ import type { Programs } from './programs';
 import * as protocol from './protocol';
 import type { panel } from './protocol';
 import { Results } from './results';
+import { kStatements, marksStatements } from './settings';
 
 type Node =
   | { kind: 'program'; program: string }
@@ -30,6 +31,8 @@ export class Testing implements vscode.Disposable {
   /** by program */
   private readonly live = new Map<string, Told>();
   private readonly subscriptions: vscode.Disposable[];
+  /** programs whose results were marked as outdated, and have no new ones */
+  private readonly outdated = new Set<string>();
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
   private readonly results: Results;
@@ -58,6 +61,9 @@ export class Testing implements vscode.Disposable {
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
         if (document.languageId === 'proskill' && contentChanges.length) this.edited(document.uri);
       }),
+      vscode.workspace.onDidChangeConfiguration((change) => {
+        if (change.affectsConfiguration(kStatements)) void this.refresh();
+      }),
     ];
     this.soon();
   }
@@ -76,13 +82,16 @@ export class Testing implements vscode.Disposable {
 
   /**
    * Marks the results as outdated. VS Code shows this in the tree; it redraws marks in the gutter only if a verdict changes, and does not reliably
-   * remove a mark that is added again at once.
+   * remove a mark that is added again at once. In a large program this takes time at each key, so it is done once until there are new results.
    */
   private edited(uri: vscode.Uri): void {
     this.soon();
-    for (const [, item] of this.controller.items)
-      if (item.uri?.toString() === uri.toString() || this.programs.of(uri).some(({ program }) => program === item.id))
-        this.controller.invalidateTestResults(item);
+    const programs = new Set([uri.toString(), ...this.programs.of(uri).map(({ program }) => program)]);
+    for (const [, item] of this.controller.items) {
+      if (this.outdated.has(item.id) || (!programs.has(item.id) && item.uri?.toString() !== uri.toString())) continue;
+      this.outdated.add(item.id);
+      this.controller.invalidateTestResults(item);
+    }
   }
 
   private async refresh(): Promise<void> {
@@ -150,9 +159,11 @@ export class Testing implements vscode.Disposable {
     const item = this.item(parent.children, `${program}#${subject.id}`, subject.label, subject.location, parent.uri);
     item.sortText = String(index).padStart(5, '0');
     this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
-    // at the definition, even for statements: a mark beside each line would not help
+    // by default at the definition: a mark beside each line would not help
+    const placeOf = (property: protocol.TestedSubject['properties'][number]): panel.Location | null =>
+      marksStatements() ? (property.location ?? subject.location) : (subject.location ?? property.location);
     item.children.replace(subject.properties.map((property, place) => {
-      const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), subject.location ?? property.location, parent.uri);
+      const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), placeOf(property), parent.uri);
       child.sortText = String(place).padStart(5, '0');
       this.nodes.set(child, { kind: 'property', program, name: property.id });
       return child;
@@ -221,6 +232,10 @@ export class Testing implements vscode.Disposable {
     }
   }
 
+  private programOf(item: vscode.TestItem): string {
+    return this.nodes.get(item)?.program ?? item.id;
+  }
+
   private nameOf(item: vscode.TestItem): string {
     const node = this.nodes.get(item);
     return node?.kind === 'property' ? node.name : item.id;
@@ -239,6 +254,7 @@ export class Testing implements vscode.Disposable {
   private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number, messages = true): void {
     const byName = new Map(verdicts.map((verdict) => [verdict.name, verdict]));
     const share = seconds * 1000 / Math.max(verdicts.length, 1);
+    for (const item of items) this.outdated.delete(this.programOf(item));
     for (const item of items) {
       const verdict = byName.get(this.nameOf(item));
       const message = (): vscode.TestMessage | [] => (verdict && messages ? messageOf(item, verdict) : []);

@@ -8,7 +8,7 @@ import type { Programs } from '../programs';
 import type { panel } from '../protocol';
 import { StepMarks } from './step_marks';
 import { readTrace } from './trace_file';
-import type { Typing } from '../typing';
+import type { Typing } from '../writing/typing';
 
 /** The trace view: one per window; the editors and the Fiacre text follow its current step. */
 export class TraceView implements vscode.Disposable {
@@ -39,7 +39,7 @@ export class TraceView implements vscode.Disposable {
 
   /** A trace from a file, such as one that the view has saved. */
   async openFile(file: vscode.Uri): Promise<void> {
-    const read = await readTrace(file);
+    const read = await readTrace(this.client, file);
     if (read) await this.show(read.program, { given: read.trace, step: 0 });
   }
 

@@ -1,6 +1,6 @@
 import type * as vscode from 'vscode';
-import type { panel } from './protocol';
-import type { TextVersion } from './protocol';
+import type { panel } from '../protocol';
+import type { TextVersion } from '../protocol';
 
 interface Edit {
   version: number;
