@@ -53,9 +53,14 @@
 (defconst proskill--top-level
   (concat "(" (regexp-opt (cons "include" proskill--definitions)) "\\_>"))
 
+(defconst proskill--statements
+  '("if" "case" "while" "do" "do-until" "label" "goto" "//" "race" "set" "printf" "success"
+    "failure" "emit" "choose"))
+
 (defconst proskill--patterns
-  '("always" "never" "reachable" "deadlockfree" "infinitelyoften" "leadsto" "precedes" "present"
-    "absent" "ltl" "running" "called" "ended" "occurs" "at" "value"))
+  '("always" "never" "reachable" "always_reachable" "deadlockfree" "infinitelyoften" "leadsto"
+    "precedes" "present" "absent" "longest" "shortest" "ltl" "running" "called" "ended" "occurs"
+    "at" "value"))
 
 (defconst proskill--font-lock
   `((,(concat "(" (regexp-opt '("defskill") t) "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
@@ -67,14 +72,11 @@
               "\\s-+\\(\\_<[A-Za-z_][A-Za-z0-9_]*\\)")
      (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
     ("(\\(include\\)\\_>" 1 font-lock-preprocessor-face)
-    (,(concat "(" (regexp-opt '("if" "case" "while" "do" "do-until" "set" "label" "goto" "emit" "success"
-                                "failure" "choose" "race" "printf" "//")
-                              t)
-              "\\_>")
-     1 font-lock-keyword-face)
+    (,(concat "(" (regexp-opt proskill--statements t) "\\_>") 1 font-lock-keyword-face)
     (,(concat "^\\s-*" (regexp-opt '("elseif" "else" "until") t) "\\_>") 1 font-lock-keyword-face)
     ("\\_<break\\_>" . font-lock-keyword-face)
     (,(concat "(" (regexp-opt proskill--patterns t) "\\_>") 1 font-lock-builtin-face)
+    ("(\\([GFXUWRM]\\)\\s-*(" 1 font-lock-builtin-face)
     ("\\_<:[A-Za-z_]+\\_>" . font-lock-builtin-face)
     ("\\_<\\$[A-Za-z_][A-Za-z0-9_]*" . font-lock-variable-name-face)
     ("\\_<\\(?:true\\|false\\)\\_>" . font-lock-constant-face)
@@ -220,12 +222,54 @@ PARTS are those of the form around it."
           ((or (getenv "DISPLAY") (getenv "WAYLAND_DISPLAY")) (browse-url-of-file picture))
           (t (message "A terminal shows no pictures: it is in %s" picture)))))
 
+(defun proskill-run (options)
+  "Run the program, and show the run in the browser while it happens.
+OPTIONS are those of `proskill run', such as \"--clock real\".  With a prefix
+argument, ask for them.  A run that this has started before is ended."
+  (interactive (list (if current-prefix-arg (read-string "Options: " "--clock real ") "")))
+  (let* ((file (proskill--file))
+         (name "*ProSkill run*")
+         (former (get-buffer-process name)))
+    (save-some-buffers nil (lambda () (derived-mode-p 'proskill-mode)))
+    (when former
+      (signal-process former 'SIGTERM)
+      (while (process-live-p former) (accept-process-output former 0.1)))
+    (with-current-buffer (get-buffer-create name)
+      (erase-buffer))
+    (apply #'start-process "proskill-run" name proskill-program
+           (append '("run" "--view" "--color" "never") (split-string-and-unquote options) (list file)))
+    (message "The run is shown in the browser; its steps are in %s" name)))
+
+;;;###autoload
+(defun proskill-import (file)
+  "Write FILE, a behavior tree, component or skillset, as a program, and open it.
+The program is written beside FILE.  A file `leaves.json' there gives durations."
+  (interactive "fImport (.xml, .gen, .rl): ")
+  (let* ((file (expand-file-name file))
+         (language (cdr (assoc (file-name-extension file) '(("xml" . "bt") ("gen" . "gen") ("rl" . "rl")))))
+         (target (concat (file-name-sans-extension file) ".proskill"))
+         (leaves (expand-file-name "leaves.json" (file-name-directory file))))
+    (unless language
+      (user-error "Not a behavior tree (.xml), a component (.gen) or a skillset (.rl)"))
+    (when (and (file-exists-p target)
+               (not (yes-or-no-p (format "%s exists; replace it? " (file-name-nondirectory target)))))
+      (user-error "Nothing was imported"))
+    (with-temp-buffer
+      (let ((code (apply #'call-process proskill-program nil t nil "import" language file "-o" target
+                         (and (not (equal language "rl")) (file-exists-p leaves) (list "--leaves" leaves)))))
+        (unless (eql code 0)
+          (user-error "%s" (string-trim (buffer-string))))
+        (message "%s" (string-trim (buffer-string)))))
+    (find-file target)
+    (revert-buffer t t t)))
+
 ;;; The mode
 
 (defvar proskill-mode-map
   (let ((map (make-sparse-keymap)))
     (define-key map (kbd "C-c C-v") #'proskill-verify)
     (define-key map (kbd "C-c C-a") #'proskill-automaton)
+    (define-key map (kbd "C-c C-r") #'proskill-run)
     map))
 
 (defvar proskill--imenu

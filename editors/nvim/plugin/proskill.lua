@@ -19,6 +19,23 @@ end, {
   complete = function(begin) return require('proskill.verify').names(begin) end,
 })
 
+command('ProskillRun', function(given)
+  if given.bang then
+    return require('proskill.run').stop()
+  end
+  require('proskill.run').start(given.fargs)
+end, {
+  nargs = '*', bang = true, complete = 'file',
+  desc = 'Run the program, and show the run in the browser; with ! end it',
+})
+
+command('ProskillImport', function(given)
+  require('proskill.import').start(given.args, given.bang)
+end, {
+  nargs = '?', bang = true, complete = 'file',
+  desc = 'Translate a behavior tree, component or skillset; with ! replace a program that is there',
+})
+
 command('ProskillTrace', function(given)
   require('proskill.trace').show(given.args)
 end, {

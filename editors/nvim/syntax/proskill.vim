@@ -11,10 +11,12 @@ syntax match proskillParameter "\$\h\w*"
 syntax match proskillField ":\h\w*"
 syntax match proskillDefinition "\v\(@<=(defconst|defsv|defevent|defskill|defresource|defproperty|defenvironment)>"
 syntax match proskillInclude "\v\(@<=include>"
+syntax match proskillProperty "\v\(@<=(always|never|reachable|always_reachable|deadlockfree|infinitelyoften|leadsto|precedes|present|absent|longest|shortest|ltl)>"
 syntax match proskillStatement "\v\(@<=(set|label|goto|emit|success|failure|printf|choose|race)>"
 syntax match proskillConditional "\v(\(@<=(if|case)|<elseif|<else)>"
 syntax match proskillRepeat "\v(\(@<=(while|do-until|do)|<until|<break)>"
 syntax match proskillOperator "\v\(@<=(and|or|not|until)>"
+syntax match proskillOperator "\v\(@<=[GFXUWRM]\ze\s*\("
 syntax keyword proskillBoolean true false
 
 highlight default link proskillComment Comment
@@ -25,6 +27,7 @@ highlight default link proskillParameter Identifier
 highlight default link proskillField Identifier
 highlight default link proskillDefinition Keyword
 highlight default link proskillInclude Include
+highlight default link proskillProperty Operator
 highlight default link proskillStatement Statement
 highlight default link proskillConditional Conditional
 highlight default link proskillRepeat Repeat

@@ -46,6 +46,7 @@ local function capabilities()
   result.offsetEncoding = config.get().offset_encodings
   result.general = result.general or {}
   result.general.positionEncodings = config.get().offset_encodings
+  result.experimental = vim.tbl_extend('force', result.experimental or {}, { verdicts = 'changes' })
   return result
 end
 

@@ -12,7 +12,7 @@ local M = {}
 
 local space = vim.api.nvim_create_namespace('proskill.trace')
 
--- The trace on display: { trace, name, words, verdict, list (its quickfix identifier), at, window }. Step 0 is the start.
+-- The trace on display: { trace, name, description, verdict, list (its quickfix identifier), at, window }. Step 0 is the start.
 M.shown = nil
 
 for group, link in pairs({

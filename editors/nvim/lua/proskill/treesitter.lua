@@ -21,11 +21,12 @@ local function candidates()
   return vim.tbl_filter(function(path) return vim.fn.filereadable(path) == 1 end, found)
 end
 
--- For Neovim 0.9 and later, 0.8, and 0.7. Each raises an error if the file is not a parser.
+-- For Neovim 0.9 and later, 0.8, and 0.7. Each raises an error if the file is not a parser; those of 0.11 and later return it.
 local function load(path)
   local ts = vim.treesitter
   if ts.language and ts.language.add then
-    assert(ts.language.add(language, { path = path }))
+    local _, problem = ts.language.add(language, { path = path })
+    assert(not problem, problem)
   else
     (ts.require_language or ts.language.require_language)(language, path)
   end
