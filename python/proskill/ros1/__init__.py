@@ -1,1 +1,1 @@
-"""The platform of kind `ros1`: docs/ros1.md of ProSkill. `proskill run` starts it."""
+"""The platform of kind `ros1`: docs/ros/ros1.md of ProSkill. `proskill run` starts it."""

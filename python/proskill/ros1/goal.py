@@ -8,7 +8,8 @@ its skill has ended.
 from __future__ import annotations
 
 import enum
-from typing import Dict, Tuple
+
+from proskill.ros.table import Table
 
 
 class State(enum.Enum):
@@ -47,8 +48,6 @@ class Output(enum.Enum):
 _STOPPED = (Output.END_STOPPED, State.ENDED)
 _FAILED = (Output.END_FAILED, State.ENDED)
 _RESULT = (Output.END_RESULT, State.ENDED)
-
-Table = Dict[State, Dict[Input, Tuple[Output, State]]]
 
 # An input that a state does not name changes nothing.
 TABLE: Table = {
@@ -112,4 +111,4 @@ TABLE: Table = {
 
 def reply(state: State, given: Input, table: Table = TABLE) -> tuple[Output, State]:
     """What is done for an input, and the next state."""
-    return table[state].get(given, (Output.NOTHING, state))
+    return table[state].get(given, (Output.NOTHING, state))  # type: ignore[return-value]

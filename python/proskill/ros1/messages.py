@@ -7,12 +7,10 @@ from typing import Any
 
 import roslib.message
 
+from proskill.ros.adapter import Unfit
+
 # A value of each type of argument, to check mappings before the run begins.
 _SAMPLES = {"float": 1.0, "int": 1, "nat": 1, "bool": True}
-
-
-class Unfit(Exception):
-    """A mapping that does not fit the types of ROS."""
 
 
 def message_class(name: str) -> Any:

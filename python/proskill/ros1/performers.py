@@ -8,37 +8,10 @@ from typing import Any
 
 import rospy
 
+from proskill.ros.adapter import Run, result_of
 from proskill.ros1 import messages
 from proskill.ros1.goal import Output
-from proskill.ros1.sensing import holds
 from proskill.ros1.server import NAMES, Goal, Server
-
-
-class Run:
-    """A run of an action, which reports its end once."""
-
-    def __init__(self, adapter: Any, number: int, performer: Any) -> None:
-        self._adapter = adapter
-        self.performer = performer
-        self.number = number
-        self.abandoned = False
-        self.asked = False
-        self.goal: Goal | None = None
-
-    def end(self, kind: str, **members: Any) -> None:
-        self._adapter.end(self, kind, **members)
-
-
-def result_of(cases: list[dict[str, Any]] | None, message: Any) -> str | None:
-    """The name of the first result whose condition holds. None if the message that decides is gone."""
-    for case in cases or []:
-        if "field" not in case:
-            return str(case["result"])
-        if message is None:
-            return None
-        if holds(case, messages.field(message, case["field"])):
-            return str(case["result"])
-    return None
 
 
 def check_cases(cases: list[dict[str, Any]], message: Any) -> None:
@@ -93,7 +66,7 @@ class ByGoal:
     def _end_with(self, run: Run, goal: Goal) -> None:
         state = NAMES.get(goal.status.status, "lost")
         cases = self._mapping["results"].get(state)
-        found = result_of(cases, goal.result)
+        found = result_of(cases, goal.result, messages.field)
         if found is not None:
             run.end("result", result=found)
             return
@@ -130,7 +103,7 @@ class ByService:
         except Exception as error:
             run.end("failed", text=f"the service `{self._mapping['name']}`: {error}")
             return
-        found = result_of(self._mapping["results"], answer)
+        found = result_of(self._mapping["results"], answer, messages.field)
         if found is None:
             run.end("failed", text="the answer has no result in the platform file")
         else:

@@ -12,6 +12,7 @@ import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
+from proskill.ros.adapter import Unfit
 from proskill.ros1 import messages
 from proskill.ros1.goal import Input, Output, State, reply
 
@@ -80,7 +81,7 @@ class Server:
     def __init__(self, name: str, action: str, prefix: str, log: Callable[[str], None]) -> None:
         cls = messages.message_class(action)()
         if not hasattr(cls, "action_goal"):
-            raise messages.Unfit(f"`{action}` is not the type of an action: its name ends in Action")
+            raise Unfit(f"`{action}` is not the type of an action: its name ends in Action")
         self.name, self._prefix, self._log = name, prefix, log
         self._goal_type = type(cls.action_goal)
         self._goals: dict[str, Goal] = {}
@@ -226,5 +227,5 @@ class Server:
             self._goal.publish(goal.message)
         elif output is Output.SEND_CANCEL:
             self._cancel.publish(GoalID(id=goal.id))
-        if state is State.ENDED and self._goals.pop(goal.id, None):
+        if state is State.ENDED and self._goals.pop(goal.id, None) is not None:
             goal.ended(output, goal)

@@ -1,0 +1,122 @@
+"""Runs a planner of unified-planning in a process of its own, with limits of time and memory."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import List, Optional
+
+PLANNERS = ("aries", "tamer", "enhsp", "fast-downward")
+
+
+@dataclass
+class Planned:
+    """An action of a plan. The planner chose its times; the platform will choose others."""
+
+    action: str
+    start: Fraction
+    end: Fraction
+
+
+@dataclass
+class Answer:
+    status: str  # solved, unsolvable, unknown
+    plan: List[Planned]
+    words: str = ""
+
+
+DURATION = re.compile(r"\?duration ([\d.]+)")
+
+
+def run_planner(engine: str, domain: str, problem: str, seconds: float, megabytes: int) -> Answer:
+    """Asks a planner in a unit of time in which all durations are whole: Aries fails with others."""
+    unit = Fraction(1, math.lcm(*(Fraction(each).denominator for each in DURATION.findall(domain))))
+    scaled = DURATION.sub(lambda it: f"?duration {Fraction(it[1]) / unit}", domain)
+    answer = answer_of(engine, scaled, problem, seconds, megabytes)
+    answer.plan = [Planned(each.action, each.start * unit, each.end * unit) for each in answer.plan]
+    return answer
+
+
+def answer_of(engine: str, domain: str, problem: str, seconds: float, megabytes: int) -> Answer:
+    with tempfile.TemporaryDirectory(prefix="proskill-plan-") as folder:
+        for name, text in (("domain.pddl", domain), ("problem.pddl", problem)):
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        command = [sys.executable, os.path.abspath(__file__), engine, folder, str(seconds), str(megabytes)]
+        child = subprocess.Popen(command, text=True, start_new_session=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE)
+        try:
+            out, err = child.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            return Answer("unknown", [], f"no plan within {seconds:g} s")
+        finally:
+            kill_all_of(child)
+        return answer_in(out, err)
+
+
+def kill_all_of(child: "subprocess.Popen[str]") -> None:
+    """Ends the process with all that it has started."""
+    try:
+        os.killpg(child.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    child.wait()
+
+
+def answer_in(out: str, err: str) -> Answer:
+    lines = [line for line in out.splitlines() if line.startswith("{\"status\"")]
+    if not lines:
+        last = [line for line in err.strip().splitlines() if line][-1:]
+        return Answer("unknown", [], last[0] if last else "the planner has ended without an answer")
+    try:
+        read = json.loads(lines[-1])
+        plan = [Planned(each["action"], Fraction(each["start"]), Fraction(each["end"])) for each in read["plan"]]
+        if read["status"] in ("solved", "unsolvable", "unknown"):
+            return Answer(read["status"], plan, read["words"])
+    except (ValueError, KeyError, TypeError, ArithmeticError):
+        pass
+    return Answer("unknown", [], "the planner's answer cannot be read")
+
+
+# --- In the process of the planner
+
+
+def main(engine: str, folder: str, seconds: str, megabytes: str) -> None:
+    limit = int(megabytes) << 20
+    resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    from unified_planning.engines import PlanGenerationResultStatus as Status
+    from unified_planning.io import PDDLReader
+    from unified_planning.shortcuts import OneshotPlanner, get_environment
+
+    get_environment().credits_stream = None
+    problem = PDDLReader().parse_problem(os.path.join(folder, "domain.pddl"), os.path.join(folder, "problem.pddl"))
+    with OneshotPlanner(name=engine) as planner:
+        result = planner.solve(problem, timeout=float(seconds))
+    proved = (Status.UNSOLVABLE_PROVEN, Status.UNSOLVABLE_INCOMPLETELY)
+    status = "solved" if result.plan else "unsolvable" if result.status in proved else "unknown"
+    words = "" if result.plan else result.status.name.lower().replace("_", " ")
+    print(json.dumps({"status": status, "plan": steps_of(result.plan), "words": words}))
+
+
+def steps_of(plan: Optional[object]) -> List[dict]:  # type: ignore[type-arg]
+    """A plan without times is one action after the other."""
+    if plan is None:
+        return []
+    if hasattr(plan, "timed_actions"):
+        return [{"action": each.action.name, "start": str(start), "end": str(start + (length or 0))}
+                for start, each, length in plan.timed_actions]
+    return [{"action": each.action.name, "start": str(i), "end": str(i + Fraction(1, 2))}
+            for i, each in enumerate(plan.actions)]  # type: ignore[attr-defined]
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,1 @@
+"""What the platforms `ros1` and `ros2` have in common. Nothing here needs ROS."""
