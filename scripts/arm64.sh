@@ -25,10 +25,12 @@ unpack() {
   : >"$state/status"
   apt update
   apt --yes --download-only install "${packages[@]}"
-  local deb
+  local deb name
   for deb in "$state"/cache/archives/*.deb; do
+    name=$(dpkg-deb --field "$deb" Package)
+    [ "$name" != libc6-dev ] || continue # the cross compiler has its own
     dpkg-deb --extract "$deb" "$root"
-    dpkg-deb --contents "$deb" | awk -v name="$(dpkg-deb --field "$deb" Package)" '!/\/$/ { print substr($6, 2) "\t" name }' >>"$root/files"
+    dpkg-deb --contents "$deb" | awk -v name="$name" '!/\/$/ { print substr($6, 2) "\t" name }' >>"$root/files"
   done
   # Makes absolute links relative to the sysroot.
   find "$root" -type l -lname '/*' -print0 | while IFS= read -r -d '' link; do ln -snf "$root$(readlink "$link")" "$link"; done
@@ -40,3 +42,5 @@ export PKG_CONFIG_SYSROOT_DIR=$root PKG_CONFIG_LIBDIR=$root/usr/lib/$triple/pkgc
 cmake --preset program -B build/arm64 --toolchain "$PWD/cmake/Arm64.cmake" -D PROSKILL_SYSROOT="$root" >/dev/null
 cmake --build build/arm64 --target proskill
 file build/arm64/bin/proskill
+# It runs, and decides what it decides elsewhere.
+qemu-aarch64 -L "$root" build/arm64/bin/proskill verify examples/rover/rover.proskill

@@ -4,11 +4,12 @@ usage: tidy.py PROGRAM changed|all
   changed: the files that differ from where the branch left main; on main, those of the last ten commits. A clone with less
            history has no such base, and all are read.
 
-It reads the files eight at a time, as the unity builds compile them, for to read headers is most of its time. What is
-clean stays so until a file of it changes: build/tidy/clean/ remembers.
+It reads the files in the groups of the unity builds, because headers take most of its time. `changed` reads only the files of
+a group that changed, those of a target together. What is clean stays so until a file of it changes: build/tidy/clean/ remembers.
 """
 
 import concurrent.futures
+import functools
 import hashlib
 import json
 import os
@@ -20,8 +21,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build/tidy"
 CLEAN = BUILD / "clean"
-RECENT = 10  # commits; about 15 of the 80 units, and a minute of processor time
-OTHERS = ("fuzz/coverage.cpp", "fuzz/entry.cpp", "tree-sitter-proskill/", "build/")  # the first two need libFuzzer
+PARTS = BUILD / "parts"
+MOST = 24  # files of several groups that are read together
+RECENT = 10  # commits; about 20 of the 1500 files, and a minute of processor time
+OTHERS = ("fuzz/coverage.cpp", "fuzz/entry.cpp", "tree-sitter-proskill/", "build/", "tests/cli/hippo/",
+          "runtime/stubs/hippo/")  # the first two need libFuzzer, the last two are C
 # in tests, `found == std::vector<Item>{}` prints the contents on failure, and string building need not be fast
 TESTS = "--checks=-readability-container-size-empty,-performance-inefficient-string-concatenation"
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
@@ -62,23 +66,59 @@ def changed_since(base):
     return names
 
 
+@functools.cache
+def included(name):
+    """The tree's files that this one includes directly."""
+    return INCLUDE.findall((ROOT / name).read_text(encoding="utf-8")) if (ROOT / name).is_file() else []
+
+
+@functools.cache
+def files_of(source):
+    """The source, and the tree's headers that it includes."""
+    files, todo = set(), [source]
+    while todo:
+        name = todo.pop()
+        if name not in files and (ROOT / name).is_file():
+            files.add(name)
+            todo += included(name)
+    return files
+
+
 class Unit:
     """Input of one run of clang-tidy: some sources, and the tree's headers that they include."""
 
-    def __init__(self, command):
-        self.file, self.command = command["file"], command["command"]
-        text = pathlib.Path(self.file).read_text(encoding="utf-8")
-        inside = self.file.startswith(str(BUILD))
-        found = INCLUDE.findall(text) if inside else [self.file]
-        self.sources = {os.path.relpath(path, ROOT) for path in found}
-        self.files = set()
-        todo = list(self.sources)
-        while todo:
-            name = todo.pop()
-            if name in self.files or not (ROOT / name).is_file():
-                continue
-            self.files.add(name)
-            todo += INCLUDE.findall((ROOT / name).read_text(encoding="utf-8"))
+    def __init__(self, file, command, sources, wholes=()):
+        """wholes: the units of the build of which this has some sources; none if it is one of them."""
+        self.file, self.command, self.sources, self.wholes = file, command, sources, wholes
+        self.files = set().union(*map(files_of, sources))
+
+    @staticmethod
+    def of(command):
+        file = command["file"]
+        text = pathlib.Path(file).read_text(encoding="utf-8")
+        found = INCLUDE.findall(text) if file.startswith(str(BUILD)) else [file]
+        return Unit(file, command["command"], {os.path.relpath(path, ROOT) for path in found})
+
+    @property
+    def target(self):
+        """Equal for units of the same compiler options; a source that is compiled alone is read alone."""
+        return os.path.dirname(self.file) if self.file.startswith(str(BUILD)) else self.file
+
+    def part(self, sources):
+        """The unit with some of its sources only."""
+        return self if sources == self.sources else self.with_sources("part", sources, [self])
+
+    def joined(self, others):
+        """The unit together with others of its target."""
+        all_of = [self, *others]
+        return self.with_sources("joined", set().union(*(it.sources for it in all_of)),
+                                 [whole for it in all_of for whole in it.wholes or [it]]) if others else self
+
+    def with_sources(self, kind, sources, wholes):
+        file = PARTS / kind / os.path.relpath(self.file, PARTS / "part" if self.file.startswith(str(PARTS)) else BUILD)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("".join(f'#include "{ROOT / name}"\n' for name in sorted(sources)), encoding="utf-8")
+        return Unit(str(file), self.command.replace(self.file, str(file)), sources, wholes)
 
     def stamp(self, program):
         """Digest of everything that the result depends on, except the system's headers."""
@@ -91,7 +131,7 @@ class Unit:
 def units():
     subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
-    found = [Unit(command) for command in commands
+    found = [Unit.of(command) for command in commands
              if not command["file"].endswith((".c", ".cxx_pch")) and pathlib.Path(command["file"]).is_file()]
     return [unit for unit in found if unit.sources and not any(name.startswith(OTHERS) for name in unit.sources)]
 
@@ -103,23 +143,54 @@ def unread(found):
 
 
 def covering(found, names):
-    """Units that contain these files: for a source its own; for a header one with its name or folder."""
-    chosen = {unit.file: unit for unit in found if unit.sources & names}
-    for name in sorted(names):
-        if name.endswith(".h") and not any(name in unit.files for unit in chosen.values()):
-            having = [unit for unit in found if name in unit.files]
-            having.sort(key=lambda unit: not any(os.path.dirname(it) == os.path.dirname(name) for it in unit.sources))
-            chosen.update((unit.file, unit) for unit in having[:1])
-    return list(chosen.values())
+    """Units of these files: a source itself; a header with a source that includes it, best one of its name or folder."""
+    read = {unit: unit.sources & names for unit in found}
+    seen = set().union(*(files_of(source) for sources in read.values() for source in sources))
+    for header in sorted(name for name in names if name.endswith(".h")):
+        having = [(unit, source) for unit in found for source in unit.sources if header in files_of(source)]
+        if header in seen or not having:
+            continue
+        unit, source = min(having, key=lambda it: distance(header, it[1]))
+        read[unit] |= {source}
+        seen |= files_of(source)
+    groups = []
+    for unit, sources in sorted(((unit, sources) for unit, sources in read.items() if sources), key=lambda it: it[0].file):
+        last = groups[-1] if groups else []
+        if not last or last[0][0].target != unit.target or len(sources) + sum(len(it) for _, it in last) > MOST:
+            groups.append(last := [])
+        last.append((unit, sources))
+    return [first.joined(rest) for first, *rest in ([unit.part(sources) for unit, sources in group] for group in groups)]
+
+
+def distance(header, source):
+    """Orders the sources that include a header; the name makes the choice the same each time."""
+    return (os.path.splitext(header)[0] != os.path.splitext(source)[0], os.path.dirname(header) != os.path.dirname(source), source)
+
+
+def write_commands(chosen):
+    """The compile commands of what is read, among which clang-tidy looks for them."""
+    PARTS.mkdir(exist_ok=True)
+    commands = [{"directory": str(BUILD), "command": unit.command, "file": unit.file} for some in chosen for unit in (some, *some.wholes)]
+    (PARTS / "compile_commands.json").write_text(json.dumps(commands), encoding="utf-8")
 
 
 def tidy(program, unit):
     """The warnings of a unit, each as one line."""
+    found = warnings_of(program, unit)
+    # files of different groups may use one name for two things, and a file may use an include of its group
+    differs = unit.wholes and any("[clang-diagnostic-error" in line for line in found)
+    return set().union(*(warnings_of(program, it) for it in unit.wholes)) if differs else found
+
+
+def warnings_of(program, unit):
     lenient = [TESTS] if any(name.startswith("tests/") for name in unit.sources) else []
-    done = subprocess.run([program, "-p", BUILD, "--quiet", *lenient, unit.file], cwd=ROOT, capture_output=True, text=True)
-    found = set(WARNING.findall(done.stdout))
-    if done.returncode and not found:
-        found.add(done.stdout + done.stderr)
+    for _ in range(2):  # again if it was killed, as by want of memory
+        done = subprocess.run([program, "-p", PARTS, "--quiet", *lenient, unit.file], cwd=ROOT, capture_output=True, text=True)
+        found = set(WARNING.findall(done.stdout))
+        if found or not done.returncode:
+            break
+    else:
+        found = {f"{unit.file}: clang-tidy ends with {done.returncode}\n{done.stdout}{done.stderr}"}
     return {line.replace(f"{ROOT}/", "") for line in found}
 
 
@@ -132,6 +203,7 @@ def main():
     warnings = {f"{name}: error: no unit has it, so nobody reads it" for name in unread(found)}
     print("".join(f"{line}\n" for line in sorted(warnings)), end="")
     CLEAN.mkdir(exist_ok=True)
+    write_commands(chosen)
     todo = [unit for unit in chosen if not unit.stamp(version).exists()]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() + 1) as pool:
         for unit, said in zip(todo, pool.map(lambda unit: tidy(program, unit), todo)):
@@ -139,8 +211,8 @@ def main():
             warnings |= said
             if not said:
                 unit.stamp(version).touch()
-    print(f"clang-tidy ({since}): {len(warnings)} warnings; {len(chosen)} of {len(found)} units, "
-          f"{len(todo)} of them read anew")
+    print(f"clang-tidy ({since}): {len(warnings)} warnings; {sum(len(unit.sources) for unit in chosen)} files in "
+          f"{len(chosen)} of {len(found)} units, {len(todo)} of them read anew")
     return 1 if warnings else 0
 
 

@@ -1,9 +1,10 @@
-"""Lists the skipped tests with their reasons at the end of `./dev test`.
+"""Ends `./dev test`: what failed before the tests, what succeeded only at its second try, and what was skipped and why.
 
-usage: ctest … --output-junit FOLDER/tested-NAME.xml | skips.py FOLDER [--not-tried WHAT REASON]…
+usage: ctest … --output-junit FOLDER/tested-NAME.xml | summary.py FOLDER [--not-tried WHAT REASON]… [--failed WHAT OUTPUT]…
 
-Passes on what ctest prints; its closing lines come last, after the list. With CI=true it fails if a skip is not one
+Passes on what ctest prints; its closing lines come last, after the lists. With CI=true it fails if a skip is not one
 of tests/skips.txt, whose lines are `test | reason | why it cannot be helped`, with `*` for anything in the first two.
+A test prints `retried: WHAT: WHY` for each second try. Of a failed phase the last lines of the file OUTPUT are repeated.
 """
 
 import argparse
@@ -16,6 +17,7 @@ import xml.etree.ElementTree
 
 LISTED = pathlib.Path(__file__).resolve().parents[1] / "tests/skips.txt"
 NO_REASON = "it does not say why"
+REPEATED = 30  # lines of a failed phase
 CLOSING = re.compile(r"\d+% tests passed|No tests were found")
 
 
@@ -26,6 +28,13 @@ def skips(file):
             continue
         said = re.search(r"^skipped: (.*)$", case.findtext("system-out") or "", re.M)
         yield case.get("name"), said[1] if said else NO_REASON
+
+
+def retries(file):
+    """What succeeded only at its second try, each with the test that says so."""
+    for case in xml.etree.ElementTree.parse(file).iter("testcase"):
+        for said in re.findall(r"^retried: (.*)$", case.findtext("system-out") or "", re.M):
+            yield case.get("name"), said
 
 
 def allowed(name, reason, listed):
@@ -49,6 +58,21 @@ def pass_on(stream):
     return closing
 
 
+def report_failures(failed):
+    """Repeats the end of what failed before the tests: its own place is thousands of lines up."""
+    for what, output in failed:
+        print(f"\nFailed before the tests: {what}")
+        lines = pathlib.Path(output).read_text(encoding="utf-8", errors="replace").splitlines()
+        print("".join(f"  {line}\n" for line in lines[-REPEATED:]), end="")
+
+
+def report_retries(found):
+    if found:
+        print("\nTried twice, because the first try failed:")
+    for name, said in found:
+        print(f"  {name}\n      {said}")
+
+
 def report(found):
     print(f"\n{len(found)} of the tests could not be tried here:" if found else "\nno test was skipped")
     for name, reason in found:
@@ -60,11 +84,14 @@ def main():
     options = argparse.ArgumentParser()
     options.add_argument("folder", type=pathlib.Path)
     options.add_argument("--not-tried", nargs=2, action="append", default=[])
+    options.add_argument("--failed", nargs=2, action="append", default=[])
     options.add_argument("--listed", type=pathlib.Path, default=LISTED)
     chosen = options.parse_args()
     closing = pass_on(sys.stdin)
     runs = list(chosen.folder.glob("tested-*.xml"))  # ctest has now written the last of them
     found = sorted({*(skip for file in runs for skip in skips(file)), *map(tuple, chosen.not_tried)})
+    report_failures(chosen.failed)
+    report_retries(sorted(retry for file in runs for retry in retries(file)))
     report(found)
     unlisted = [name for name, reason in found if not allowed(name, reason, read_list(chosen.listed))]
     fails = unlisted and os.environ.get("CI") == "true"
@@ -73,7 +100,7 @@ def main():
     if fails:
         print(f"failed: CI=true, and tests/skips.txt does not allow to skip {', '.join(unlisted)}\n")
     print("".join(closing), end="")
-    return 1 if fails or not runs else 0
+    return 1 if fails or chosen.failed or not runs else 0
 
 
 if __name__ == "__main__":
